@@ -1,0 +1,72 @@
+//! What does a sum look like over one denominator? Like directions collected, weights whole.
+
+use num_bigint::{BigInt, BigUint};
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::sum::Term;
+use super::turn::Turn;
+
+/// The sum `Σ weight · e^{2πi·exponent/conductor}` with whole weights: a [`super::PhasorSum`] scaled by
+/// `scale`, with each direction once, no weight zero, in order of the exponents.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IntegerSum {
+    /// The common denominator of the angles.
+    pub conductor: BigUint,
+    /// What the rational weights were multiplied by to make them whole.
+    pub scale: BigInt,
+    /// `(exponent, weight)`, exponents rising, each below the conductor.
+    pub terms: Vec<(BigUint, BigInt)>,
+}
+
+impl IntegerSum {
+    /// Collects like directions and scales to whole weights.
+    pub fn collect(terms: &[Term]) -> Self {
+        let conductor = terms.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
+        let scale = terms.iter().fold(BigInt::one(), |s, term| s.lcm(term.weight.denom()));
+        let mut pairs: Vec<(BigUint, BigInt)> = terms
+            .iter()
+            .map(|term| (whole(term.angle.turns(), &conductor), whole(&term.weight, &scale)))
+            .map(|(exponent, weight)| (exponent.magnitude().clone(), weight))
+            .collect();
+        pairs.sort_by(|a, b| a.0.cmp(&b.0));
+        let mut collected: Vec<(BigUint, BigInt)> = Vec::with_capacity(pairs.len());
+        for (exponent, weight) in pairs {
+            match collected.last_mut() {
+                Some(last) if last.0 == exponent => last.1 += weight,
+                _ => collected.push((exponent, weight)),
+            }
+        }
+        collected.retain(|(_, weight)| !weight.is_zero());
+        IntegerSum { conductor: conductor.magnitude().clone(), scale, terms: collected }
+    }
+
+    /// The same sum in machine words, where the conductor and the sum of all weights stay below 2⁶³.
+    ///
+    /// No weight in the course of a decision exceeds the sum of all weights, so none can wrap.
+    pub fn in_words(&self) -> Option<(u64, Vec<(u64, i64)>)> {
+        let total: BigInt = self.terms.iter().map(|(_, weight)| weight.abs()).sum();
+        total.to_i64()?;
+        let conductor = u64::try_from(self.conductor.to_i64()?).ok()?;
+        let terms = self.terms.iter().map(|(e, w)| Some((e.to_u64()?, w.to_i64()?))).collect::<Option<Vec<_>>>()?;
+        Some((conductor, terms))
+    }
+
+    /// The collected terms as angles and rational weights.
+    pub fn to_terms(&self) -> Vec<Term> {
+        let conductor = BigInt::from(self.conductor.clone());
+        self.terms
+            .iter()
+            .map(|(exponent, weight)| Term {
+                angle: Turn::new(BigRational::new(exponent.clone().into(), conductor.clone())),
+                weight: BigRational::new(weight.clone(), self.scale.clone()),
+            })
+            .collect()
+    }
+}
+
+/// `ratio · multiple`, where the multiple clears the denominator.
+fn whole(ratio: &BigRational, multiple: &BigInt) -> BigInt {
+    ratio.numer() * (multiple / ratio.denom())
+}

@@ -1,0 +1,18 @@
+//! Is this sum of rotating vectors zero? Decided in exact arithmetic, with the evidence.
+//!
+//! A sum is `S = Σ w_j e^{2πi t_j}` with rational weights `w_j` and rational angles `t_j` (turns).
+//! No float, no tolerance and no sampling enters here: floats do not compile in this room.
+
+mod collected;
+mod decide;
+mod evidence;
+mod polygons;
+mod residue;
+mod splitting;
+mod sum;
+mod turn;
+
+pub use collected::IntegerSum;
+pub use decide::vanishes;
+pub use sum::{PhasorSum, Term};
+pub use turn::Turn;

@@ -1,0 +1,97 @@
+//! What is a phasor sum? Rational weights at rational angles, one term a cylinder.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::collected::IntegerSum;
+use super::decide;
+use super::turn::Turn;
+
+/// One rotating vector: `weight · e^{2πi·angle}`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// Direction of the vector.
+    pub angle: Turn,
+    /// Length of the vector, of either sign, without unit.
+    pub weight: BigRational,
+}
+
+/// The sum `Σ weight · e^{2πi·angle}`, with its terms as they were given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PhasorSum {
+    terms: Vec<Term>,
+}
+
+impl PhasorSum {
+    /// The sum of these terms, in this order.
+    pub fn new(terms: Vec<Term>) -> Self {
+        PhasorSum { terms }
+    }
+
+    /// The terms as given, before collecting.
+    pub fn terms(&self) -> &[Term] {
+        &self.terms
+    }
+
+    /// The same sum with each direction once, no weight zero, in order of the angles.
+    pub fn collected(&self) -> Vec<Term> {
+        let mut by_angle: BTreeMap<&Turn, BigRational> = BTreeMap::new();
+        for term in &self.terms {
+            *by_angle.entry(&term.angle).or_insert_with(BigRational::zero) += &term.weight;
+        }
+        by_angle
+            .into_iter()
+            .filter(|(_, weight)| !weight.is_zero())
+            .map(|(angle, weight)| Term { angle: angle.clone(), weight })
+            .collect()
+    }
+
+    /// Whether the sum is zero, decided exactly (see [`decide::vanishes`]).
+    pub fn vanishes(&self) -> bool {
+        let sum = IntegerSum::collect(&self.terms);
+        match sum.in_words() {
+            Some((conductor, terms)) => decide::vanishes(&conductor, &terms),
+            None => decide::vanishes(&sum.conductor, &sum.terms),
+        }
+    }
+
+    /// Every vector turned by the same angle.
+    pub fn turned(&self, by: &Turn) -> Self {
+        self.map(|term| Term { angle: &term.angle + by, weight: term.weight.clone() })
+    }
+
+    /// Every vector lengthened by the same factor.
+    pub fn scaled(&self, by: &BigRational) -> Self {
+        self.map(|term| Term { angle: term.angle.clone(), weight: &term.weight * by })
+    }
+
+    /// The mirror image in the reference direction: the complex conjugate.
+    pub fn conjugate(&self) -> Self {
+        self.map(|term| Term { angle: -&term.angle, weight: term.weight.clone() })
+    }
+
+    /// The sum of both sums.
+    pub fn plus(&self, other: &Self) -> Self {
+        PhasorSum { terms: self.terms.iter().chain(&other.terms).cloned().collect() }
+    }
+
+    /// The first sum less the second.
+    pub fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.map(|term| Term { angle: term.angle.clone(), weight: -&term.weight }))
+    }
+
+    /// `|S|² = S S̄ = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, collected: again a phasor sum.
+    pub fn squared_modulus(&self) -> Self {
+        let terms = self.collected();
+        let products = terms.iter().flat_map(|a| {
+            terms.iter().map(move |b| Term { angle: &a.angle - &b.angle, weight: &a.weight * &b.weight })
+        });
+        PhasorSum { terms: PhasorSum::new(products.collect()).collected() }
+    }
+
+    fn map(&self, change: impl Fn(&Term) -> Term) -> Self {
+        PhasorSum { terms: self.terms.iter().map(change).collect() }
+    }
+}

@@ -1,0 +1,46 @@
+//! Which engines are known by name? One layout file each, in the folder `catalogue`.
+
+use super::engine::Layout;
+use super::error::LayoutError;
+use super::file::parse;
+
+/// A layout file of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Name on the command line: the file's name without `.toml`.
+    pub name: &'static str,
+    /// The layout file.
+    pub text: &'static str,
+}
+
+impl Entry {
+    /// The engine.
+    ///
+    /// # Errors
+    /// None in a released catalogue: the tests read every entry.
+    pub fn layout(&self) -> Result<Layout, LayoutError> {
+        parse(self.name, self.text)
+    }
+}
+
+include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
+
+/// All engines: by form, then by number of cylinders, then by name.
+///
+/// # Errors
+/// None in a released catalogue: the tests read every entry.
+pub fn catalogue() -> Result<Vec<(Entry, Layout)>, LayoutError> {
+    let mut engines =
+        ENTRIES.iter().map(|entry| Ok((*entry, entry.layout()?))).collect::<Result<Vec<_>, LayoutError>>()?;
+    engines.sort_by_key(|(entry, layout)| (layout.form, layout.cylinders.len(), entry.name));
+    Ok(engines)
+}
+
+/// The entry of this name, in upper or lower case.
+///
+/// ```
+/// assert_eq!(crankstar::layout::find("v8-CROSSPLANE").unwrap().name, "V8-crossplane");
+/// ```
+pub fn find(name: &str) -> Option<Entry> {
+    ENTRIES.iter().find(|entry| entry.name.eq_ignore_ascii_case(name)).copied()
+}

@@ -1,0 +1,92 @@
+//! What is an engine, as far as its balance goes? Cylinders: throw, bank, position, reciprocating mass.
+
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::firing::Firing;
+use crate::exact::Turn;
+
+/// One cylinder with its crank throw.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cylinder {
+    /// What it is called in the firing order: `1`, `L2`.
+    pub name: String,
+    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end.
+    pub throw: Turn,
+    /// Angle α of the cylinder axis, from the reference direction.
+    pub bank: Turn,
+    /// Position z along the crankshaft, towards the free end, in the layout's [`LengthUnit`].
+    pub position: BigRational,
+    /// Reciprocating mass, in kilograms, or in multiples of a common mass.
+    pub reciprocating_mass: BigRational,
+}
+
+impl Cylinder {
+    /// Crank angle `α − β` at which the piston stands at top dead centre.
+    pub fn top_dead_centre(&self) -> Turn {
+        &self.bank - &self.throw
+    }
+}
+
+/// What lengths are counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Numbers without a unit: multiples of the spacing a (or metres, as the reader likes).
+    Spacing,
+    /// Metres.
+    Metre,
+}
+
+/// Which short form the layout file used; the order is that of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Form {
+    /// All cylinders on one side of the crankshaft.
+    Inline,
+    /// Two banks.
+    Vee,
+    /// Two banks at 180° on shared pins.
+    Flat,
+    /// Opposed cylinders on pins of their own, 180° apart.
+    Boxer,
+    /// Three banks or more.
+    Fan,
+    /// Cylinders all round a common throw.
+    Radial,
+    /// One table a cylinder.
+    General,
+}
+
+/// An engine layout: what a layout file says, in exact numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Title of the report.
+    pub title: String,
+    /// Where the crank star is published, if the file says so.
+    pub source: Option<String>,
+    /// Which form the file used.
+    pub form: Form,
+    /// The cylinders, in the order of the file.
+    pub cylinders: Vec<Cylinder>,
+    /// Position of the plane that moments are taken about.
+    pub reference_plane: BigRational,
+    /// Whether the file names the reference plane; else it is the middle of the cylinders.
+    pub reference_plane_given: bool,
+    /// What positions are counted in.
+    pub length_unit: LengthUnit,
+    /// The orders that the file asks for, rising.
+    pub orders: Vec<u32>,
+    /// When the cylinders fire, where the file says enough.
+    pub firing: Option<Firing>,
+}
+
+impl Layout {
+    /// Arm of a cylinder: its position measured from the reference plane.
+    pub fn arm(&self, cylinder: &Cylinder) -> BigRational {
+        &cylinder.position - &self.reference_plane
+    }
+
+    /// Whether every reciprocating mass is 1, so that weights need not be shown.
+    pub fn has_unit_masses(&self) -> bool {
+        self.cylinders.iter().all(|cylinder| cylinder.reciprocating_mass.is_one())
+    }
+}

@@ -1,0 +1,58 @@
+//! What is wrong with a layout file? The place, what was written, what would be right.
+
+use std::fmt;
+use std::ops::Range;
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+
+/// One mistake in a layout file, told with the place where it stands.
+#[derive(Clone, Debug)]
+pub struct LayoutError {
+    message: String,
+    right: String,
+    span: Option<Range<usize>>,
+    file: String,
+    source: String,
+}
+
+impl LayoutError {
+    /// A mistake with what would be right, at a byte range of the file.
+    pub(super) fn new(message: impl Into<String>, right: impl Into<String>, span: Option<Range<usize>>) -> Self {
+        LayoutError { message: message.into(), right: right.into(), span, file: String::new(), source: String::new() }
+    }
+
+    /// Names the file and keeps its text, so that the message can show the line.
+    pub(super) fn in_file(mut self, file: &str, source: &str) -> Self {
+        self.file = file.to_owned();
+        self.source = source.to_owned();
+        self
+    }
+
+    /// What is wrong, in one line.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// Bytes of the file that the message is about.
+    pub fn span(&self) -> Option<Range<usize>> {
+        self.span.clone()
+    }
+}
+
+impl fmt::Display for LayoutError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let title = Level::ERROR.primary_title(self.message.as_str());
+        // A span that is empty, or ends inside a character, still has to point at something.
+        let span = self.span.clone().filter(|span| self.source.get(span.clone()).is_some());
+        let group = match span {
+            Some(span) => {
+                let annotation = AnnotationKind::Primary.span(span).label(self.right.as_str());
+                title.element(Snippet::source(self.source.as_str()).path(self.file.as_str()).annotation(annotation))
+            }
+            None => title.element(Level::HELP.message(format!("{}: {}", self.file, self.right))),
+        };
+        f.write_str(&Renderer::plain().render(&[group]))
+    }
+}
+
+impl std::error::Error for LayoutError {}

@@ -1,0 +1,233 @@
+//! What does a layout file hold? TOML: general keys, then one form of engine.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::engine::{Cylinder, Form, Layout, LengthUnit};
+use super::error::LayoutError;
+use super::firing::{self, Cycle, Firing};
+use super::forms::{self, Expanded, MOST_CYLINDERS};
+use super::units;
+use super::written::{Text, place, read};
+use crate::exact::Turn;
+
+/// The highest order that is answered.
+pub(crate) const HIGHEST_ORDER: u32 = 1000;
+/// The orders of a file that names none.
+const USUAL_ORDERS: [u32; 4] = [1, 2, 4, 6];
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: Option<Text>,
+    source: Option<Text>,
+    orders: Option<Spanned<Vec<Text>>>,
+    reference_plane: Option<Text>,
+    cycle: Option<Text>,
+    firing_order: Option<Spanned<firing::Order>>,
+    firing_angles: Option<Spanned<Vec<Text>>>,
+    cylinder: Option<Vec<Spanned<CylinderTable>>>,
+    inline: Option<Spanned<forms::Inline>>,
+    vee: Option<Spanned<forms::Vee>>,
+    flat: Option<Spanned<forms::Flat>>,
+    boxer: Option<Spanned<forms::Boxer>>,
+    fan: Option<Spanned<forms::Fan>>,
+    radial: Option<Spanned<forms::Radial>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CylinderTable {
+    name: Option<Text>,
+    throw: Text,
+    bank: Text,
+    position: Text,
+    reciprocating_mass: Option<Text>,
+}
+
+/// Reads a layout file.
+///
+/// `name` is the path that messages show, and the title where the file has none.
+///
+/// ```
+/// let i4 = crankstar::layout::parse("i4.toml", "inline.throws = [0, 180, 180, 0]").unwrap();
+/// assert_eq!(i4.cylinders.len(), 4);
+/// assert_eq!(i4.arm(&i4.cylinders[0]).to_string(), "3/2");
+/// ```
+///
+/// # Errors
+/// The first mistake, with its place and what would be right.
+pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
+    read::<File>(source).and_then(|file| layout(name, file)).map_err(|error| error.in_file(name, source))
+}
+
+fn layout(name: &str, file: File) -> Result<Layout, LayoutError> {
+    let cycle = file.cycle.as_ref().map(cycle).transpose()?;
+    let expanded = expand(&file, cycle)?;
+    check_names(&expanded.cylinders)?;
+    let mut length_unit = expanded.length_unit;
+    let reference_plane = match &file.reference_plane {
+        Some(text) => forms::length(text, &mut length_unit)?,
+        None => middle(&expanded.cylinders),
+    };
+    Ok(Layout {
+        title: file.title.as_ref().map_or_else(|| name.to_owned(), |title| title.get_ref().0.clone()),
+        source: file.source.map(|source| source.into_inner().0),
+        form: expanded.form,
+        firing: firing(&file.firing_order, &file.firing_angles, cycle, &expanded.cylinders)?,
+        reference_plane,
+        reference_plane_given: file.reference_plane.is_some(),
+        length_unit,
+        orders: file.orders.as_ref().map_or(Ok(USUAL_ORDERS.to_vec()), orders)?,
+        cylinders: expanded.cylinders,
+    })
+}
+
+/// The one form that the file uses, as cylinders.
+fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
+    let mut forms: Vec<Result<Expanded, LayoutError>> = Vec::new();
+    forms.extend(file.cylinder.as_ref().map(|tables| general(tables)));
+    let order = file.firing_order.as_ref();
+    forms.extend(file.inline.as_ref().map(|form| form.get_ref().expand(form.span(), order, cycle)));
+    forms.extend(file.vee.as_ref().map(|form| form.get_ref().expand()));
+    forms.extend(file.flat.as_ref().map(|form| form.get_ref().expand()));
+    forms.extend(file.boxer.as_ref().map(|form| form.get_ref().expand()));
+    forms.extend(file.fan.as_ref().map(|form| form.get_ref().expand()));
+    forms.extend(file.radial.as_ref().map(|form| form.get_ref().expand()));
+    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan] or [radial] says what the engine is";
+    match (forms.pop(), forms.pop()) {
+        (Some(only), None) => only,
+        (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
+        (Some(_), Some(_)) => Err(LayoutError::new("the file describes more than one engine", right, None)),
+    }
+}
+
+fn general(tables: &[Spanned<CylinderTable>]) -> Result<Expanded, LayoutError> {
+    if tables.is_empty() || tables.len() > MOST_CYLINDERS {
+        let message = format!("{} cylinders", tables.len());
+        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), None));
+    }
+    let mut length_unit = LengthUnit::Spacing;
+    let cylinders = tables.iter().enumerate().map(|(index, table)| {
+        let table = table.get_ref();
+        Ok(Cylinder {
+            name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
+            throw: Turn::new(forms::angle(&table.throw)?),
+            bank: Turn::new(forms::angle(&table.bank)?),
+            position: forms::length(&table.position, &mut length_unit)?,
+            reciprocating_mass: table
+                .reciprocating_mass
+                .as_ref()
+                .map_or(Ok(BigRational::from_integer(1.into())), mass)?,
+        })
+    });
+    let cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
+    Ok(Expanded { form: Form::General, cylinders, length_unit })
+}
+
+fn mass(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let mass = units::mass(written).map_err(|right| forms::misread("mass", written, right, text))?;
+    if mass.is_negative() {
+        return Err(forms::misread("mass", written, "a mass is 0 or more".to_owned(), text));
+    }
+    Ok(mass)
+}
+
+fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
+    let name = &text.get_ref().0;
+    let fits = (1..=6).contains(&name.len()) && name.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    if fits {
+        Ok(name.clone())
+    } else {
+        Err(forms::misread("name", name, "one to six letters or digits, such as \"L2\"".to_owned(), text))
+    }
+}
+
+fn check_names(cylinders: &[Cylinder]) -> Result<(), LayoutError> {
+    let mut seen = BTreeMap::new();
+    for (index, cylinder) in cylinders.iter().enumerate() {
+        if let Some(first) = seen.insert(&cylinder.name, index) {
+            let message = format!("cylinders {} and {} have the same name `{}`", first + 1, index + 1, cylinder.name);
+            return Err(LayoutError::new(message, "every cylinder needs a name of its own", None));
+        }
+    }
+    Ok(())
+}
+
+/// The middle between the outermost cylinders.
+fn middle(cylinders: &[Cylinder]) -> BigRational {
+    let positions = || cylinders.iter().map(|cylinder| &cylinder.position);
+    let ends = positions().min().zip(positions().max());
+    ends.map_or_else(BigRational::zero, |(low, high)| (low + high) / BigRational::from_integer(2.into()))
+}
+
+fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
+    match text.get_ref().0.as_str() {
+        "four-stroke" => Ok(Cycle::FourStroke),
+        "two-stroke" => Ok(Cycle::TwoStroke),
+        other => Err(forms::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
+    }
+}
+
+fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
+    let right = || format!("whole numbers from 1 to {HIGHEST_ORDER}, such as [1, 2, 4, 6]");
+    let mut orders = Vec::new();
+    for text in list.get_ref() {
+        let written = &text.get_ref().0;
+        match written.parse() {
+            Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => orders.push(order),
+            _ => return Err(forms::misread("order", written, right(), text)),
+        }
+    }
+    if orders.is_empty() {
+        return Err(LayoutError::new("the list of orders is empty", right(), place(list)));
+    }
+    orders.sort_unstable();
+    orders.dedup();
+    Ok(orders)
+}
+
+fn firing(
+    order: &Option<Spanned<firing::Order>>,
+    angles: &Option<Spanned<Vec<Text>>>,
+    cycle: Option<Cycle>,
+    cylinders: &[Cylinder],
+) -> Result<Option<Firing>, LayoutError> {
+    let Some(cycle) = cycle else {
+        let span = order.as_ref().and_then(place).or(angles.as_ref().and_then(place));
+        return match span {
+            None => Ok(None),
+            span => Err(LayoutError::new(
+                "when the cylinders fire depends on the cycle, which is missing",
+                "add cycle = \"four-stroke\" or \"two-stroke\"",
+                span,
+            )),
+        };
+    };
+    match (order, angles) {
+        (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
+        (None, None) => Ok(None),
+        (Some(order), None) => {
+            let indices = order.get_ref().indices(cylinders, place(order))?;
+            Firing::from_order(&indices, cycle, cylinders)
+                .map(Some)
+                .map_err(|(message, right)| LayoutError::new(message, right, place(order)))
+        }
+        (None, Some(list)) => {
+            let angles = list.get_ref().iter().map(forms::angle).collect::<Result<Vec<_>, _>>()?;
+            Firing::from_angles(&angles, cycle, cylinders)
+                .map(Some)
+                .map_err(|(message, right)| LayoutError::new(message, right, place(list)))
+        }
+        (Some(_), Some(list)) => Err(LayoutError::new(
+            "both a firing order and firing angles are given",
+            "one of them is enough: the angles say the order",
+            place(list),
+        )),
+    }
+}

@@ -1,0 +1,364 @@
+//! How do people describe an engine? In-line, vee, flat, boxer, radial, fan: each becomes cylinders.
+//!
+//! Pin 1 and row 1 stand at the free end (+z). Bank angles are measured from the bisector of the banks.
+
+use std::ops::Range;
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::engine::{Cylinder, Form, LengthUnit};
+use super::error::LayoutError;
+use super::firing::{self, Cycle};
+use super::units;
+use super::written::{Text, place};
+use crate::exact::Turn;
+
+/// More cylinders than this are refused by name.
+pub(super) const MOST_CYLINDERS: usize = 2000;
+
+/// What every form comes to.
+pub(super) struct Expanded {
+    pub form: Form,
+    pub cylinders: Vec<Cylinder>,
+    pub length_unit: LengthUnit,
+}
+
+/// A list with its place in the file.
+type List = Spanned<Vec<Text>>;
+
+/// `[inline]`: all cylinder axes at angle 0.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Inline {
+    throws: Option<List>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+}
+
+/// `[vee]`: bank 1 at −φ/2, bank 2 at +φ/2; the pin of bank 2 stands `pin_split` ahead of that of bank 1.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Vee {
+    bank_angle: Text,
+    throws: List,
+    pin_split: Option<Text>,
+    bank_offset: Option<Text>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+    numbering: Option<Text>,
+}
+
+/// `[flat]`: a vee of 180° on shared pins.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Flat {
+    throws: List,
+    bank_offset: Option<Text>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+    numbering: Option<Text>,
+}
+
+/// `[boxer]`: a vee of 180° whose opposed pins stand 180° apart, `stagger` apart along the crankshaft.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Boxer {
+    throws: List,
+    stagger: Text,
+    spacing: Option<Text>,
+    positions: Option<List>,
+    numbering: Option<Text>,
+}
+
+/// `[fan]`: any number of banks on common pins: W and X engines.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Fan {
+    banks: List,
+    throws: List,
+    pin_splits: Option<List>,
+    bank_offsets: Option<List>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+    numbering: Option<Text>,
+}
+
+/// `[radial]`: rows of cylinders evenly round one throw a row, all rods on the pin itself.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Radial {
+    cylinders: Text,
+    rows: Option<Text>,
+    row_rotation: Option<Text>,
+    row_throw: Option<Text>,
+    row_spacing: Option<Text>,
+}
+
+/// One bank of a fan: axis, pin split, axial offset.
+struct Bank {
+    angle: Turn,
+    split: Turn,
+    offset: BigRational,
+}
+
+/// The pins along the crankshaft: throw and position.
+struct Pins(Vec<(Turn, BigRational)>);
+
+impl Inline {
+    pub fn expand(
+        &self,
+        span: Range<usize>,
+        order: Option<&Spanned<firing::Order>>,
+        cycle: Option<Cycle>,
+    ) -> Result<Expanded, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let (throws, place) = match (&self.throws, order, cycle) {
+            (Some(list), _, _) => (angles(list)?, list.span()),
+            (None, Some(order), Some(cycle)) => (order.get_ref().even_throws(cycle, place(order))?, order.span()),
+            (None, _, _) => {
+                return Err(LayoutError::new(
+                    "the crank throws are missing",
+                    "add throws = [0, 180, …], or above the table a firing_order with its cycle",
+                    Some(span),
+                ));
+            }
+        };
+        let pins = pins(throws, place, &self.spacing, &self.positions, one(), &mut unit)?;
+        let bank = Bank { angle: Turn::zero(), split: Turn::zero(), offset: BigRational::zero() };
+        fan(Form::Inline, &[bank], &pins, None, unit)
+    }
+}
+
+impl Vee {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let angle = angle(&self.bank_angle)?;
+        if angle.is_negative() || angle >= one() {
+            let right = "the angle between the banks, from 0 up to 360 degrees".to_owned();
+            return Err(misread("bank angle", &self.bank_angle.get_ref().0, right, &self.bank_angle));
+        }
+        let split = optional_angle(&self.pin_split)?;
+        let offset = optional_length(&self.bank_offset, BigRational::zero(), &mut unit)?;
+        let throws = angles(&self.throws)?;
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
+        fan(Form::Vee, &two_banks(&angle, split, &offset), &pins, self.numbering.as_ref(), unit)
+    }
+}
+
+impl Flat {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let offset = optional_length(&self.bank_offset, BigRational::zero(), &mut unit)?;
+        let throws = angles(&self.throws)?;
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
+        fan(Form::Flat, &two_banks(&half(), Turn::zero(), &offset), &pins, self.numbering.as_ref(), unit)
+    }
+}
+
+impl Boxer {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let stagger = length(&self.stagger, &mut unit)?;
+        let between_pairs = &stagger * BigRational::from_integer(2.into());
+        let throws = angles(&self.throws)?;
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, between_pairs, &mut unit)?;
+        let banks = two_banks(&half(), Turn::fraction(1, 2), &stagger);
+        fan(Form::Boxer, &banks, &pins, self.numbering.as_ref(), unit)
+    }
+}
+
+impl Fan {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let axes = angles(&self.banks)?;
+        let splits = match &self.pin_splits {
+            Some(list) => angles(list)?,
+            None => vec![Turn::zero(); axes.len()],
+        };
+        let offsets = match &self.bank_offsets {
+            Some(list) => lengths(list, &mut unit)?,
+            None => vec![BigRational::zero(); axes.len()],
+        };
+        for (count, list) in [(splits.len(), &self.pin_splits), (offsets.len(), &self.bank_offsets)] {
+            if count != axes.len() {
+                let message = format!("{count} values for {} banks", axes.len());
+                return Err(LayoutError::new(
+                    message,
+                    "one a bank, in the order of `banks`",
+                    list.as_ref().and_then(place),
+                ));
+            }
+        }
+        let throws = angles(&self.throws)?;
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
+        let banks = axes.into_iter().zip(splits).zip(offsets);
+        let banks: Vec<Bank> = banks.map(|((angle, split), offset)| Bank { angle, split, offset }).collect();
+        fan(Form::Fan, &banks, &pins, self.numbering.as_ref(), unit)
+    }
+}
+
+impl Radial {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let count = whole(&self.cylinders, "cylinders of a row")?;
+        let rows = self.rows.as_ref().map_or(Ok(1), |rows| whole(rows, "number of rows"))?;
+        if count * rows > MOST_CYLINDERS as i64 {
+            let right = format!("up to {MOST_CYLINDERS} cylinders are read");
+            return Err(misread("number of cylinders", &(count * rows).to_string(), right, &self.cylinders));
+        }
+        let missing = |key: &str| {
+            let message = format!("with {rows} rows, `{key}` is missing");
+            LayoutError::new(message, "say by which angle each row follows the one before", place(&self.cylinders))
+        };
+        let (rotation, throw) = match (&self.row_rotation, &self.row_throw) {
+            (Some(rotation), Some(throw)) => (angle(rotation)?, angle(throw)?),
+            (None, None) if rows == 1 => (BigRational::zero(), BigRational::zero()),
+            (None, _) => return Err(missing("row_rotation")),
+            (_, None) => return Err(missing("row_throw")),
+        };
+        let spacing = optional_length(&self.row_spacing, one(), &mut unit)?;
+        let cylinders = (0..rows).flat_map(|row| {
+            let (rotation, throw, spacing) =
+                (Turn::new(&rotation * integer(row)), Turn::new(&throw * integer(row)), &spacing);
+            (0..count).map(move |i| Cylinder {
+                name: (row * count + i + 1).to_string(),
+                throw: throw.clone(),
+                bank: &Turn::fraction(i, count) + &rotation,
+                position: BigRational::new((rows - 1 - 2 * row).into(), 2.into()) * spacing,
+                reciprocating_mass: one(),
+            })
+        });
+        Ok(Expanded { form: Form::Radial, cylinders: cylinders.collect(), length_unit: unit })
+    }
+}
+
+/// Two banks φ apart about the bisector; the first stands half the offset towards the free end.
+fn two_banks(bank_angle: &BigRational, split: Turn, offset: &BigRational) -> [Bank; 2] {
+    [
+        Bank { angle: Turn::new(-bank_angle * half()), split: Turn::zero(), offset: offset * half() },
+        Bank { angle: Turn::new(bank_angle * half()), split, offset: -offset * half() },
+    ]
+}
+
+fn fan(
+    form: Form,
+    banks: &[Bank],
+    pins: &Pins,
+    numbering: Option<&Text>,
+    unit: LengthUnit,
+) -> Result<Expanded, LayoutError> {
+    if banks.is_empty() || banks.len() * pins.0.len() > MOST_CYLINDERS {
+        let message = format!("{} cylinders", banks.len() * pins.0.len());
+        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), None));
+    }
+    let pairs: Vec<(&Bank, &(Turn, BigRational))> = match numbering.map(|text| text.get_ref().0.as_str()) {
+        None | Some("by-bank") => banks.iter().flat_map(|bank| pins.0.iter().map(move |pin| (bank, pin))).collect(),
+        Some("by-pin") => pins.0.iter().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
+        Some(other) => {
+            let place = numbering.and_then(place);
+            return Err(LayoutError::new(format!("the numbering `{other}`"), "\"by-bank\" or \"by-pin\"", place));
+        }
+    };
+    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (throw, position)))| Cylinder {
+        name: (index + 1).to_string(),
+        throw: throw + &bank.split,
+        bank: bank.angle.clone(),
+        position: position + &bank.offset,
+        reciprocating_mass: one(),
+    });
+    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit })
+}
+
+/// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.
+fn pins(
+    throws: Vec<Turn>,
+    throws_place: Range<usize>,
+    spacing: &Option<Text>,
+    positions: &Option<List>,
+    usual_spacing: BigRational,
+    unit: &mut LengthUnit,
+) -> Result<Pins, LayoutError> {
+    if throws.is_empty() || throws.len() > MOST_CYLINDERS {
+        let right = format!("between 1 and {MOST_CYLINDERS} throws, such as [0, 180, 180, 0]");
+        return Err(LayoutError::new(format!("a crankshaft with {} throws", throws.len()), right, Some(throws_place)));
+    }
+    let positions = match (spacing, positions) {
+        (Some(_), Some(list)) => {
+            let message = "both a spacing and positions are given";
+            return Err(LayoutError::new(message, "one of them is enough", place(list)));
+        }
+        (_, Some(list)) if list.get_ref().len() != throws.len() => {
+            let message = format!("{} positions for {} throws", list.get_ref().len(), throws.len());
+            return Err(LayoutError::new(message, "one position a throw", place(list)));
+        }
+        (_, Some(list)) => lengths(list, unit)?,
+        (spacing, None) => {
+            let spacing = optional_length(spacing, usual_spacing, unit)?;
+            let last = throws.len() as i64 - 1;
+            (0..=last).map(|i| BigRational::new((last - 2 * i).into(), 2.into()) * &spacing).collect()
+        }
+    };
+    Ok(Pins(throws.into_iter().zip(positions).collect()))
+}
+
+/// An angle in turns, not yet modulo 1.
+pub(super) fn angle(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    units::angle(written).map_err(|right| misread("angle", written, right, text))
+}
+
+/// A length; a unit behind it makes the layout metric.
+pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let length = units::length(written).map_err(|right| misread("length", written, right, text))?;
+    if length.has_unit {
+        *unit = LengthUnit::Metre;
+    }
+    Ok(length.value)
+}
+
+/// A value that cannot be taken as written.
+pub(super) fn misread(what: &str, written: &str, right: String, text: &Text) -> LayoutError {
+    let shown: String = written.chars().take(40).collect();
+    let dots = if shown.len() < written.len() { "…" } else { "" };
+    LayoutError::new(format!("cannot read the {what} `{shown}{dots}`"), right, place(text))
+}
+
+fn angles(list: &List) -> Result<Vec<Turn>, LayoutError> {
+    list.get_ref().iter().map(|text| angle(text).map(Turn::new)).collect()
+}
+
+fn lengths(list: &List, unit: &mut LengthUnit) -> Result<Vec<BigRational>, LayoutError> {
+    list.get_ref().iter().map(|text| length(text, unit)).collect()
+}
+
+fn optional_angle(text: &Option<Text>) -> Result<Turn, LayoutError> {
+    text.as_ref().map_or(Ok(Turn::zero()), |text| angle(text).map(Turn::new))
+}
+
+fn optional_length(text: &Option<Text>, usual: BigRational, unit: &mut LengthUnit) -> Result<BigRational, LayoutError> {
+    text.as_ref().map_or(Ok(usual), |text| length(text, unit))
+}
+
+fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
+    let written = &text.get_ref().0;
+    match written.parse() {
+        Ok(count) if (1..=MOST_CYLINDERS as i64).contains(&count) => Ok(count),
+        _ => Err(misread(what, written, format!("a whole number from 1 to {MOST_CYLINDERS}"), text)),
+    }
+}
+
+fn one() -> BigRational {
+    integer(1)
+}
+
+fn integer(number: i64) -> BigRational {
+    BigRational::from_integer(number.into())
+}
+
+fn half() -> BigRational {
+    BigRational::new(1.into(), 2.into())
+}

@@ -1,0 +1,18 @@
+//! Which engine is it? From a layout file, or a name of the catalogue, to cylinders with exact angles and arms.
+
+mod catalogue;
+mod engine;
+mod error;
+mod file;
+mod firing;
+mod forms;
+mod number;
+mod units;
+mod written;
+
+pub use catalogue::{Entry, catalogue, find};
+pub use engine::{Cylinder, Form, Layout, LengthUnit};
+pub use error::LayoutError;
+pub use file::parse;
+pub use firing::{Cycle, Firing, Shot};
+pub use number::{NumberError, parse_number};

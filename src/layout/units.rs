@@ -1,0 +1,66 @@
+//! What quantity did a person write? A number with a unit that a person would put behind it.
+
+use num_rational::BigRational;
+
+use super::number::parse_number;
+
+/// A length as written: its value, and whether it has a unit.
+pub(super) struct Length {
+    /// In metres, or in multiples of the spacing where no unit stands.
+    pub value: BigRational,
+    /// Whether a unit stands behind it.
+    pub has_unit: bool,
+}
+
+/// The units of a kind of quantity, by name, with their size in the base unit as a fraction.
+type Units = &'static [(&'static str, (i64, i64))];
+
+const ANGLES: Units = &[
+    ("turns", (1, 1)),
+    ("turn", (1, 1)),
+    ("pi rad", (1, 2)),
+    ("π rad", (1, 2)),
+    ("degrees", (1, 360)),
+    ("deg", (1, 360)),
+    ("°", (1, 360)),
+];
+const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("m", (1, 1))];
+const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
+
+/// An angle in turns, not reduced modulo 1; degrees where no unit stands.
+pub(super) fn angle(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
+    let size = unit.unwrap_or((1, 360));
+    Ok(number * ratio(size))
+}
+
+/// A length; without a unit, metres or multiples of the spacing.
+pub(super) fn length(text: &str) -> Result<Length, String> {
+    let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\" or \"4.4 in\"")?;
+    Ok(Length { value: number * ratio(unit.unwrap_or((1, 1))), has_unit: unit.is_some() })
+}
+
+/// A mass; kilograms where no unit stands.
+pub(super) fn mass(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")?;
+    Ok(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+fn ratio((numerator, denominator): (i64, i64)) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, Option<(i64, i64)>), String> {
+    let text = text.trim();
+    let unit = units.iter().find(|(name, _)| text.ends_with(name));
+    let number = unit.map_or(text, |(name, _)| text[..text.len() - name.len()].trim_end());
+    let value = parse_number(number).map_err(|error| {
+        let letters = number.chars().any(char::is_alphabetic) && !number.contains(['e', 'E']);
+        let known: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
+        match letters && !matches!(number.to_ascii_lowercase().as_str(), "nan" | "inf" | "+inf" | "-inf") {
+            true => format!("no known unit; {} are read, as in {examples}", known.join(", ")),
+            false => format!("{error}; for instance {examples}"),
+        }
+    })?;
+    Ok((value, unit.map(|(_, size)| *size)))
+}

@@ -1,0 +1,39 @@
+//! crankstar decides, exactly, how a reciprocating engine balances, and writes the proof.
+//!
+//! An engine's inertia forces are sums of rotating vectors, one a cylinder and order. Whether such a sum vanishes is
+//! decided here in exact arithmetic, and every verdict carries a certificate that a separate checker accepts.
+//!
+//! ```
+//! use crankstar::proof::{Quantity, Sense};
+//! let v8 = crankstar::layout::find("V8-crossplane").unwrap().layout().unwrap();
+//! let order_1 = crankstar::phasor::sum(&v8, Quantity::Force, 1, Some(Sense::Direct));
+//! println!("{}", serde_json::to_string(&order_1.certificate()).unwrap());
+//! // {"kind":"polygons","polygons":[{"sides":2,"rotation":"0","weight":"2"},{"sides":2,"rotation":"1/4","weight":"2"}]}
+//! # assert_eq!(
+//! #     serde_json::to_string(&order_1.certificate()).unwrap(),
+//! #     r#"{"kind":"polygons","polygons":[{"sides":2,"rotation":"0","weight":"2"},{"sides":2,"rotation":"1/4","weight":"2"}]}"#
+//! # );
+//! ```
+//!
+//! # The rooms
+//!
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← report ← cli`
+//!
+//! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
+//! compile left of `numbers`.
+
+#![warn(missing_docs)]
+
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod exact;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod layout;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod phasor;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod proof;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod verdict;
+
+#[allow(clippy::disallowed_types)]
+pub mod numbers;

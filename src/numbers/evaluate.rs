@@ -1,0 +1,53 @@
+//! Where does a sum point, and how long is it?
+
+use num_bigint::BigInt;
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::fixed::FixedPoint;
+use crate::exact::{PhasorSum, Turn};
+
+/// Bits behind the point that every evaluation starts with.
+const FIRST_BITS: u32 = 128;
+
+/// The sum as a complex decimal, to the full accuracy of a float, however much its terms cancel.
+///
+/// What is exactly zero comes out as zero: the sum, its real part, its imaginary part.
+pub fn evaluate(sum: &PhasorSum) -> Complex<f64> {
+    let mirrored = sum.conjugate();
+    let re = if sum.plus(&mirrored).vanishes() { 0.0 } else { part(sum, |(cos, _)| cos) };
+    let im = if sum.minus(&mirrored).vanishes() { 0.0 } else { part(sum, |(_, sin)| sin) };
+    Complex::new(re, im)
+}
+
+/// A unit vector in decimals.
+pub fn direction(angle: &Turn) -> Complex<f64> {
+    let (cos, sin) = FixedPoint::new(FIRST_BITS).cos_sin(angle);
+    let to_float = |scaled: BigInt| BigRational::new(scaled, BigInt::from(1) << FIRST_BITS).to_f64().unwrap_or(0.0);
+    Complex::new(to_float(cos), to_float(sin))
+}
+
+/// The real or imaginary part, known not to be zero: bits are added until 64 of them are sure.
+fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
+    let terms = sum.collected();
+    let mut bits = FIRST_BITS;
+    loop {
+        let fixed = FixedPoint::new(bits);
+        let products = terms.iter().map(|term| {
+            let cosine = BigRational::from_integer(choose(fixed.cos_sin(&term.angle)));
+            &term.weight * cosine
+        });
+        let value = products.fold(BigRational::zero(), |sum, product| sum + product);
+        // Each cosine is off by less than 2^16 units: some hundred roundings of the series.
+        let doubt = terms.iter().fold(BigRational::zero(), |sum, term| sum + term.weight.abs()) * integer(1 << 16);
+        if value.abs() > doubt * BigRational::from_integer(BigInt::from(1) << 64) {
+            return (value / BigRational::from_integer(BigInt::from(1) << bits)).to_f64().unwrap_or(f64::NAN);
+        }
+        bits *= 2;
+    }
+}
+
+fn integer(number: i64) -> BigRational {
+    BigRational::from_integer(number.into())
+}

@@ -1,0 +1,288 @@
+//! What does `classify --json` say, and does all of it hold together?
+
+use std::fmt;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+use serde::{Deserialize, Serialize};
+
+use super::certificate::Certificate;
+use super::check::check_certificate;
+use super::fraction;
+
+/// The verdicts on one engine, each with its certificate: the JSON document of `classify --json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Document {
+    /// Title of the layout.
+    pub title: String,
+    /// Position along the crankshaft that the moments are taken about, in metres (or multiples of the spacing).
+    #[serde(with = "fraction")]
+    pub reference_plane: BigRational,
+    /// The engine that the terms come from; may be left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cylinders: Vec<Cylinder>,
+    /// One verdict a quantity, order and sense.
+    pub verdicts: Vec<VerdictClaim>,
+    /// The shape of what is left, one a quantity and order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub shapes: Vec<ShapeClaim>,
+}
+
+/// A cylinder as the phasors see it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cylinder {
+    /// What the cylinder is called.
+    pub name: String,
+    /// Crank-throw angle β, in turns.
+    #[serde(with = "fraction")]
+    pub throw: BigRational,
+    /// Angle α of the cylinder axis, in turns.
+    #[serde(with = "fraction")]
+    pub bank: BigRational,
+    /// Position along the crankshaft, in the unit of the reference plane.
+    #[serde(with = "fraction")]
+    pub position: BigRational,
+    /// Reciprocating mass, in kilograms (or multiples of a common mass).
+    #[serde(with = "fraction")]
+    pub reciprocating_mass: BigRational,
+}
+
+/// What a verdict is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Quantity {
+    /// The shaking force.
+    Force,
+    /// The moment of the shaking forces about the reference plane.
+    Moment,
+    /// The inertia torque on the crankshaft.
+    Torque,
+}
+
+/// Which way a vector turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sense {
+    /// With the crank, `e^{ikθ}`.
+    Direct,
+    /// Against the crank, `e^{−ikθ}`.
+    Reverse,
+}
+
+/// What is left of one order of the force or the moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shape {
+    /// Both vectors vanish.
+    Balanced,
+    /// Only the direct vector is left: constant length, turning with the crank.
+    Rotating,
+    /// Only the reverse vector is left: constant length, turning against the crank.
+    CounterRotating,
+    /// Vectors of equal length: the resultant swings along a line.
+    Planar,
+    /// Vectors of different length: the resultant traces an ellipse.
+    Elliptical,
+}
+
+/// One term of a sum: `weight · e^{2πi·angle}`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Vector {
+    /// Direction, in turns.
+    #[serde(with = "fraction")]
+    pub angle: BigRational,
+    /// Length, of either sign.
+    #[serde(with = "fraction")]
+    pub weight: BigRational,
+}
+
+/// A verdict with its evidence.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[expect(clippy::disallowed_types, reason = "decimals beside a verdict are shown and never used")]
+pub struct VerdictClaim {
+    /// What the verdict is about.
+    pub quantity: Quantity,
+    /// The order k.
+    pub order: u32,
+    /// Direct or reverse; none for the torque.
+    pub sense: Option<Sense>,
+    /// Whether the sum is zero.
+    pub vanishes: bool,
+    /// The sum, one term a cylinder, before collecting.
+    pub terms: Vec<Vector>,
+    /// `|S|`, approximately.
+    pub modulus: f64,
+    /// The direction of S in degrees, in `(−180, 180]`, approximately; none where S is zero.
+    pub angle_deg: Option<f64>,
+    /// The evidence.
+    pub certificate: Certificate,
+}
+
+/// The shape of what is left of one order, with the evidence that tells planar from elliptical.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ShapeClaim {
+    /// Force or moment.
+    pub quantity: Quantity,
+    /// The order k.
+    pub order: u32,
+    /// The shape.
+    pub shape: Shape,
+    /// Where neither vector vanishes: evidence that `|direct|² − |reverse|²` is zero (planar) or is not (elliptical).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<Certificate>,
+}
+
+/// What is wrong with a document: where, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Which entry, as in `verdicts[3] (force, order 2, direct)`.
+    pub place: String,
+    /// What is wrong with it.
+    pub reason: String,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.reason)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// Checks every certificate of a document, that the terms are those of its cylinders, and that the decimals fit.
+///
+/// Returns how many certificates were checked.
+///
+/// # Errors
+/// The first entry that does not hold.
+pub fn check_document(document: &Document) -> Result<usize, Fault> {
+    if document.verdicts.is_empty() {
+        return Err(Fault { place: "verdicts".into(), reason: "the list is empty, there is nothing to check".into() });
+    }
+    let mut checked = 0;
+    for (index, verdict) in document.verdicts.iter().enumerate() {
+        check_verdict(document, verdict).map_err(|reason| Fault { place: verdict_place(index, verdict), reason })?;
+        checked += 1;
+    }
+    for (index, claim) in document.shapes.iter().enumerate() {
+        let place = || format!("shapes[{index}] ({}, order {})", claim.quantity.name(), claim.order);
+        check_shape(document, claim).map_err(|reason| Fault { place: place(), reason })?;
+        checked += usize::from(claim.certificate.is_some());
+    }
+    Ok(checked)
+}
+
+impl Quantity {
+    /// The word of the JSON document.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Force => "force",
+            Quantity::Moment => "moment",
+            Quantity::Torque => "torque",
+        }
+    }
+}
+
+impl Sense {
+    /// The word of the JSON document.
+    pub fn name(self) -> &'static str {
+        match self {
+            Sense::Direct => "direct",
+            Sense::Reverse => "reverse",
+        }
+    }
+}
+
+fn verdict_place(index: usize, verdict: &VerdictClaim) -> String {
+    let sense = verdict.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
+    format!("verdicts[{index}] ({}, order {}{sense})", verdict.quantity.name(), verdict.order)
+}
+
+fn check_verdict(document: &Document, verdict: &VerdictClaim) -> Result<(), String> {
+    if (verdict.quantity == Quantity::Torque) != verdict.sense.is_none() {
+        return Err("a force or moment needs a sense, direct or reverse, and a torque has none".into());
+    }
+    check_certificate(&verdict.terms, verdict.vanishes, &verdict.certificate).map_err(|refusal| refusal.to_string())?;
+    check_terms(document, verdict)?;
+    check_decimals(verdict)
+}
+
+/// Theory, section 3: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, torque `k(β − α)`; the moment weighs by the arm.
+fn check_terms(document: &Document, verdict: &VerdictClaim) -> Result<(), String> {
+    if document.cylinders.is_empty() {
+        return Ok(());
+    }
+    if document.cylinders.len() != verdict.terms.len() {
+        return Err(format!("{} terms for {} cylinders", verdict.terms.len(), document.cylinders.len()));
+    }
+    let k = BigRational::from_integer(BigInt::from(verdict.order));
+    let one = BigRational::from_integer(1.into());
+    for (cylinder, term) in document.cylinders.iter().zip(&verdict.terms) {
+        let angle = match verdict.sense {
+            None => &k * (&cylinder.throw - &cylinder.bank),
+            Some(Sense::Direct) => &k * &cylinder.throw - (&k - &one) * &cylinder.bank,
+            Some(Sense::Reverse) => (&k + &one) * &cylinder.bank - &k * &cylinder.throw,
+        };
+        let arm = match verdict.quantity {
+            Quantity::Moment => &cylinder.position - &document.reference_plane,
+            Quantity::Force | Quantity::Torque => one.clone(),
+        };
+        let weight = &cylinder.reciprocating_mass * arm;
+        if !(&term.angle - &angle).is_integer() {
+            let right = &angle - angle.floor();
+            return Err(format!("the angle of cylinder {} is {}, it should be {right}", cylinder.name, term.angle));
+        }
+        if term.weight != weight {
+            return Err(format!("the weight of cylinder {} is {}, it should be {weight}", cylinder.name, term.weight));
+        }
+    }
+    Ok(())
+}
+
+/// The decimals are for reading; a file whose decimals contradict its terms is refused all the same.
+#[expect(clippy::float_arithmetic, clippy::disallowed_types, reason = "decimals are compared with decimals")]
+fn check_decimals(verdict: &VerdictClaim) -> Result<(), String> {
+    if verdict.vanishes != verdict.angle_deg.is_none() {
+        return Err("`angle_deg` is null exactly where the sum vanishes".into());
+    }
+    let (mut x, mut y, mut total) = (0.0, 0.0, 0.0_f64);
+    for term in &verdict.terms {
+        let turns = (&term.angle - term.angle.floor()).to_f64().unwrap_or(f64::NAN);
+        let weight = term.weight.to_f64().unwrap_or(f64::NAN);
+        let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
+        (x, y, total) = (x + weight * cos, y + weight * sin, total + weight.abs());
+    }
+    let (shown_y, shown_x) = verdict.angle_deg.unwrap_or(0.0).to_radians().sin_cos();
+    let (shown_x, shown_y) = (verdict.modulus * shown_x, verdict.modulus * shown_y);
+    let fits = (x - shown_x).hypot(y - shown_y) <= 1e-9 * total.max(f64::MIN_POSITIVE);
+    if fits { Ok(()) } else { Err("`modulus` and `angle_deg` do not fit the terms".into()) }
+}
+
+fn check_shape(document: &Document, claim: &ShapeClaim) -> Result<(), String> {
+    let verdict = |sense: Sense| {
+        let matches =
+            |v: &&VerdictClaim| v.quantity == claim.quantity && v.order == claim.order && v.sense == Some(sense);
+        document.verdicts.iter().find(matches).ok_or(format!("there is no {} verdict for it", sense.name()))
+    };
+    let (direct, reverse) = (verdict(Sense::Direct)?, verdict(Sense::Reverse)?);
+    let difference_vanishes = match (direct.vanishes, reverse.vanishes, claim.shape) {
+        (true, true, Shape::Balanced) | (false, true, Shape::Rotating) | (true, false, Shape::CounterRotating) => {
+            return Ok(());
+        }
+        (false, false, Shape::Planar) => true,
+        (false, false, Shape::Elliptical) => false,
+        _ => return Err("the shape contradicts the verdicts".into()),
+    };
+    let certificate = claim.certificate.as_ref().ok_or("a certificate that compares the two moduli is missing")?;
+    let mut difference = squared_modulus(&direct.terms);
+    difference.extend(squared_modulus(&reverse.terms).into_iter().map(|v| Vector { weight: -v.weight, ..v }));
+    check_certificate(&difference, difference_vanishes, certificate).map_err(|refusal| refusal.to_string())
+}
+
+/// `|S|² = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, not collected.
+fn squared_modulus(terms: &[Vector]) -> Vec<Vector> {
+    let terms: Vec<&Vector> = terms.iter().filter(|term| !term.weight.is_zero()).collect();
+    let product = |a: &&Vector, b: &&Vector| Vector { angle: &a.angle - &b.angle, weight: &a.weight * &b.weight };
+    terms.iter().flat_map(|a| terms.iter().map(move |b| product(a, b))).collect()
+}

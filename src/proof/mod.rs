@@ -1,0 +1,13 @@
+//! What counts as evidence, and does it hold? The vocabulary of certificates and their checker.
+//!
+//! Nothing of the solver is imported here: a certificate is data, and this room re-derives what it claims with
+//! arithmetic of its own.
+
+mod certificate;
+mod check;
+mod document;
+mod fraction;
+
+pub use certificate::{Certificate, Polygon, Residue, Step};
+pub use check::{Refusal, check_certificate};
+pub use document::{Cylinder, Document, Quantity, Sense, Shape, ShapeClaim, Vector, VerdictClaim, check_document};

@@ -1,0 +1,88 @@
+//! Why does it vanish, or not? The reason that a person would give first.
+
+use num_rational::BigRational;
+
+use super::Verdict;
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::{Cylinder, Layout};
+use crate::proof::{Certificate, Quantity};
+
+/// The plainest reason for a verdict.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// All weights are zero: every arm, or every mass.
+    NoWeight,
+    /// Zero: a mirror plane across the crankshaft pairs cylinders with opposite arms.
+    Mirror,
+    /// Zero: like directions collect to nothing.
+    Cancels,
+    /// Zero: the collected star maps to itself when turned by `1/fold` of a turn.
+    Rotation {
+        /// How many such turns make a whole one.
+        fold: u32,
+    },
+    /// Zero: regular polygons, as the certificate lists them.
+    Polygons,
+    /// Not zero: one direction is left.
+    OneDirection(Term),
+    /// Not zero: two directions are left that do not cancel.
+    TwoDirections(Term, Term),
+    /// Not zero: as the certificate shows.
+    Certificate,
+}
+
+/// The plainest reason for a verdict on this engine.
+pub fn reason(layout: &Layout, verdict: &Verdict) -> Reason {
+    let collected = verdict.sum.collected();
+    let no_weight = verdict.sum.terms().iter().all(|term| term.weight == BigRational::from_integer(0.into()));
+    match (&verdict.certificate, collected.as_slice()) {
+        (Certificate::Polygons { .. }, _) if no_weight => Reason::NoWeight,
+        (Certificate::Polygons { .. }, _) if verdict.quantity == Quantity::Moment && has_mirror(layout) => {
+            Reason::Mirror
+        }
+        (Certificate::Polygons { .. }, []) => Reason::Cancels,
+        (Certificate::Polygons { .. }, terms) => match fold(terms) {
+            Some(fold) => Reason::Rotation { fold },
+            None => Reason::Polygons,
+        },
+        (_, [only]) => Reason::OneDirection(only.clone()),
+        (_, [first, second]) => Reason::TwoDirections(first.clone(), second.clone()),
+        _ => Reason::Certificate,
+    }
+}
+
+/// For each cylinder its mirror image across the reference plane: equal throw, bank and mass, opposite arm.
+///
+/// `None` where some cylinder has none. A cylinder in the plane is its own image.
+pub fn mirror_partners(layout: &Layout) -> Option<Vec<usize>> {
+    let mut partners: Vec<Option<usize>> = vec![None; layout.cylinders.len()];
+    let is_image = |a: &Cylinder, b: &Cylinder| {
+        layout.arm(a) == -layout.arm(b)
+            && (&a.throw, &a.bank, &a.reciprocating_mass) == (&b.throw, &b.bank, &b.reciprocating_mass)
+    };
+    for (index, cylinder) in layout.cylinders.iter().enumerate() {
+        if partners[index].is_some() {
+            continue;
+        }
+        let in_plane = is_image(cylinder, cylinder);
+        let image = (index + 1..layout.cylinders.len())
+            .find(|&other| !in_plane && partners[other].is_none() && is_image(cylinder, &layout.cylinders[other]));
+        let image = if in_plane { index } else { image? };
+        partners[index] = Some(image);
+        partners[image] = Some(index);
+    }
+    partners.into_iter().collect()
+}
+
+fn has_mirror(layout: &Layout) -> bool {
+    mirror_partners(layout).is_some()
+}
+
+/// The largest `n ≥ 2` such that the star maps to itself when turned by `1/n`.
+fn fold(collected: &[Term]) -> Option<u32> {
+    let count = u32::try_from(collected.len()).ok()?;
+    (2..=count).rev().find(|&fold| {
+        let turned = PhasorSum::new(collected.to_vec()).turned(&Turn::fraction(1, i64::from(fold)));
+        turned.collected() == collected
+    })
+}
