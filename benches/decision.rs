@@ -70,7 +70,7 @@ fn d_verdict_and_certificate(bencher: Bencher) {
 /// A vanishing sum of eight terms: a square, and a square turned by one part of the denominator.
 #[divan::bench(args = [360, 1_000_000_007])]
 fn e_two_squares_over_denominator(bencher: Bencher, denominator: u64) {
-    let conductor = if denominator % 4 == 0 { denominator } else { 4 * denominator };
+    let conductor = if denominator.is_multiple_of(4) { denominator } else { 4 * denominator };
     let corner = |j: u64| j * conductor / 4;
     let turn = conductor / denominator;
     let terms: Vec<(u64, i64)> = (0..4).flat_map(|j| [(corner(j), 3), (corner(j) + turn, 5)]).collect();

@@ -71,7 +71,7 @@ pub(super) fn primes_up_to<E: Exponent>(count: usize, conductor: &E) -> (SmallVe
 }
 
 fn is_prime(candidate: u32) -> bool {
-    (2..).take_while(|d| d * d <= candidate).all(|d| candidate % d != 0)
+    (2..).take_while(|d| d * d <= candidate).all(|d| !candidate.is_multiple_of(d))
 }
 
 /// Whether every class of exponents modulo `step` is zero by itself; `step · product of primes` is the conductor.

@@ -62,9 +62,9 @@ fn has_order(g: u64, order: u64, prime_divisors: &[u64], modulus: u64) -> bool {
 }
 
 fn is_prime(candidate: u64) -> bool {
-    candidate > 1 && (2..).take_while(|d| d * d <= candidate).all(|d| candidate % d != 0)
+    candidate > 1 && (2..).take_while(|d| d * d <= candidate).all(|d| !candidate.is_multiple_of(d))
 }
 
 fn prime_divisors(number: u64) -> Vec<u64> {
-    (2..=number).filter(|d| number % d == 0 && is_prime(*d)).collect()
+    (2..=number).filter(|d| number.is_multiple_of(*d) && is_prime(*d)).collect()
 }

@@ -50,7 +50,7 @@ impl FixedPoint {
                 *sum -= &term
             }
             n += 1;
-            term = (&term * x >> self.bits) / n;
+            term = ((&term * x) >> self.bits) / n;
             if term == -BigInt::one() {
                 term = BigInt::zero();
             }

@@ -26,7 +26,7 @@ pub enum Refusal {
     /// More corners than can be expanded.
     TooManyCorners,
     /// Polygons that do not add up to the terms; the angle where they differ, what the terms say, what the polygons say.
-    PolygonsDiffer(BigRational, BigRational, BigRational),
+    PolygonsDiffer(Box<[BigRational; 3]>),
     /// A modulus that is not a prime below 2⁶⁴.
     NotPrime(BigInt),
     /// A conductor that is not between 1 and 10¹².
@@ -57,7 +57,8 @@ impl fmt::Display for Refusal {
             Refusal::WrongKind => write!(f, "`vanishes` and the kind of the certificate contradict each other"),
             Refusal::SidesNotPrime(sides) => write!(f, "a polygon has {sides} sides, which is not a prime"),
             Refusal::TooManyCorners => write!(f, "the polygons have more than {MOST_CORNERS} corners"),
-            Refusal::PolygonsDiffer(angle, terms, polygons) => {
+            Refusal::PolygonsDiffer(differ) => {
+                let [angle, terms, polygons] = differ.as_ref();
                 write!(f, "at angle {angle} the terms collect to {terms}, but the polygons to {polygons}")
             }
             Refusal::NotPrime(modulus) => write!(f, "{modulus} is not a prime below 2^64"),
@@ -132,7 +133,7 @@ fn check_polygons(terms: &[Vector], polygons: &[Polygon]) -> Result<(), Refusal>
     let (wanted, found) = (collect(pairs(terms)), collect(expanded));
     let at = |sum: &Collected, angle: &BigRational| sum.get(angle).cloned().unwrap_or_else(BigRational::zero);
     match wanted.keys().chain(found.keys()).find(|angle| at(&wanted, angle) != at(&found, angle)) {
-        Some(angle) => Err(Refusal::PolygonsDiffer(angle.clone(), at(&wanted, angle), at(&found, angle))),
+        Some(angle) => Err(Refusal::PolygonsDiffer(Box::new([angle.clone(), at(&wanted, angle), at(&found, angle)]))),
         None => Ok(()),
     }
 }
@@ -241,7 +242,7 @@ fn prime_divisors(number: u64) -> Vec<u64> {
 /// Miller–Rabin with the first twelve primes as bases, which decides every number below 2⁶⁴ (Sorenson and Webster 2015).
 fn is_prime(number: u64) -> bool {
     const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-    if number < 2 || BASES.iter().any(|base| number % base == 0) {
+    if number < 2 || BASES.iter().any(|base| number.is_multiple_of(*base)) {
         return BASES.contains(&number);
     }
     let modulus = BigInt::from(number);

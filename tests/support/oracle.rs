@@ -6,7 +6,7 @@
 pub fn cyclotomic(n: usize) -> Vec<i128> {
     let mut quotient = vec![0; n + 1];
     (quotient[0], quotient[n]) = (-1, 1);
-    for d in (1..n).filter(|d| n % d == 0) {
+    for d in (1..n).filter(|d| n.is_multiple_of(*d)) {
         quotient = divide(quotient, &cyclotomic(d)).0;
     }
     quotient
