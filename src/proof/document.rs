@@ -97,9 +97,12 @@ pub struct Vector {
     pub weight: BigRational,
 }
 
+/// A decimal for reading; no verdict is made from it.
+#[expect(clippy::disallowed_types, reason = "decimals beside a verdict are shown and never used")]
+pub type Decimal = f64;
+
 /// A verdict with its evidence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[expect(clippy::disallowed_types, reason = "decimals beside a verdict are shown and never used")]
 pub struct VerdictClaim {
     /// What the verdict is about.
     pub quantity: Quantity,
@@ -112,9 +115,9 @@ pub struct VerdictClaim {
     /// The sum, one term a cylinder, before collecting.
     pub terms: Vec<Vector>,
     /// `|S|`, approximately.
-    pub modulus: f64,
+    pub modulus: Decimal,
     /// The direction of S in degrees, in `(−180, 180]`, approximately; none where S is zero.
-    pub angle_deg: Option<f64>,
+    pub angle_deg: Option<Decimal>,
     /// The evidence.
     pub certificate: Certificate,
 }

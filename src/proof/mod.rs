@@ -10,4 +10,6 @@ mod fraction;
 
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::{Refusal, check_certificate};
-pub use document::{Cylinder, Document, Quantity, Sense, Shape, ShapeClaim, Vector, VerdictClaim, check_document};
+pub use document::{
+    Cylinder, Decimal, Document, Fault, Quantity, Sense, Shape, ShapeClaim, Vector, VerdictClaim, check_document,
+};
