@@ -37,3 +37,5 @@ pub mod verdict;
 
 #[allow(clippy::disallowed_types)]
 pub mod numbers;
+#[allow(clippy::disallowed_types)]
+pub mod report;

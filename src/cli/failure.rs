@@ -1,0 +1,28 @@
+//! Why could a command not be answered?
+
+use std::fmt;
+
+use crankstar::layout::LayoutError;
+
+/// A message for standard error; the exit status is 1.
+#[derive(Debug)]
+pub struct Failure(String);
+
+impl Failure {
+    /// A failure told in one line.
+    pub fn new(message: impl fmt::Display) -> Self {
+        Failure(format!("error: {message}"))
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl From<LayoutError> for Failure {
+    fn from(error: LayoutError) -> Self {
+        Failure(error.to_string())
+    }
+}

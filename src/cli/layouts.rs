@@ -1,0 +1,50 @@
+//! Which engine is meant: a name of the catalogue, or the path of a layout file?
+
+use std::path::Path;
+
+use crankstar::layout::{self, Layout};
+
+use super::failure::Failure;
+
+/// Layout files are small; a larger file is something else.
+const LARGEST_FILE: u64 = 4 << 20;
+
+/// Reads the engine of this name or path.
+pub fn read(layout: &str) -> Result<Layout, Failure> {
+    if let Some(entry) = layout::find(layout) {
+        return Ok(entry.layout()?);
+    }
+    let path = Path::new(layout);
+    let metadata = path.metadata().map_err(|error| not_found(layout, &error))?;
+    if !metadata.is_file() {
+        return Err(Failure::new(format!("`{layout}` is not a file; a layout file is a TOML text")));
+    }
+    if metadata.len() > LARGEST_FILE {
+        return Err(Failure::new(format!("`{layout}` is larger than 4 MiB, which no layout file is")));
+    }
+    let bytes = std::fs::read(path).map_err(|error| Failure::new(format!("cannot read `{layout}`: {error}")))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        Failure::new(format!("`{layout}` is not a text: byte {place} is not UTF-8; a layout file is a TOML text"))
+    })?;
+    Ok(layout::parse(layout, &text)?)
+}
+
+fn not_found(layout: &str, error: &std::io::Error) -> Failure {
+    let looks_like_path = layout.contains(['/', '\\']) || layout.ends_with(".toml");
+    if looks_like_path || error.kind() != std::io::ErrorKind::NotFound {
+        return Failure::new(format!("cannot read `{layout}`: {error}"));
+    }
+    let family = |name: &str| name.split('-').next().unwrap_or(name).to_ascii_lowercase();
+    let near: Vec<&str> = layout::catalogue()
+        .unwrap_or_default()
+        .iter()
+        .map(|(entry, _)| entry.name)
+        .filter(|name| family(name) == family(layout))
+        .collect();
+    let hint = match near.as_slice() {
+        [] => "`crankstar list` shows the names".to_owned(),
+        near => format!("there are {}", near.join(", ")),
+    };
+    Failure::new(format!("`{layout}` is neither an engine of the catalogue nor a file; {hint}"))
+}

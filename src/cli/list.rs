@@ -1,0 +1,16 @@
+//! `list`: which engines are known by name?
+
+use crankstar::layout;
+
+use super::failure::Failure;
+use super::write;
+
+/// Prints the catalogue, a line an engine: name, number of cylinders, title.
+pub fn run() -> Result<(), Failure> {
+    let engines = layout::catalogue()?;
+    let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);
+    let line = |(entry, layout): &(layout::Entry, layout::Layout)| {
+        format!("{:widest$}  {:2}  {}\n", entry.name, layout.cylinders.len(), layout.title)
+    };
+    write::to_stdout(&engines.iter().map(line).collect::<String>())
+}

@@ -1,0 +1,123 @@
+//! What can be asked on the command line?
+
+mod classify;
+mod failure;
+mod layouts;
+mod list;
+mod report;
+mod terminal;
+mod verify;
+mod write;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+
+use failure::Failure;
+
+/// Decides exactly how a reciprocating engine balances, and writes the proof.
+#[derive(Parser)]
+#[command(version, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  crankstar list                                     the engines known by name
+  crankstar classify V8-crossplane                   a table of verdicts
+  crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
+  crankstar report I4 --output I4-report             a report with its diagrams
+  crankstar classify I4 --json > i4.json && crankstar verify i4.json
+
+A layout file in its shortest form:
+  title = \"In-line four\"
+  [inline]
+  throws = [0, 180, 180, 0]
+
+Exit status: 0 done, whatever the verdicts are; 1 the input is wrong or a certificate fails; 2 wrong usage.";
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the catalogue, a line an engine
+    List,
+    /// Judge force and moment of an engine, order by order
+    Classify(classify::Classify),
+    /// Write the report with the proofs
+    Report(report::Report),
+    /// Check every certificate in the output of `classify --json`
+    Verify {
+        /// The JSON file, or - for standard input
+        file: PathBuf,
+    },
+    /// Print a completion script for a shell
+    Completions {
+        /// Which shell
+        shell: clap_complete::Shell,
+    },
+}
+
+/// The engine and the orders that a command is about.
+#[derive(clap::Args)]
+struct Subject {
+    /// A name of the catalogue, or the path of a layout file
+    layout: String,
+    /// The orders to judge [default: those of the layout file, else 1,2,4,6]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    orders: Vec<u32>,
+}
+
+impl Subject {
+    /// The engine, and the orders to judge, rising, each once.
+    fn read(&self) -> Result<(crankstar::layout::Layout, Vec<u32>), Failure> {
+        let layout = layouts::read(&self.layout)?;
+        let mut orders = if self.orders.is_empty() { layout.orders.clone() } else { self.orders.clone() };
+        orders.sort_unstable();
+        orders.dedup();
+        Ok((layout, orders))
+    }
+}
+
+/// Which language a report is written in.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// report.md and SVG files
+    Markdown,
+    /// report.tex for pdflatex
+    Latex,
+}
+
+/// How formulas are marked in Markdown.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Math {
+    /// $`…`$, as code-hosting pages read it
+    Github,
+    /// $…$, as pandoc, Quarto and Jupyter read it
+    Dollars,
+}
+
+/// Answers the command line.
+pub fn run() -> ExitCode {
+    let answer = match Arguments::parse().command {
+        Command::List => list::run(),
+        Command::Classify(classify) => classify.run(),
+        Command::Report(report) => report.run(),
+        Command::Verify { file } => verify::run(&file),
+        Command::Completions { shell } => completions(shell),
+    };
+    match answer {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            anstream::eprintln!("{failure}");
+            ExitCode::from(1)
+        }
+    }
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "crankstar", &mut script);
+    write::to_stdout(&String::from_utf8_lossy(&script))
+}

@@ -1,0 +1,45 @@
+//! `report`: where are the proofs written?
+
+use std::path::PathBuf;
+
+use crankstar::report::{self, Dialect};
+use crankstar::verdict;
+
+use super::failure::Failure;
+use super::{Format, Math, Subject, terminal, write};
+
+/// Arguments of `report`.
+#[derive(clap::Args)]
+pub struct Report {
+    #[command(flatten)]
+    subject: Subject,
+    /// Language of the report
+    #[arg(long, value_enum, default_value = "markdown")]
+    format: Format,
+    /// How formulas are marked in Markdown
+    #[arg(long, value_enum, default_value = "github")]
+    math: Math,
+    /// Folder for the report and its diagrams; without it the text alone goes to standard output
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+impl Report {
+    /// Writes the report into the folder and the summary to the terminal, or the text alone to the terminal.
+    pub fn run(&self) -> Result<(), Failure> {
+        let (layout, orders) = self.subject.read()?;
+        let balances = verdict::classify(&layout, &orders, false);
+        let dialect = match (self.format, self.math) {
+            (Format::Latex, _) => Dialect::Latex,
+            (Format::Markdown, Math::Github) => Dialect::GithubMarkdown,
+            (Format::Markdown, Math::Dollars) => Dialect::DollarMarkdown,
+        };
+        let Some(folder) = &self.output else {
+            return write::to_stdout(&report::text(&layout, &balances, dialect));
+        };
+        let files = report::report(&layout, &balances, dialect);
+        write::to_folder(folder, &files)?;
+        let written = format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+        write::to_stdout(&format!("{}{written}", terminal::summary(&layout, &balances)))
+    }
+}

@@ -1,0 +1,32 @@
+//! How do the verdicts look on a terminal? In colour there, in plain text elsewhere.
+
+use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
+use comfy_table::{Cell, Color, Table};
+use crankstar::layout::Layout;
+use crankstar::report;
+use crankstar::verdict::OrderBalance;
+
+/// The title and a table: a row an order.
+pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
+    let with_torque = orders.iter().any(|order| order.torque.is_some());
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let mut header = vec!["Order", "Force", "Moment"];
+    header.extend(with_torque.then_some("Torque"));
+    table.set_header(header);
+    for order in orders {
+        let mut row = vec![
+            Cell::new(order.order),
+            verdict_cell(report::force_summary(order), order.force.is_balanced()),
+            verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
+        ];
+        row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(torque), torque.vanishes())));
+        table.add_row(row);
+    }
+    format!("{}\n{table}\n{}\n", layout.title, report::LEGEND)
+}
+
+fn verdict_cell(text: String, vanishes: bool) -> Cell {
+    let cell = Cell::new(text);
+    if vanishes { cell.fg(Color::Green) } else { cell }
+}

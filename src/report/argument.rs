@@ -1,0 +1,191 @@
+//! How does a person argue that a sum is zero, or that it is not? Sentences that can be checked by hand.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::star::{Ray, Star};
+use super::typeset;
+use crate::exact::{Term, Turn};
+use crate::layout::Layout;
+use crate::proof::{Certificate, Polygon, Quantity, Residue, Step};
+use crate::verdict::{Reason, Verdict, mirror_partners, reason};
+
+/// Longer sums than this are not written out modulo the prime.
+const MOST_TERMS_WRITTEN: usize = 9;
+
+/// The sentences that prove a verdict.
+pub(super) fn argument(layout: &Layout, verdict: &Verdict) -> String {
+    let star = Star::new(verdict);
+    match reason(layout, verdict) {
+        Reason::NoWeight if verdict.quantity == Quantity::Moment => {
+            "Every cylinder stands in the reference plane: all arms are zero.".to_owned()
+        }
+        Reason::NoWeight => "All masses are zero.".to_owned(),
+        Reason::Mirror => format!("By symmetry: {}", mirror(layout)),
+        Reason::Cancels => format!("Like directions cancel: {}.", cancelling(layout, verdict)),
+        Reason::Rotation { fold } => {
+            let turn = typeset::angle(&Turn::fraction(1, i64::from(fold)));
+            format!(
+                "By symmetry: turned by {turn} the star is the same star, so its sum is the same when turned by {turn}, \
+                 and only zero is. In polygons: {}",
+                polygons(layout, &star)
+            )
+        }
+        Reason::Polygons => polygons(layout, &star),
+        Reason::OneDirection(term) => format!(
+            "Like directions collected, one vector is left: {} at {}. It is not zero.",
+            typeset::number(&term.weight),
+            typeset::angle(&term.angle)
+        ),
+        Reason::TwoDirections(first, second) => format!(
+            "Like directions collected, two vectors are left: {} at {} and {} at {}. Two vectors cancel only where they \
+             are opposite and equally long, which these are not.",
+            typeset::number(&first.weight),
+            typeset::angle(&first.angle),
+            typeset::number(&second.weight),
+            typeset::angle(&second.angle)
+        ),
+        Reason::Certificate => "No set of regular polygons makes up this star; the certificate shows it.".to_owned(),
+    }
+}
+
+fn mirror(layout: &Layout) -> String {
+    let name = |index: usize| layout.cylinders[index].name.as_str();
+    let partners = mirror_partners(layout).unwrap_or_default();
+    let pairs: Vec<String> = (partners.iter().enumerate())
+        .filter(|(index, partner)| *index < **partner)
+        .map(|(index, &partner)| format!("{} and {}", name(index), name(partner)))
+        .collect();
+    format!(
+        "the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, and \
+         opposite arms, so their vectors cancel in every order.",
+        pairs.join(", ")
+    )
+}
+
+/// Each direction with the weights that cancel on it.
+fn cancelling(layout: &Layout, verdict: &Verdict) -> String {
+    let mut directions: Vec<(&Turn, Vec<(&str, &BigRational)>)> = Vec::new();
+    for (cylinder, term) in layout.cylinders.iter().zip(verdict.sum.terms()) {
+        let entry = (cylinder.name.as_str(), &term.weight);
+        match directions.iter_mut().find(|(angle, _)| *angle == &term.angle) {
+            Some((_, members)) => members.push(entry),
+            None => directions.push((&term.angle, vec![entry])),
+        }
+    }
+    directions.sort_by_key(|(angle, _)| *angle);
+    let one = |(angle, members): &(&Turn, Vec<(&str, &BigRational)>)| {
+        let weights: Vec<String> = members.iter().map(|(_, weight)| typeset::number(weight)).collect();
+        let names: Vec<&str> = members.iter().map(|(name, _)| *name).collect();
+        let sum = weights.join(" + ").replace("+ −", "− ");
+        format!("at {} (cylinders {}) {sum} = 0", typeset::angle(angle), typeset::names(&names))
+    };
+    directions.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+fn polygons(layout: &Layout, star: &Star) -> String {
+    let turned = if star.has_turned { "With the vectors of negative arms turned by 180°: " } else { "" };
+    let sentences: Vec<String> = star.polygons.iter().map(|polygon| polygon_sentence(layout, star, polygon)).collect();
+    format!("{turned}{}", sentences.join(" "))
+}
+
+fn polygon_sentence(layout: &Layout, star: &Star, polygon: &Polygon) -> String {
+    let corners: Vec<&Ray> = (0..polygon.sides)
+        .filter_map(|j| {
+            let angle = Turn::new(&polygon.rotation + BigRational::new(j.into(), polygon.sides.into()));
+            star.rays.iter().find(|ray| ray.angle == angle)
+        })
+        .collect();
+    let shape = typeset::polygon_name(polygon.sides);
+    let whole = corners.iter().all(|ray| ray.total() == polygon.weight);
+    if whole && polygon.weight.is_one() && corners.iter().all(|ray| ray.members.len() == 1) {
+        let names: Vec<String> = corners.iter().map(|ray| ray.names(layout)).collect();
+        return format!("Vectors {} are {}, so they sum to zero.", listed(&names), corners_of(polygon.sides, &shape));
+    }
+    let places: Vec<String> =
+        corners.iter().map(|ray| format!("{} ({})", typeset::angle(&ray.angle), ray.names(layout))).collect();
+    let weight = typeset::number(&polygon.weight);
+    let share = if whole { format!("{weight} long each") } else { format!("taken {weight} long each") };
+    format!("The vectors at {}, {share}, are {} and sum to zero.", listed(&places), corners_of(polygon.sides, &shape))
+}
+
+fn corners_of(sides: u64, shape: &str) -> String {
+    if sides == 2 { shape.to_owned() } else { format!("the corners of {shape}") }
+}
+
+fn listed(items: &[String]) -> String {
+    match items {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// The numbers of the certificate, as `classify --json` holds them.
+pub(super) fn certificate(verdict: &Verdict) -> String {
+    match &verdict.certificate {
+        Certificate::Polygons { polygons } if polygons.is_empty() => {
+            "Certificate: no polygon is needed, the collected sum is empty.".to_owned()
+        }
+        Certificate::Polygons { polygons } => {
+            let one = |p: &Polygon| format!("({}; {}; {})", p.sides, fraction(&p.rotation), fraction(&p.weight));
+            let list: Vec<String> = polygons.iter().map(one).collect();
+            format!("Certificate, polygons as (sides; turn of a corner; weight): {}.", list.join(", "))
+        }
+        Certificate::Residue(residue) => residue_sentence(&verdict.sum.collected(), residue),
+        Certificate::Splitting { steps } => splitting_sentence(steps),
+    }
+}
+
+fn fraction(value: &BigRational) -> String {
+    value.to_string().replace('-', "−")
+}
+
+fn residue_sentence(collected: &[Term], claim: &Residue) -> String {
+    let Residue { conductor, prime, root, scale, residue } = claim;
+    let map = format!("$e^{{2\\pi i/{conductor}}} \\mapsto {root}$");
+    let times = if scale.is_one() { String::new() } else { format!(", {scale} times over,") };
+    let sum = if collected.len() <= MOST_TERMS_WRITTEN { written_sum(collected, claim) } else { "S".to_owned() };
+    format!(
+        "Certificate: modulo the prime {prime} the powers of {root} repeat after {conductor}, so {map} maps sums to sums. The \
+         collected sum{times} becomes ${sum} \\equiv {residue} \\not\\equiv 0 \\pmod{{{prime}}}$."
+    )
+}
+
+fn written_sum(collected: &[Term], claim: &Residue) -> String {
+    let term = |(index, term): (usize, &Term)| {
+        let weight = (&term.weight * BigRational::from_integer(claim.scale.clone())).to_integer();
+        let exponent = (term.angle.turns() * BigRational::from_integer(claim.conductor.clone())).to_integer();
+        let exponent: BigInt = exponent.mod_floor(&claim.conductor);
+        let sign = match (weight.is_negative(), index) {
+            (true, _) => "-",
+            (false, 0) => "",
+            (false, _) => "+",
+        };
+        format!("{sign}{}\\cdot {}^{{{exponent}}}", weight.abs(), claim.root)
+    };
+    collected.iter().enumerate().map(term).collect()
+}
+
+fn splitting_sentence(steps: &[Step]) -> String {
+    let step = |step: &Step| match step {
+        Step::Class { angle, modulus } => {
+            format!(
+                "the vectors at {} of a turn plus multiples of 1/{modulus} must sum to zero by themselves",
+                fraction(angle)
+            )
+        }
+        Step::Compare { prime, first, second } => {
+            format!(
+                "the classes {first} and {second} of the prime {prime} must be equal, so their difference must be zero"
+            )
+        }
+    };
+    let list: Vec<String> = steps.iter().map(step).collect();
+    format!(
+        "Certificate: if the sum were zero, then {}; but one vector is left, and it is not zero.",
+        list.join("; of these, ")
+    )
+}

@@ -1,0 +1,55 @@
+//! What does `classify --json` hold? Every verdict with its terms and its certificate.
+
+use num_complex::Complex;
+
+use crate::layout::Layout;
+use crate::numbers;
+use crate::proof::{Cylinder, Document, ShapeClaim, Vector, VerdictClaim};
+use crate::verdict::{Balance, OrderBalance, Verdict};
+
+/// The verdicts on an engine as data: what `verify` reads.
+pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
+    let cylinder = |cylinder: &crate::layout::Cylinder| Cylinder {
+        name: cylinder.name.clone(),
+        throw: cylinder.throw.turns().clone(),
+        bank: cylinder.bank.turns().clone(),
+        position: cylinder.position.clone(),
+        reciprocating_mass: cylinder.reciprocating_mass.clone(),
+    };
+    let balances = || orders.iter().flat_map(|order| [&order.force, &order.moment]);
+    let verdicts = orders
+        .iter()
+        .flat_map(|order| [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).chain(&order.torque));
+    Document {
+        title: layout.title.clone(),
+        reference_plane: layout.reference_plane.clone(),
+        cylinders: layout.cylinders.iter().map(cylinder).collect(),
+        verdicts: verdicts.map(verdict_claim).collect(),
+        shapes: balances().map(shape_claim).collect(),
+    }
+}
+
+fn verdict_claim(verdict: &Verdict) -> VerdictClaim {
+    let vanishes = verdict.vanishes();
+    let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&verdict.sum) };
+    let term = |term: &crate::exact::Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
+    VerdictClaim {
+        quantity: verdict.quantity,
+        order: verdict.order,
+        sense: verdict.sense,
+        vanishes,
+        terms: verdict.sum.terms().iter().map(term).collect(),
+        modulus: sum.norm(),
+        angle_deg: (!vanishes).then(|| sum.arg().to_degrees()),
+        certificate: verdict.certificate.clone(),
+    }
+}
+
+fn shape_claim(balance: &Balance) -> ShapeClaim {
+    ShapeClaim {
+        quantity: balance.direct.quantity,
+        order: balance.direct.order,
+        shape: balance.shape,
+        certificate: balance.comparison.clone(),
+    }
+}

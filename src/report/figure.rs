@@ -1,0 +1,166 @@
+//! What is a drawing? Marks in millimetres, y upwards; SVG and TikZ are printed from the same marks.
+
+use num_complex::Complex;
+
+/// A point of the drawing, in millimetres: x to the right, y upwards.
+pub type Point = Complex<f64>;
+
+/// Colours of different lightness, so that they differ in grey too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ink {
+    /// Text and vectors.
+    Black,
+    /// Axes and guides.
+    Grey,
+    /// Bodies that other marks are drawn upon.
+    Light,
+    /// First colour of polygons and pins.
+    Blue,
+    /// Second colour of polygons.
+    Orange,
+    /// Third colour of polygons.
+    Green,
+    /// Resultants.
+    Red,
+}
+
+/// How a line is broken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dash {
+    /// Not at all.
+    Solid,
+    /// In dashes.
+    Dashed,
+    /// In dots.
+    Dotted,
+}
+
+/// A line: its colour, its width in millimetres, how it is broken.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke {
+    /// Colour.
+    pub ink: Ink,
+    /// Width in millimetres.
+    pub width: f64,
+    /// Solid, dashed or dotted.
+    pub dash: Dash,
+}
+
+impl Stroke {
+    /// A solid line.
+    pub fn solid(ink: Ink, width: f64) -> Self {
+        Stroke { ink, width, dash: Dash::Solid }
+    }
+}
+
+/// Where a text hangs on its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// The text begins at the point.
+    Start,
+    /// The text is centred on the point.
+    Middle,
+    /// The text ends at the point.
+    End,
+}
+
+/// One mark of a drawing; later marks lie upon earlier ones.
+#[derive(Clone, Debug)]
+pub enum Mark {
+    /// A straight line, with an arrow head at its end or without.
+    Line {
+        /// Start.
+        from: Point,
+        /// End.
+        to: Point,
+        /// Line.
+        stroke: Stroke,
+        /// Whether an arrow head stands at the end.
+        arrow: bool,
+    },
+    /// A circle, filled or not.
+    Circle {
+        /// Centre.
+        centre: Point,
+        /// Radius in millimetres.
+        radius: f64,
+        /// Outline.
+        stroke: Stroke,
+        /// Colour inside.
+        fill: Option<Ink>,
+    },
+    /// A closed polygon, filled or not.
+    Polygon {
+        /// Corners in order.
+        corners: Vec<Point>,
+        /// Outline.
+        stroke: Stroke,
+        /// Colour inside.
+        fill: Option<Ink>,
+    },
+    /// A line of text, centred in height on its point.
+    Text {
+        /// Where.
+        at: Point,
+        /// What.
+        text: String,
+        /// How it hangs.
+        anchor: Anchor,
+        /// Whether it is a heading of the drawing.
+        bold: bool,
+    },
+}
+
+/// A drawing of a given size, its origin at the lower left.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Width in millimetres.
+    pub width: f64,
+    /// Height in millimetres.
+    pub height: f64,
+    /// What is drawn, in order.
+    pub marks: Vec<Mark>,
+}
+
+impl Figure {
+    /// An empty drawing.
+    pub fn new(width: f64, height: f64) -> Self {
+        Figure { width, height, marks: Vec::new() }
+    }
+
+    /// Draws a line.
+    pub fn line(&mut self, from: Point, to: Point, stroke: Stroke) {
+        self.marks.push(Mark::Line { from, to, stroke, arrow: false });
+    }
+
+    /// Draws an arrow.
+    pub fn arrow(&mut self, from: Point, to: Point, stroke: Stroke) {
+        self.marks.push(Mark::Line { from, to, stroke, arrow: true });
+    }
+
+    /// Draws a circle.
+    pub fn circle(&mut self, centre: Point, radius: f64, stroke: Stroke, fill: Option<Ink>) {
+        self.marks.push(Mark::Circle { centre, radius, stroke, fill });
+    }
+
+    /// Draws a closed polygon.
+    pub fn polygon(&mut self, corners: Vec<Point>, stroke: Stroke, fill: Option<Ink>) {
+        self.marks.push(Mark::Polygon { corners, stroke, fill });
+    }
+
+    /// Writes a text.
+    pub fn text(&mut self, at: Point, text: impl Into<String>, anchor: Anchor) {
+        self.marks.push(Mark::Text { at, text: text.into(), anchor, bold: false });
+    }
+
+    /// Writes a heading, centred.
+    pub fn heading(&mut self, at: Point, text: impl Into<String>) {
+        self.marks.push(Mark::Text { at, text: text.into(), anchor: Anchor::Middle, bold: true });
+    }
+}
+
+/// A coordinate as text: two places, no negative zero.
+pub(super) fn coordinate(value: f64) -> String {
+    let text = format!("{value:.2}");
+    if text == "-0.00" { "0.00".to_owned() } else { text }
+}

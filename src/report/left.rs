@@ -1,0 +1,120 @@
+//! What is left of an order, and how is it put in a few words?
+
+use num_traits::Signed;
+
+use super::typeset::{Amount, decimal, signed_degrees};
+use crate::numbers;
+use crate::proof::{Quantity, Shape};
+use crate::verdict::{Balance, OrderBalance, Verdict};
+
+/// `|S|` of a verdict: exact where like directions collect to one.
+pub(super) fn modulus(verdict: &Verdict) -> Amount {
+    match verdict.sum.collected().as_slice() {
+        [] => Amount::Exact(num_rational::BigRational::from_integer(0.into())),
+        [only] => Amount::Exact(only.weight.abs()),
+        _ => Amount::Approximate(numbers::evaluate(&verdict.sum).norm()),
+    }
+}
+
+/// The direction of a sum that is not zero: `= 45°` where one direction is left, else `≈ −18.4349°`.
+pub(super) fn direction(verdict: &Verdict) -> String {
+    match verdict.sum.collected().as_slice() {
+        [only] => {
+            let angle = if only.weight.is_negative() { only.angle.opposite() } else { only.angle.clone() };
+            format!("= {}", super::typeset::degrees(&signed_degrees(&angle)))
+        }
+        _ => format!("≈ {}°", decimal(numbers::evaluate(&verdict.sum).arg().to_degrees())),
+    }
+}
+
+/// The largest value through a revolution, `½(|P⁺| + |P⁻|)`.
+pub(super) fn largest(balance: &Balance) -> Amount {
+    let part = |verdict: &Verdict| match verdict.vanishes() {
+        true => Amount::Exact(num_rational::BigRational::from_integer(0.into())),
+        false => modulus(verdict),
+    };
+    part(&balance.direct).mean(&part(&balance.reverse))
+}
+
+/// The word for a shape.
+pub(super) fn shape_name(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Balanced => "balanced",
+        Shape::Rotating => "rotating",
+        Shape::CounterRotating => "counter-rotating",
+        Shape::Planar => "planar",
+        Shape::Elliptical => "elliptical",
+    }
+}
+
+/// The force of an order in a few words: `0` or `= 4, planar`.
+pub fn force_summary(order: &OrderBalance) -> String {
+    summary(&order.force)
+}
+
+/// The moment of an order in a few words: `0` or `couple = 4, planar`.
+pub fn moment_summary(order: &OrderBalance) -> String {
+    match order.moment.is_balanced() {
+        true => summary(&order.moment),
+        false => format!("{} {}", moment_name(order), summary(&order.moment)),
+    }
+}
+
+/// The inertia torque of an order in a few words: `0` or `= 4`.
+pub fn torque_summary(torque: &Verdict) -> String {
+    if torque.vanishes() { "0".to_owned() } else { modulus(torque).related() }
+}
+
+/// What the summaries are counted in.
+pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
+                          times the unit of the positions; = exact, ≈ decimal.";
+
+fn summary(balance: &Balance) -> String {
+    match balance.shape {
+        Shape::Balanced => "0".to_owned(),
+        shape => format!("{}, {}", largest(balance).related(), shape_name(shape)),
+    }
+}
+
+/// What a moment is called: a couple only where the force of its order vanishes.
+pub(super) fn moment_name(order: &OrderBalance) -> &'static str {
+    if order.moment_is_couple() { "couple" } else { "moment" }
+}
+
+/// A sentence on what the two vectors together trace.
+pub(super) fn sentence(balance: &Balance) -> String {
+    let k = balance.direct.order;
+    let speed = if k == 1 { "crank speed".to_owned() } else { format!("{k} times crank speed") };
+    let largest = largest(balance).related();
+    let symbol = if balance.direct.quantity == Quantity::Force { "F" } else { "C" };
+    match balance.shape {
+        Shape::Balanced => "Nothing is left: both vectors vanish.".to_owned(),
+        Shape::Rotating => format!(
+            "What is left is **rotating**: a vector of constant length {largest} that turns with the crank at {speed}. {}",
+            if k == 1 { "Counterweights on the crankshaft remove it." } else { "A balancer shaft geared to that speed removes it." }
+        ),
+        Shape::CounterRotating => format!(
+            "What is left is **counter-rotating**: a vector of constant length {largest} that turns against the crank at {speed}. \
+             One balancer shaft removes it."
+        ),
+        Shape::Planar => format!(
+            "What is left is **planar**: both vectors are equally long ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 = 0$, proved), so \
+             ${symbol}_{{{k}}}$ swings along the line at {} with the largest value {largest}.",
+            line_direction(balance)
+        ),
+        Shape::Elliptical => format!(
+            "What is left is **elliptical**: the vectors differ in length ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 \\ne 0$, proved); the \
+             largest value is {largest}, along the line at {}.",
+            line_direction(balance)
+        ),
+    }
+    .replace("|P", "\\lvert P")
+    .replace("}|^2", "}\\rvert^2")
+}
+
+/// The major axis, `(arg P⁺ + arg P⁻)/2` (theory, section 3), as a line in `(−90°, 90°]`.
+fn line_direction(balance: &Balance) -> String {
+    let product = numbers::evaluate(&balance.direct.sum) * numbers::evaluate(&balance.reverse.sum);
+    let angle = product.arg().to_degrees() / 2.0;
+    format!("≈ {}°", decimal(angle))
+}

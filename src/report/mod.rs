@@ -1,0 +1,23 @@
+//! How is it shown? Reports in Markdown and LaTeX with their diagrams, and the JSON document.
+//!
+//! `verdicts → page (finished strings, drawings) → template → files`
+
+mod argument;
+mod dialect;
+mod document;
+mod figure;
+mod folder;
+mod left;
+mod page;
+mod render;
+mod star;
+mod svg;
+mod table;
+mod tikz;
+mod typeset;
+mod views;
+
+pub use dialect::Dialect;
+pub use document::document;
+pub use folder::{File, index, report, text};
+pub use left::{LEGEND, force_summary, moment_summary, torque_summary};

@@ -1,0 +1,273 @@
+//! What stands on a report, in which order? Finished strings for the templates.
+
+use serde::Serialize;
+
+use super::dialect::Dialect;
+use super::figure::Figure;
+use super::star::star_figure;
+use super::table::{self, Table};
+use super::views::{end_view, side_view};
+use super::{argument, left, tikz, typeset};
+use crate::layout::{Cycle, Firing, Layout};
+use crate::proof::Sense;
+use crate::verdict::{Balance, OrderBalance, Verdict};
+
+/// Everything that the template of a report places.
+#[derive(Clone, Debug, Serialize)]
+pub struct Page {
+    title: String,
+    source: Option<String>,
+    headline: Vec<String>,
+    summary: Table,
+    units: String,
+    end_view: Drawing,
+    side_view: Drawing,
+    cylinders: Table,
+    firing: Vec<String>,
+    conventions: Vec<String>,
+    force_formula: String,
+    phase_formulas: String,
+    bank_remark: Option<String>,
+    orders: Vec<Section>,
+}
+
+/// One order.
+#[derive(Clone, Debug, Serialize)]
+struct Section {
+    heading: String,
+    table: Table,
+    stars: Drawing,
+    force: Vec<Paragraph>,
+    force_left: String,
+    moment: Vec<Paragraph>,
+    moment_left: String,
+}
+
+/// A verdict with its proof.
+#[derive(Clone, Debug, Serialize)]
+struct Paragraph {
+    lead: String,
+    proof: String,
+    certificate: String,
+}
+
+/// A drawing as the template needs it: the name of its file, or the TikZ code itself.
+#[derive(Clone, Debug, Serialize)]
+struct Drawing {
+    caption: String,
+    body: String,
+}
+
+/// A drawing with the file that it goes to.
+pub(super) struct NamedFigure {
+    pub name: String,
+    pub caption: String,
+    pub figure: Figure,
+}
+
+/// All drawings of a report: the two views, then the stars of each order.
+pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigure> {
+    let named = |name: String, caption: String, figure| NamedFigure { name, caption, figure };
+    let mut figures = vec![
+        named(
+            "end-view".into(),
+            "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise: crankpins inside, cylinders outside.".into(),
+            end_view(layout),
+        ),
+        named(
+            "side-view".into(),
+            "The crankshaft from the side with the throw angles below, the cylinders above, and the reference plane of the moments dashed.".into(),
+            side_view(layout),
+        ),
+    ];
+    figures.extend(orders.iter().map(|order| {
+        let caption = format!(
+            "Vector stars of order {}, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant; a vector \
+             with a negative arm is drawn turned by 180°.",
+            order.order
+        );
+        named(format!("order-{}", order.order), caption, star_figure(layout, order))
+    }));
+    figures
+}
+
+impl Page {
+    /// Sets a report in a dialect.
+    pub fn new(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Self {
+        let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
+        let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
+        let (end_view, side_view) = (next(), next());
+        let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
+        Page {
+            title: dialect.quoted(&layout.title),
+            source: layout.source.as_ref().map(|source| dialect.quoted(source)),
+            headline: headline(orders).iter().map(|line| dialect.prose(line)).collect(),
+            summary: table::summary(dialect, orders),
+            units: dialect.prose(&units(layout)),
+            end_view,
+            side_view,
+            cylinders: table::cylinders(dialect, layout),
+            firing: firing(layout).iter().map(|line| dialect.prose(line)).collect(),
+            conventions: conventions(layout).iter().map(|line| dialect.prose(line)).collect(),
+            force_formula: dialect.display(FORCE),
+            phase_formulas: dialect.display(PHASES),
+            bank_remark: has_banks.then(|| dialect.prose(BANKS)),
+            orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
+        }
+    }
+}
+
+const FORCE: &str =
+    "F_k(\\theta) = \\tfrac12\\, r\\, \\omega^2 c_k \\left( P_k^{+} e^{ik\\theta} + P_k^{-} e^{-ik\\theta} \\right)";
+const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}, \\qquad P_k^{-} = \\sum_j m_j\\, e^{i(-k\\beta_j + (k+1)\\alpha_j)}";
+const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
+                     ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
+
+fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
+    let body = match dialect {
+        Dialect::Latex => tikz::tikz(&named.figure),
+        _ => format!("{}.svg", named.name),
+    };
+    Drawing { caption: dialect.prose(&named.caption), body }
+}
+
+impl Section {
+    fn new(layout: &Layout, order: &OrderBalance, dialect: Dialect, stars: Drawing) -> Self {
+        let k = order.order;
+        let paragraphs = |balance: &Balance, symbol: &str| {
+            let paragraph = |verdict: &Verdict| Paragraph::new(layout, verdict, symbol, dialect);
+            balance.verdicts().into_iter().map(paragraph).collect()
+        };
+        Section {
+            heading: format!("Order {k}"),
+            table: table::vector_star(dialect, layout, order),
+            stars,
+            force: paragraphs(&order.force, "P"),
+            force_left: dialect.prose(&left::sentence(&order.force)),
+            moment: paragraphs(&order.moment, "C"),
+            moment_left: dialect.prose(&moment_left(layout, order)),
+        }
+    }
+}
+
+fn moment_left(layout: &Layout, order: &OrderBalance) -> String {
+    let kind = if order.moment_is_couple() {
+        "The force of this order vanishes, so the moment is a free couple: the same about every plane.".to_owned()
+    } else {
+        let plane = typeset::number(&layout.reference_plane);
+        format!(
+            "The force of this order does not vanish, so the moment depends on the reference plane, here z = {plane}."
+        )
+    };
+    format!("{} {kind}", left::sentence(&order.moment).replace("P_{", "C_{"))
+}
+
+impl Paragraph {
+    fn new(layout: &Layout, verdict: &Verdict, symbol: &str, dialect: Dialect) -> Self {
+        let sense = match verdict.sense {
+            Some(Sense::Direct) => "+",
+            Some(Sense::Reverse) => "-",
+            None => "",
+        };
+        let name = verdict.sense.map_or("torque", Sense::name);
+        let symbol = format!("{symbol}_{{{}}}^{{{sense}}}", verdict.order);
+        let lead = match verdict.vanishes() {
+            true => format!("**{}:** ${symbol} = 0$.", capital(name)),
+            false => format!(
+                "**{}:** ${symbol} \\ne 0$, length {}, at angle {}.",
+                capital(name),
+                left::modulus(verdict).related(),
+                left::direction(verdict)
+            ),
+        };
+        Paragraph {
+            lead: dialect.prose(&lead),
+            proof: dialect.prose(&argument::argument(layout, verdict)),
+            certificate: dialect.prose(&argument::certificate(verdict)),
+        }
+    }
+}
+
+fn capital(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// What a designer reads first: which orders are balanced, and which are left.
+fn headline(orders: &[OrderBalance]) -> Vec<String> {
+    let line = |name: &str, balance: fn(&OrderBalance) -> &Balance| {
+        let list = |balanced: bool| {
+            let orders = orders.iter().filter(|order| balance(order).is_balanced() == balanced);
+            orders.map(|order| order.order.to_string()).collect::<Vec<_>>()
+        };
+        match (list(true).as_slice(), list(false).as_slice()) {
+            (all, []) => format!("The {name} vanishes at every order judged: {}.", all.join(", ")),
+            ([], none) => format!("The {name} vanishes at none of the orders judged: {}.", none.join(", ")),
+            (zero, rest) => format!("The {name} vanishes at {}, and not at {}.", plural(zero), plural(rest)),
+        }
+    };
+    vec![line("force", |order| &order.force), line("moment", |order| &order.moment)]
+}
+
+fn plural(orders: &[String]) -> String {
+    format!("order{} {}", if orders.len() == 1 { "" } else { "s" }, orders.join(", "))
+}
+
+fn units(layout: &Layout) -> String {
+    let mass = if layout.has_unit_masses() { "m r ω² c_k" } else { "r ω² c_k · kg" };
+    let arm = match layout.length_unit {
+        crate::layout::LengthUnit::Metre => "times metres",
+        crate::layout::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
+    };
+    let mass = mass.replace("c_k", "$c_k$");
+    format!(
+        "The number is the largest value through a revolution, $\\tfrac12(\\lvert P^{{+}}\\rvert + \\lvert P^{{-}}\\rvert)$: \
+         forces in units of {mass}, moments in the same {arm}. **0** is exact and proved; = stands before exact numbers, ≈ before \
+         decimals. A couple is the same about every plane; a moment is taken about the reference plane."
+    )
+}
+
+fn firing(layout: &Layout) -> Vec<String> {
+    let Some(firing) = &layout.firing else { return Vec::new() };
+    let names: Vec<&str> = firing.shots.iter().map(|shot| layout.cylinders[shot.cylinder].name.as_str()).collect();
+    let cycle = match firing.cycle {
+        Cycle::FourStroke => "four-stroke",
+        Cycle::TwoStroke => "two-stroke",
+    };
+    vec![format!("Firing order {} ({cycle}).", names.join("–")), intervals(firing)]
+}
+
+/// Even or uneven, and which.
+pub(super) fn intervals(firing: &Firing) -> String {
+    let degrees = |turns: &num_rational::BigRational| {
+        typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into())))
+    };
+    let intervals = firing.intervals();
+    match intervals.as_slice() {
+        [first, ..] if firing.is_even() => format!("It fires evenly, every {} of crank angle.", degrees(first)),
+        uneven => {
+            let list: Vec<String> = uneven.iter().map(degrees).collect();
+            format!("It fires unevenly, at intervals of {}.", list.join(", "))
+        }
+    }
+}
+
+fn conventions(layout: &Layout) -> Vec<String> {
+    let plane = typeset::number(&layout.reference_plane);
+    let unit = table::position_unit(layout).replace(['(', ')'], "");
+    let why = if layout.reference_plane_given { "as the layout file says" } else { "the middle of the cylinders" };
+    vec![
+        "Seen from the free end of the crankshaft (+z towards the reader), angles grow anticlockwise from the reference direction, \
+         drawn upwards; for a V it is the bisector of the banks. The crank turns anticlockwise by θ."
+            .to_owned(),
+        "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.".to_owned(),
+        "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it grow draw the \
+         mirror image: the same verdicts and lengths, directions of the opposite sign.) The pin of the second bank of a V stands at the \
+         throw plus the pin split."
+            .to_owned(),
+        format!("Moments are taken about the plane z = {plane}{unit}, {why}."),
+        "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their cylinder; a radial's \
+         rods all on the crankpin itself. Orders of a centric engine are 1 and the even ones."
+            .to_owned(),
+    ]
+}

@@ -1,0 +1,44 @@
+//! How do the templates make a page?
+
+use serde::Serialize;
+use tera::{Context, Delimiters, Tera};
+
+use super::dialect::Dialect;
+
+const MARKDOWN: &str = include_str!("../../templates/report.md");
+const LATEX: &str = include_str!("../../templates/report.tex");
+const INDEX: &str = include_str!("../../templates/index.md");
+
+/// The templates are part of the program, so that a mistake in one is a mistake of ours.
+const OURS: &str = "a template of the program";
+
+/// Fills the template of a report.
+pub(super) fn report(page: &impl Serialize, dialect: Dialect) -> String {
+    match dialect {
+        Dialect::Latex => fill(LATEX, page, true),
+        _ => fill(MARKDOWN, page, false),
+    }
+}
+
+/// Fills the template of the index of all reports.
+pub(super) fn index(page: &impl Serialize) -> String {
+    fill(INDEX, page, false)
+}
+
+fn fill(template: &str, page: &impl Serialize, latex: bool) -> String {
+    let mut tera = Tera::default();
+    tera.autoescape_on(Vec::<&str>::new());
+    if latex {
+        tera.set_delimiters(Delimiters {
+            block_start: "<%".into(),
+            block_end: "%>".into(),
+            variable_start: "<<".into(),
+            variable_end: ">>".into(),
+            comment_start: "<#".into(),
+            comment_end: "#>".into(),
+        })
+        .expect(OURS);
+    }
+    tera.add_raw_template("page", template).expect(OURS);
+    tera.render("page", &Context::from_serialize(page).expect(OURS)).expect(OURS)
+}
