@@ -1,7 +1,6 @@
 //! Which tables does a report hold? Cells are finished strings of the dialect.
 
 use num_rational::BigRational;
-use num_traits::Zero;
 use serde::Serialize;
 
 use super::dialect::Dialect;
@@ -18,6 +17,8 @@ pub struct Table {
     pub header: Vec<String>,
     /// The cells.
     pub rows: Vec<Vec<String>>,
+    /// Size of the letters in LaTeX, so that the widest row fits the page.
+    pub size: &'static str,
 }
 
 impl Table {
@@ -25,8 +26,27 @@ impl Table {
         let set = |cells: Vec<String>| cells.iter().map(|cell| dialect.prose(cell)).collect();
         Table {
             header: header.iter().map(|cell| dialect.prose(cell)).collect(),
+            size: size(width(header, &rows)),
             rows: rows.into_iter().map(set).collect(),
         }
+    }
+}
+
+/// Letters that the widest cells of all columns take beside each other, with the space between columns.
+fn width(header: &[&str], rows: &[Vec<String>]) -> usize {
+    let letters = |cell: &str| cell.replace("**", "").chars().count();
+    let widest = |column: usize| rows.iter().map(|row| letters(&row[column])).chain([letters(header[column])]).max();
+    (0..header.len()).filter_map(widest).map(|width| width + 3).sum()
+}
+
+/// The widest table that fits the page in the smallest letters used.
+const WIDEST: usize = 108;
+
+fn size(width: usize) -> &'static str {
+    match width {
+        0..=84 => "\\small",
+        85..=94 => "\\footnotesize",
+        _ => "\\scriptsize",
     }
 }
 
@@ -70,8 +90,20 @@ pub(super) fn position_unit(layout: &Layout) -> &'static str {
     }
 }
 
-/// The vector-star table of order k: how each phase comes about, and the sums.
+/// The vector-star table of order k: how each phase comes about, where there is room for it, and the sums.
 pub(super) fn vector_star(dialect: Dialect, layout: &Layout, order: &OrderBalance) -> Table {
+    let (header, rows) = star_cells(layout, order, phase);
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    if width(&header, &rows) <= WIDEST {
+        return Table::new(dialect, &header, rows);
+    }
+    Table::new(dialect, &header, star_cells(layout, order, reduced_phase).1)
+}
+
+/// Multiples of an angle in degrees whose sum is a phase.
+type Parts<'a> = [(i64, &'a BigRational); 2];
+
+fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
     let k = i64::from(order.order);
     let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
     let with_mass = !layout.has_unit_masses();
@@ -100,12 +132,11 @@ pub(super) fn vector_star(dialect: Dialect, layout: &Layout, order: &OrderBalanc
         cells.extend(vec![String::new(); blank]);
         cells.extend(balance.verdicts().map(|verdict| match verdict.vanishes() {
             true => "**0**".to_owned(),
-            false => format!("{} at angle {}", left::modulus(verdict).related(), left::direction(verdict)),
+            false => format!("{} at {}", left::modulus(verdict).related(), left::direction(verdict)),
         }));
         rows.push(cells);
     }
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    Table::new(dialect, &header, rows)
+    (header, rows)
 }
 
 /// `2β − α`, `−2β + 3α`; without the bank where all banks are at 0.
@@ -126,30 +157,32 @@ pub(super) fn phase_formula(k: i64, sense: Sense, has_banks: bool) -> String {
 }
 
 /// A phase worked out: `2·270° + 45° = 585° ≡ 225°`.
-fn phase(parts: &[(i64, &BigRational); 2]) -> String {
-    let products: Vec<(bool, String)> =
-        parts.iter().filter_map(|(factor, degrees)| typeset::multiple(*factor, degrees)).collect();
-    let sum: BigRational =
-        parts.iter().map(|(factor, degrees)| *degrees * BigRational::from_integer((*factor).into())).sum();
-    let turn = crate::exact::Turn::from_degrees(&sum);
-    let reduced = typeset::angle(&turn);
-    if products.is_empty() {
+fn phase(parts: &Parts) -> String {
+    let mut text = String::new();
+    for (negative, product) in parts.iter().filter_map(|(factor, degrees)| typeset::multiple(*factor, degrees)) {
+        text.push_str(match (text.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        });
+        text.push_str(&product);
+    }
+    let sum = phase_sum(parts);
+    let (value, reduced) = (typeset::degrees(&sum), reduced_phase(parts));
+    let steps = [text, value, reduced.clone()];
+    if steps.iter().any(|step| step.contains('≈')) || steps[0].is_empty() {
         return reduced;
     }
-    let mut text = String::new();
-    for (index, (negative, product)) in products.iter().enumerate() {
-        text.push_str(match (index, negative) {
-            (0, false) => "",
-            (0, true) => "−",
-            (_, false) => " + ",
-            (_, true) => " − ",
-        });
-        text.push_str(product);
-    }
-    let value = typeset::degrees(&sum);
-    if value != text {
-        text = format!("{text} = {value}");
-    }
-    let is_reduced = (&turn.degrees() - &sum).is_zero();
-    if is_reduced { text } else { format!("{text} ≡ {reduced}") }
+    let working = if steps[0] == steps[1] { steps[0].clone() } else { format!("{} = {}", steps[0], steps[1]) };
+    if steps[1] == steps[2] { working } else { format!("{working} ≡ {reduced}") }
+}
+
+/// A phase in `[0°, 360°)`, without its working.
+fn reduced_phase(parts: &Parts) -> String {
+    typeset::angle(&crate::exact::Turn::from_degrees(&phase_sum(parts)))
+}
+
+fn phase_sum(parts: &Parts) -> BigRational {
+    parts.iter().map(|(factor, degrees)| *degrees * BigRational::from_integer((*factor).into())).sum()
 }

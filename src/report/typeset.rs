@@ -7,10 +7,15 @@ use crate::exact::Turn;
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 4;
+/// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
+const MOST_LETTERS: usize = 20;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(super) fn number(value: &BigRational) -> String {
     let text = terminating(value).unwrap_or_else(|| value.abs().to_string());
+    if text.len() > MOST_LETTERS {
+        return format!("≈ {}", decimal(value.to_f64().unwrap_or(f64::NAN)));
+    }
     if value.is_negative() { format!("−{text}") } else { text }
 }
 
@@ -34,7 +39,7 @@ fn terminating(value: &BigRational) -> Option<String> {
 /// An exact number of degrees: `22.5°`, `(360/7)°`.
 pub(super) fn degrees(value: &BigRational) -> String {
     let text = number(value);
-    if !text.contains('/') {
+    if !text.contains('/') || text.starts_with('≈') {
         return format!("{text}°");
     }
     let modulus = value.abs();

@@ -31,11 +31,6 @@ pub(super) fn end_view(layout: &Layout) -> Figure {
     let centre = Point::new(50.0, 46.0);
     let throws = groups(layout, |cylinder| cylinder.throw.clone());
     let banks = groups(layout, |cylinder| cylinder.bank.clone());
-    figure.line(
-        centre - Point::new(0.0, 44.0),
-        centre + Point::new(0.0, 44.0),
-        Stroke { ink: Ink::Grey, width: 0.15, dash: Dash::Dashed },
-    );
     for (bank, names) in &banks {
         let along = towards(bank);
         let across = along * Point::i();
