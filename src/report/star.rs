@@ -77,8 +77,8 @@ impl Star {
 }
 
 /// Size of the panel of one star, and where things stand in it, in millimetres.
-const PANEL: (f64, f64) = (74.0, 64.0);
-const CENTRE: Point = Point::new(37.0, 29.0);
+const PANEL: (f64, f64) = (74.0, 68.0);
+const CENTRE: Point = Point::new(37.0, 32.0);
 const RADIUS: f64 = 19.0;
 const LABELS: f64 = RADIUS + 3.2;
 /// Labels that are closer than this go to a second ring.
@@ -105,7 +105,7 @@ fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) 
     let centre = corner + CENTRE;
     let reach = star.reach();
     let scale = if reach > 0.0 { RADIUS / reach } else { 1.0 };
-    figure.heading(corner + Point::new(PANEL.0 / 2.0, PANEL.1 - 3.0), heading(verdict));
+    figure.heading(corner + Point::new(PANEL.0 / 2.0, PANEL.1 - 5.0), heading(verdict));
     figure.circle(centre, RADIUS, Stroke::solid(Ink::Light, 0.25), None);
     figure.line(
         centre,
@@ -129,7 +129,7 @@ fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) 
     } else {
         format!("sum {}", super::left::modulus(verdict).related())
     };
-    figure.text(corner + Point::new(PANEL.0 / 2.0, 1.8), result, Anchor::Middle);
+    figure.text(corner + Point::new(PANEL.0 / 2.0, 3.6), result, Anchor::Middle);
 }
 
 fn heading(verdict: &Verdict) -> String {

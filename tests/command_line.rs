@@ -1,0 +1,207 @@
+//! Does the program answer as its help says: output, messages, exit status?
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+fn crankstar(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
+}
+
+fn succeeds(arguments: &[&str]) -> String {
+    let output = crankstar(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+/// The message on standard error of a call that ends with this status and prints nothing else.
+fn fails(arguments: &[&str], status: i32) -> String {
+    let output = crankstar(arguments);
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}");
+    assert!(output.stdout.is_empty(), "{arguments:?} prints on standard output");
+    String::from_utf8(output.stderr).expect("a text")
+}
+
+/// A fresh folder for one test.
+fn scratch(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+fn text(path: &std::path::Path) -> &str {
+    path.to_str().expect("a path in UTF-8")
+}
+
+#[test]
+fn list_prints_a_line_an_engine() {
+    let list = succeeds(&["list"]);
+    let engines = crankstar::layout::catalogue().expect("the catalogue reads");
+    assert_eq!(list.lines().count(), engines.len());
+    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(&layout.title)));
+}
+
+#[test]
+fn names_are_read_in_upper_and_lower_case() {
+    assert_eq!(succeeds(&["classify", "v8-crossPLANE"]), succeeds(&["classify", "V8-crossplane"]));
+}
+
+#[test]
+fn output_that_is_no_terminal_has_no_colours() {
+    assert!(!succeeds(&["classify", "I4"]).contains('\u{1b}'));
+}
+
+#[test]
+fn every_engine_of_the_catalogue_verifies() {
+    let folder = scratch("verify-all");
+    for (entry, _) in crankstar::layout::catalogue().expect("the catalogue reads") {
+        let file = folder.join(format!("{}.json", entry.name));
+        fs::write(&file, succeeds(&["classify", entry.name, "--json", "--torque", "--orders", "1,2,3,4,5,6,8,10,12"]))
+            .expect("a file");
+        assert!(succeeds(&["verify", text(&file)]).contains("certificates hold"), "{}", entry.name);
+    }
+}
+
+#[test]
+fn verify_reads_standard_input() {
+    let json = succeeds(&["classify", "I6", "--json"]);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_crankstar"))
+        .args(["verify", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    std::io::Write::write_all(&mut child.stdin.take().expect("a pipe"), json.as_bytes()).expect("written");
+    assert!(child.wait().expect("it ends").success());
+}
+
+#[test]
+fn verify_refuses_a_changed_verdict_and_says_where() {
+    let folder = scratch("verify-changed");
+    let json = succeeds(&["classify", "I4", "--json"]);
+    let file = folder.join("changed.json");
+    fs::write(&file, json.replacen("\"vanishes\": true", "\"vanishes\": false", 1)).expect("a file");
+    let message = fails(&["verify", text(&file)], 1);
+    assert!(message.contains("verdicts[0] (force, order 1, direct)"), "{message}");
+}
+
+#[test]
+fn verify_refuses_what_is_no_json_output() {
+    let folder = scratch("verify-other");
+    for (name, bytes) in [
+        ("empty", &b""[..]),
+        ("text", b"hello"),
+        ("binary", b"\xff\x00\x01"),
+        ("object", b"{}"),
+        ("deep", &[b'['; 100_000]),
+    ] {
+        let file = folder.join(name);
+        fs::write(&file, bytes).expect("a file");
+        assert!(fails(&["verify", text(&file)], 1).contains("is no `classify --json` output"), "{name}");
+    }
+    assert!(fails(&["verify", text(&folder.join("missing"))], 1).contains("cannot read"));
+}
+
+#[test]
+fn a_report_is_written_with_its_diagrams_and_again_over_itself() {
+    let folder = scratch("report").join("deep/I4-report");
+    for _ in 0..2 {
+        let summary = succeeds(&["report", "I4", "--output", text(&folder)]);
+        assert!(summary.contains("report.md") && summary.contains("= 4, planar"));
+        let mut names: Vec<_> =
+            fs::read_dir(&folder).expect("the folder").map(|e| e.expect("an entry").file_name()).collect();
+        names.sort();
+        assert_eq!(
+            names,
+            ["end-view.svg", "order-1.svg", "order-2.svg", "order-4.svg", "order-6.svg", "report.md", "side-view.svg"]
+        );
+    }
+    assert_eq!(
+        fs::read_dir(folder.parent().expect("a parent")).expect("a folder").count(),
+        1,
+        "nothing else is left behind"
+    );
+}
+
+#[test]
+fn a_report_for_latex_is_one_file() {
+    let folder = scratch("latex").join("out");
+    succeeds(&["report", "I3", "--format", "latex", "--output", text(&folder)]);
+    let names: Vec<_> = fs::read_dir(&folder).expect("the folder").map(|e| e.expect("an entry").file_name()).collect();
+    assert_eq!(names, ["report.tex"]);
+}
+
+#[test]
+fn a_report_that_cannot_be_written_leaves_nothing() {
+    let folder = scratch("blocked");
+    let file = folder.join("taken");
+    fs::write(&file, "mine").expect("a file");
+    assert!(fails(&["report", "I4", "--output", text(&file)], 1).contains("is a file"));
+    assert!(fails(&["report", "I4", "--output", text(&file.join("below"))], 1).contains("cannot write"));
+    assert_eq!(fs::read_to_string(&file).expect("still there"), "mine");
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1);
+}
+
+#[test]
+fn without_a_folder_the_text_alone_is_printed() {
+    assert!(succeeds(&["report", "I2-180"]).starts_with("# "));
+    assert!(succeeds(&["report", "I2-180", "--format", "latex"]).starts_with("\\documentclass"));
+    let dollars = succeeds(&["report", "I2-180", "--math", "dollars"]);
+    assert!(dollars.contains("$P_{1}^{+}") && !dollars.contains("$`"));
+}
+
+#[test]
+fn only_the_orders_asked_for_are_judged() {
+    let report = succeeds(&["report", "I4", "--orders", "2"]);
+    assert!(report.contains("### Order 2") && !report.contains("### Order 1") && !report.contains("order-4.svg"));
+    assert!(!succeeds(&["classify", "I4", "--json"]).contains("torque"));
+    assert!(succeeds(&["classify", "I4", "--json", "--torque"]).contains("torque"));
+}
+
+#[test]
+fn wrong_usage_ends_with_status_two() {
+    for arguments in [
+        &["classify"][..],
+        &["clasify", "I4"],
+        &["classify", "I4", "--orders", "0"],
+        &["classify", "I4", "--orders", "1001"],
+        &["classify", "I4", "--orders", "1.5"],
+        &["report", "I4", "--format", "word"],
+        &[],
+    ] {
+        assert!(!fails(arguments, 2).is_empty());
+    }
+}
+
+#[test]
+fn wrong_input_ends_with_status_one_and_says_what_would_be_right() {
+    assert!(fails(&["classify", "V8"], 1).contains("V8-crossplane, V8-flatplane"));
+    assert!(fails(&["classify", "Q7"], 1).contains("crankstar list"));
+    assert!(fails(&["classify", "no/such.toml"], 1).contains("cannot read `no/such.toml`"));
+    assert!(fails(&["classify", env!("CARGO_TARGET_TMPDIR")], 1).contains("is not a file"));
+    let folder = scratch("binary");
+    let file = folder.join("binary.toml");
+    fs::write(&file, b"title = \"\xff\"").expect("a file");
+    assert!(fails(&["classify", text(&file)], 1).contains("byte 9 is not UTF-8"));
+}
+
+#[test]
+fn a_reader_that_stops_reading_is_no_failure() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_crankstar"))
+        .args(["classify", "radial-18", "--json", "--orders", "1,2,4,6,8,10,12,14,16,18"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success() && output.stderr.is_empty());
+}
+
+#[test]
+fn completions_are_printed_for_every_shell() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(succeeds(&["completions", shell]).contains("classify"), "{shell}");
+    }
+}

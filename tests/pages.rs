@@ -1,0 +1,126 @@
+//! Do the reports look right where they are read: in LaTeX, on a Markdown page, in a browser?
+//!
+//! These tests need pdflatex, pandoc 3, node with KaTeX, and Chromium: `.ci/run` installs them and runs
+//! `cargo test --test pages -- --ignored`.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crankstar::layout::{self, Layout};
+use crankstar::report::{self, Dialect};
+use crankstar::verdict;
+use serde_json::Value;
+
+/// A fresh folder with the report of an engine in it.
+fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pages-{dialect:?}")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    let orders = verdict::classify(layout, &layout.orders, false);
+    for file in report::report(layout, &orders, dialect) {
+        fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    folder
+}
+
+/// The catalogue, and layouts that strain the page: masses, long fractions, a title full of special characters.
+fn engines() -> Vec<(String, Layout)> {
+    let catalogue = layout::catalogue().expect("the catalogue reads").into_iter();
+    let strange = [("strange-masses", include_str!("pages/masses.toml")), ("strange-radial", include_str!("pages/radial.toml"))];
+    let strange = strange.map(|(name, text)| (name.to_owned(), layout::parse(name, text).expect("it reads")));
+    catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(strange).collect()
+}
+
+/// Runs a tool in a folder; standard input and output are text.
+fn run(folder: &Path, program: &str, arguments: &[&str], input: &str) -> String {
+    let mut child = Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap_or_else(|error| panic!("{program}: {error}; .ci/run installs it"));
+    child.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("the tool reads");
+    let output = child.wait_with_output().expect("the tool ends");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{program} in {}:\n{text}\n{errors}", folder.display());
+    text
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
+    for (name, layout) in engines() {
+        let folder = write_report(&name, &layout, Dialect::Latex);
+        for _ in 0..3 {
+            run(&folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
+        }
+        let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
+        for complaint in ["Overfull", "Missing character", "undefined", "Rerun", "LaTeX Font Warning"] {
+            assert!(!log.contains(complaint), "{name}: {complaint} in {}/report.log", folder.display());
+        }
+    }
+}
+
+/// Every formula that pandoc finds in a document.
+fn formulas(node: &Value, found: &mut Vec<String>) {
+    match node {
+        Value::Object(object) if object.get("t").is_some_and(|kind| kind == "Math") => {
+            found.push(object["c"][1].as_str().expect("TeX").to_owned());
+        }
+        Value::Object(object) => object.values().for_each(|value| formulas(value, found)),
+        Value::Array(array) => array.iter().for_each(|value| formulas(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+#[ignore = "needs pandoc 3 and node with KaTeX"]
+fn every_formula_is_found_by_pandoc_and_read_by_katex() {
+    let forms = [(Dialect::GithubMarkdown, "gfm"), (Dialect::DollarMarkdown, "markdown")];
+    let mut all = BTreeSet::new();
+    for (name, layout) in engines() {
+        for (dialect, format) in forms {
+            let folder = write_report(&name, &layout, dialect);
+            let text = fs::read_to_string(folder.join("report.md")).expect("a report");
+            let json = run(&folder, "pandoc", &["-f", format, "-t", "json", "report.md"], "");
+            let mut found = Vec::new();
+            formulas(&serde_json::from_str(&json).expect("JSON"), &mut found);
+            let written = match dialect {
+                Dialect::GithubMarkdown => text.matches("$`").count() + text.matches("```math").count(),
+                _ => text.replace("$$", "$").replace("\\$", "").matches('$').count() / 2,
+            };
+            assert_eq!(found.len(), written, "{name} as {format}");
+            all.extend(found);
+        }
+    }
+    assert!(all.len() > 100);
+    let list = serde_json::to_string(&all).expect("JSON");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pages/katex.cjs");
+    run(Path::new(env!("CARGO_TARGET_TMPDIR")), "node", &[script], &list);
+}
+
+#[test]
+#[ignore = "needs pandoc 3 and Chromium"]
+fn every_page_shows_its_pictures_and_fits_a_browser_window() {
+    let check = include_str!("pages/check.html");
+    for (name, layout) in engines() {
+        let folder = write_report(&name, &layout, Dialect::GithubMarkdown);
+        let body = run(&folder, "pandoc", &["-f", "gfm", "-t", "html", "--mathml", "report.md"], "");
+        fs::write(folder.join("page.html"), check.replace("BODY", &body)).expect("a page");
+        let page = format!("file://{}", folder.join("page.html").display());
+        let profile = format!("--user-data-dir={}", folder.join("profile").display());
+        let quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"];
+        let more = ["--disable-quic", "--disable-component-update", "--disable-sync", "--window-size=1100,900", "--dump-dom"];
+        let arguments: Vec<&str> = quiet.into_iter().chain(more).chain([profile.as_str(), page.as_str()]).collect();
+        let dom = run(&folder, "chromium", &arguments, "");
+        let _ = fs::remove_dir_all(folder.join("profile"));
+        let pictures = 2 + layout.orders.len();
+        assert!(dom.contains(&format!("<title>{pictures} pictures, 0 broken, fits</title>")), "{name}: {}", folder.display());
+    }
+}

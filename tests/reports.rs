@@ -1,0 +1,127 @@
+//! Do the reports in `reports/` still say, byte for byte, what the program writes?
+//!
+//! `CRANKSTAR_RENEW=1 cargo test --test reports` writes them anew.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use crankstar::layout::{self, Entry, Layout};
+use crankstar::report::{self, Dialect};
+use crankstar::verdict::{self, OrderBalance};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
+}
+
+fn judged(entry: Entry, layout: Layout) -> (Entry, Layout, Vec<OrderBalance>) {
+    let orders = verdict::classify(&layout, &layout.orders, false);
+    (entry, layout, orders)
+}
+
+/// The files of an engine's folder, by name.
+fn written(layout: &Layout, orders: &[OrderBalance]) -> BTreeMap<String, String> {
+    let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
+    let files = dialects.into_iter().flat_map(|dialect| report::report(layout, orders, dialect));
+    files.map(|file| (file.name, file.text)).collect()
+}
+
+fn stored(folder: &Path) -> BTreeMap<String, String> {
+    let Ok(entries) = fs::read_dir(folder) else { return BTreeMap::new() };
+    let files = entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file());
+    files
+        .map(|path| {
+            (
+                path.file_name().expect("a name").to_string_lossy().into_owned(),
+                fs::read_to_string(&path).expect("a text"),
+            )
+        })
+        .collect()
+}
+
+/// Compares a folder with what the program writes, or renews it.
+fn compare(folder: &Path, written: &BTreeMap<String, String>) {
+    if env::var_os("CRANKSTAR_RENEW").is_some() {
+        for name in stored(folder).keys().filter(|name| !written.contains_key(*name)) {
+            fs::remove_file(folder.join(name)).expect("a stale file");
+        }
+        fs::create_dir_all(folder).expect("the folder");
+        for (name, text) in written {
+            fs::write(folder.join(name), text).expect("a file");
+        }
+    }
+    let stored = stored(folder);
+    let names = |files: &BTreeMap<String, String>| files.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&stored), names(written), "files of {}", folder.display());
+    for (name, text) in written {
+        let first = stored[name].lines().zip(text.lines()).position(|(old, new)| old != new);
+        assert!(&stored[name] == text, "{}/{name} differs, first in line {:?}", folder.display(), first.map(|n| n + 1));
+    }
+}
+
+fn compare_family(prefix: &str) {
+    let engines: Vec<_> = layout::catalogue().expect("the catalogue reads").into_iter().collect();
+    let family: Vec<_> = engines.into_iter().filter(|(entry, _)| entry.name.starts_with(prefix)).collect();
+    assert!(!family.is_empty(), "no engine is called {prefix}…");
+    for (entry, layout) in family {
+        let (entry, layout, orders) = judged(entry, layout);
+        compare(&folder().join(entry.name), &written(&layout, &orders));
+    }
+}
+
+macro_rules! families {
+    ($($test:ident: $prefix:literal;)*) => {
+        $(#[test]
+        fn $test() {
+            compare_family($prefix);
+        })*
+
+        #[test]
+        fn every_engine_of_the_catalogue_belongs_to_a_family() {
+            for (entry, _) in layout::catalogue().expect("the catalogue reads") {
+                assert!([$($prefix),*].iter().any(|prefix| entry.name.starts_with(prefix)), "{}", entry.name);
+            }
+        }
+    };
+}
+
+families! {
+    reports_on_singles_are_as_stored: "I1";
+    reports_on_in_line_twins_are_as_stored: "I2";
+    reports_on_in_line_threes_are_as_stored: "I3";
+    reports_on_in_line_fours_are_as_stored: "I4";
+    reports_on_in_line_fives_are_as_stored: "I5";
+    reports_on_in_line_sixes_are_as_stored: "I6";
+    reports_on_in_line_eights_are_as_stored: "I8";
+    reports_on_v_twins_are_as_stored: "V2";
+    reports_on_v_fours_are_as_stored: "V4";
+    reports_on_v_sixes_are_as_stored: "V6";
+    reports_on_v_eights_are_as_stored: "V8";
+    reports_on_v_tens_and_v_twelves_are_as_stored: "V1";
+    reports_on_boxers_are_as_stored: "boxer";
+    reports_on_radials_are_as_stored: "radial";
+}
+
+#[test]
+fn the_index_is_as_stored_and_every_folder_is_an_engine() {
+    let engines: Vec<_> = layout::catalogue().expect("reads").into_iter().map(|(e, l)| judged(e, l)).collect();
+    let index = report::index(&engines);
+    compare(&folder(), &BTreeMap::from([(index.name, index.text)]));
+    let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
+    for path in folders.filter(|path| path.is_dir()) {
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        assert!(layout::find(&name).is_some(), "reports/{name} belongs to no engine");
+    }
+}
+
+#[test]
+fn no_report_holds_a_path_a_date_or_a_version() {
+    for (entry, layout) in layout::catalogue().expect("the catalogue reads") {
+        let (_, layout, orders) = judged(entry, layout);
+        for (name, text) in written(&layout, &orders) {
+            let unwanted =
+                [env!("CARGO_MANIFEST_DIR"), concat!("crankstar ", env!("CARGO_PKG_VERSION")), "/home/", "/root/"];
+            assert!(unwanted.iter().all(|word| !text.contains(word)), "{}/{name}", entry.name);
+        }
+    }
+}
