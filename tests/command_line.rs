@@ -205,3 +205,8 @@ fn completions_are_printed_for_every_shell() {
         assert!(succeeds(&["completions", shell]).contains("classify"), "{shell}");
     }
 }
+
+#[test]
+fn the_console_examples_of_the_readme_are_what_the_program_prints() {
+    trycmd::TestCases::new().case("README.md");
+}

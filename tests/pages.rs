@@ -29,7 +29,8 @@ fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
 /// The catalogue, and layouts that strain the page: masses, long fractions, a title full of special characters.
 fn engines() -> Vec<(String, Layout)> {
     let catalogue = layout::catalogue().expect("the catalogue reads").into_iter();
-    let strange = [("strange-masses", include_str!("pages/masses.toml")), ("strange-radial", include_str!("pages/radial.toml"))];
+    let strange =
+        [("strange-masses", include_str!("pages/masses.toml")), ("strange-radial", include_str!("pages/radial.toml"))];
     let strange = strange.map(|(name, text)| (name.to_owned(), layout::parse(name, text).expect("it reads")));
     catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(strange).collect()
 }
@@ -115,12 +116,18 @@ fn every_page_shows_its_pictures_and_fits_a_browser_window() {
         fs::write(folder.join("page.html"), check.replace("BODY", &body)).expect("a page");
         let page = format!("file://{}", folder.join("page.html").display());
         let profile = format!("--user-data-dir={}", folder.join("profile").display());
-        let quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"];
-        let more = ["--disable-quic", "--disable-component-update", "--disable-sync", "--window-size=1100,900", "--dump-dom"];
+        let quiet =
+            ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"];
+        let more =
+            ["--disable-quic", "--disable-component-update", "--disable-sync", "--window-size=1100,900", "--dump-dom"];
         let arguments: Vec<&str> = quiet.into_iter().chain(more).chain([profile.as_str(), page.as_str()]).collect();
         let dom = run(&folder, "chromium", &arguments, "");
         let _ = fs::remove_dir_all(folder.join("profile"));
         let pictures = 2 + layout.orders.len();
-        assert!(dom.contains(&format!("<title>{pictures} pictures, 0 broken, fits</title>")), "{name}: {}", folder.display());
+        assert!(
+            dom.contains(&format!("<title>{pictures} pictures, 0 broken, fits</title>")),
+            "{name}: {}",
+            folder.display()
+        );
     }
 }

@@ -1,4 +1,6 @@
 //! Which engine is it? From a layout file, or a name of the catalogue, to cylinders with exact angles and arms.
+//!
+#![doc = include_str!("README.md")]
 
 mod catalogue;
 mod engine;

@@ -2,6 +2,8 @@
 //!
 //! Nothing of the solver is imported here: a certificate is data, and this room re-derives what it claims with
 //! arithmetic of its own.
+//!
+#![doc = include_str!("README.md")]
 
 mod certificate;
 mod check;
