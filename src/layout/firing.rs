@@ -12,6 +12,7 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
 use super::engine::Cylinder;
 use super::error::LayoutError;
+use super::forms::MOST_CYLINDERS;
 use super::written::Written;
 use crate::exact::Turn;
 
@@ -92,7 +93,7 @@ impl Firing {
         Err(if angle < cycle.turns() {
             (
                 format!("the order {} does not say which interval is a revolution longer", names.join("-")),
-                format!("give firing_angles in degrees of {cycle_degrees}, one a cylinder, instead"),
+                format!("give firing_angles instead: degrees within {cycle_degrees}, one a cylinder"),
             )
         } else {
             (
@@ -180,6 +181,10 @@ impl Order {
 
     /// The throws of an in-line engine that fires evenly in this order; cylinder 1 stands at 0.
     pub fn even_throws(&self, cycle: Cycle, span: Option<Range<usize>>) -> Result<Vec<Turn>, LayoutError> {
+        if self.0.len() > MOST_CYLINDERS {
+            let message = format!("a firing order of {} cylinders", self.0.len());
+            return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), span));
+        }
         let names: Vec<String> = (1..=self.0.len()).map(|number| number.to_string()).collect();
         let order = self.permutation(&names.iter().map(String::as_str).collect::<Vec<_>>(), span)?;
         let interval = cycle.turns() / BigRational::from_integer(order.len().into());
@@ -192,6 +197,9 @@ impl Order {
     }
 
     fn permutation(&self, names: &[&str], span: Option<Range<usize>>) -> Result<Vec<usize>, LayoutError> {
+        if self.0.is_empty() {
+            return Err(LayoutError::new("the firing order is empty", "such as \"1-3-4-2\" or [1, 3, 4, 2]", span));
+        }
         let mistake = |message: String| {
             LayoutError::new(message, format!("each of the {} cylinders once", names.len()), span.clone())
         };
@@ -207,7 +215,6 @@ impl Order {
         }
         match names.iter().enumerate().find(|(index, _)| !order.contains(index)) {
             Some((_, name)) => Err(mistake(format!("cylinder {name} is missing from the firing order"))),
-            None if order.is_empty() => Err(mistake("the firing order is empty".to_owned())),
             None => Ok(order),
         }
     }
