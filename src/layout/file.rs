@@ -1,6 +1,7 @@
 //! What does a layout file hold? TOML: general keys, then one form of engine.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -12,7 +13,7 @@ use super::error::LayoutError;
 use super::firing::{self, Cycle, Firing};
 use super::forms::{self, Expanded, MOST_CYLINDERS};
 use super::units;
-use super::written::{Text, place, read};
+use super::written::{Table, Text, place, read};
 use crate::exact::Turn;
 
 /// The highest order that is answered.
@@ -30,13 +31,13 @@ struct File {
     cycle: Option<Text>,
     firing_order: Option<Spanned<firing::Order>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
-    cylinder: Option<Vec<Spanned<CylinderTable>>>,
-    inline: Option<Spanned<forms::Inline>>,
-    vee: Option<Spanned<forms::Vee>>,
-    flat: Option<Spanned<forms::Flat>>,
-    boxer: Option<Spanned<forms::Boxer>>,
-    fan: Option<Spanned<forms::Fan>>,
-    radial: Option<Spanned<forms::Radial>>,
+    cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
+    inline: Option<Spanned<Table<forms::Inline>>>,
+    vee: Option<Spanned<Table<forms::Vee>>>,
+    flat: Option<Spanned<Table<forms::Flat>>>,
+    boxer: Option<Spanned<Table<forms::Boxer>>>,
+    fan: Option<Spanned<Table<forms::Fan>>>,
+    radial: Option<Spanned<Table<forms::Radial>>>,
 }
 
 #[derive(Deserialize)]
@@ -68,7 +69,6 @@ pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
 fn layout(name: &str, file: File) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let expanded = expand(&file, cycle)?;
-    check_names(&expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let reference_plane = match &file.reference_plane {
         Some(text) => forms::length(text, &mut length_unit)?,
@@ -89,31 +89,34 @@ fn layout(name: &str, file: File) -> Result<Layout, LayoutError> {
 
 /// The one form that the file uses, as cylinders.
 fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
-    let mut forms: Vec<Result<Expanded, LayoutError>> = Vec::new();
-    forms.extend(file.cylinder.as_ref().map(|tables| general(tables)));
+    let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
+    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables))));
     let order = file.firing_order.as_ref();
-    forms.extend(file.inline.as_ref().map(|form| form.get_ref().expand(form.span(), order, cycle)));
-    forms.extend(file.vee.as_ref().map(|form| form.get_ref().expand()));
-    forms.extend(file.flat.as_ref().map(|form| form.get_ref().expand()));
-    forms.extend(file.boxer.as_ref().map(|form| form.get_ref().expand()));
-    forms.extend(file.fan.as_ref().map(|form| form.get_ref().expand()));
-    forms.extend(file.radial.as_ref().map(|form| form.get_ref().expand()));
+    forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), order, cycle))));
+    forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan] or [radial] says what the engine is";
     match (forms.pop(), forms.pop()) {
-        (Some(only), None) => only,
+        (Some((_, only)), None) => only,
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
-        (Some(_), Some(_)) => Err(LayoutError::new("the file describes more than one engine", right, None)),
+        (Some((span, _)), Some(_)) => {
+            Err(LayoutError::new("the file describes more than one engine", "one form is enough", Some(span)))
+        }
     }
 }
 
-fn general(tables: &[Spanned<CylinderTable>]) -> Result<Expanded, LayoutError> {
+fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expanded, LayoutError> {
+    let tables = list.get_ref();
     if tables.is_empty() || tables.len() > MOST_CYLINDERS {
         let message = format!("{} cylinders", tables.len());
-        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), None));
+        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), place(list)));
     }
     let mut length_unit = LengthUnit::Spacing;
     let cylinders = tables.iter().enumerate().map(|(index, table)| {
-        let table = table.get_ref();
+        let table = &table.get_ref().0;
         Ok(Cylinder {
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
             throw: Turn::new(forms::angle(&table.throw)?),
@@ -126,6 +129,7 @@ fn general(tables: &[Spanned<CylinderTable>]) -> Result<Expanded, LayoutError> {
         })
     });
     let cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
+    check_names(&cylinders, tables)?;
     Ok(Expanded { form: Form::General, cylinders, length_unit })
 }
 
@@ -148,12 +152,12 @@ fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
     }
 }
 
-fn check_names(cylinders: &[Cylinder]) -> Result<(), LayoutError> {
+fn check_names(cylinders: &[Cylinder], tables: &[Spanned<Table<CylinderTable>>]) -> Result<(), LayoutError> {
     let mut seen = BTreeMap::new();
     for (index, cylinder) in cylinders.iter().enumerate() {
         if let Some(first) = seen.insert(&cylinder.name, index) {
             let message = format!("cylinders {} and {} have the same name `{}`", first + 1, index + 1, cylinder.name);
-            return Err(LayoutError::new(message, "every cylinder needs a name of its own", None));
+            return Err(LayoutError::new(message, "every cylinder needs a name of its own", place(&tables[index])));
         }
     }
     Ok(())

@@ -192,6 +192,9 @@ impl Fan {
                 ));
             }
         }
+        if axes.is_empty() {
+            return Err(LayoutError::new("a fan without banks", "the angles of its banks", place(&self.banks)));
+        }
         let throws = angles(&self.throws)?;
         let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
         let banks = axes.into_iter().zip(splits).zip(offsets);
@@ -210,7 +213,7 @@ impl Radial {
             return Err(misread("number of cylinders", &(count * rows).to_string(), right, &self.cylinders));
         }
         let missing = |key: &str| {
-            let message = format!("with {rows} rows, `{key}` is missing");
+            let message = format!("the key `{key}` is missing");
             LayoutError::new(message, "say by which angle each row follows the one before", place(&self.cylinders))
         };
         let (rotation, throw) = match (&self.row_rotation, &self.row_throw) {
@@ -250,16 +253,17 @@ fn fan(
     numbering: Option<&Text>,
     unit: LengthUnit,
 ) -> Result<Expanded, LayoutError> {
-    if banks.is_empty() || banks.len() * pins.0.len() > MOST_CYLINDERS {
+    if banks.len() * pins.0.len() > MOST_CYLINDERS {
         let message = format!("{} cylinders", banks.len() * pins.0.len());
-        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), None));
+        return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
     }
     let pairs: Vec<(&Bank, &(Turn, BigRational))> = match numbering.map(|text| text.get_ref().0.as_str()) {
         None | Some("by-bank") => banks.iter().flat_map(|bank| pins.0.iter().map(move |pin| (bank, pin))).collect(),
         Some("by-pin") => pins.0.iter().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
         Some(other) => {
             let place = numbering.and_then(place);
-            return Err(LayoutError::new(format!("the numbering `{other}`"), "\"by-bank\" or \"by-pin\"", place));
+            let message = format!("cannot read the numbering `{other}`");
+            return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
         }
     };
     let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (throw, position)))| Cylinder {

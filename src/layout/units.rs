@@ -54,13 +54,19 @@ fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, O
     let text = text.trim();
     let unit = units.iter().find(|(name, _)| text.ends_with(name));
     let number = unit.map_or(text, |(name, _)| text[..text.len() - name.len()].trim_end());
-    let value = parse_number(number).map_err(|error| {
-        let letters = number.chars().any(char::is_alphabetic) && !number.contains(['e', 'E']);
-        let known: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
-        match letters && !matches!(number.to_ascii_lowercase().as_str(), "nan" | "inf" | "+inf" | "-inf") {
-            true => format!("no known unit; {} are read, as in {examples}", known.join(", ")),
-            false => format!("{error}; for instance {examples}"),
+    let value = parse_number(number).map_err(|error| match unknown_unit(text) {
+        Some(word) => {
+            let known: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
+            format!("`{word}` is none of {}; write, for instance, {examples}", known.join(", "))
         }
+        None => format!("{error}; for instance {examples}"),
     })?;
     Ok((value, unit.map(|(_, size)| *size)))
+}
+
+/// What stands behind a number.
+fn unknown_unit(text: &str) -> Option<&str> {
+    let digits = text.rfind(|letter: char| letter.is_ascii_digit())? + 1;
+    let word = text[digits..].trim();
+    (!word.is_empty() && parse_number(&text[..digits]).is_ok()).then_some(word)
 }

@@ -1,9 +1,11 @@
 //! How is a layout file read without losing a digit? Numbers stay the text that was written.
 
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer, Error, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, Visitor};
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -32,6 +34,26 @@ impl<'de> Deserialize<'de> for Written {
     }
 }
 
+/// What `T` reads from the keys of a table; a list of values is no table, though serde would take it for one.
+#[derive(Clone, Debug)]
+pub(super) struct Table<T>(pub T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Keys<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Keys<T> {
+            type Value = Table<T>;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("one table, its keys below a name such as [vee]")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<Table<T>, A::Error> {
+                T::deserialize(MapAccessDeserializer::new(keys)).map(Table)
+            }
+        }
+        deserializer.deserialize_map(Keys(PhantomData))
+    }
+}
+
 /// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float.
 pub(super) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> {
     let mut table = DeTable::parse(source).map_err(toml_error)?;
@@ -46,6 +68,7 @@ fn numbers_as_text(value: &mut DeValue<'_>) {
     let text = match value {
         DeValue::Integer(integer) => integer.to_string(),
         DeValue::Float(float) => float.as_str().to_owned(),
+        DeValue::Datetime(date) => date.to_string(),
         DeValue::Array(array) => {
             return array.iter_mut().for_each(|element| numbers_as_text(element.get_mut()));
         }
@@ -57,15 +80,36 @@ fn numbers_as_text(value: &mut DeValue<'_>) {
     *value = DeValue::String(text.into());
 }
 
+/// The reader's message in the words of this program.
 fn toml_error(error: toml::de::Error) -> LayoutError {
-    let message = error.message().replace("a sequence", "a list in brackets");
-    let (what, right) = message.split_once(", expected ").unwrap_or((&message, ""));
-    let right = match (right, what.strip_prefix("missing field ")) {
-        (_, Some(field)) => format!("this table needs a key {field}"),
-        ("", None) => "this is not TOML as it is read here".to_owned(),
-        (right, None) => format!("expected {right}"),
+    let message = error.message().lines().collect::<Vec<_>>().join("; ");
+    let (what, expected) = message.split_once(", expected ").unwrap_or((&message, ""));
+    let words = what.split_once(": ").map_or_else(|| what.split_once(" field "), Some);
+    let (what, right) = match (words, expected) {
+        (Some(("missing", key)), _) => (format!("the key {key} is missing"), "this table needs it".to_owned()),
+        (Some(("unknown", key)), expected) => (format!("unknown key {key}"), format!("expected {expected}")),
+        (Some(("invalid type", "map")), "a sequence") => {
+            ("a table stands where a list belongs".to_owned(), "a list of tables has [[two brackets]]".to_owned())
+        }
+        (Some(("invalid type", found)), expected) => {
+            (format!("{} stands in the wrong place", value(found)), format!("expected {}", value(expected)))
+        }
+        _ if what == "duplicate key" => (what.to_owned(), "this key stands in the file before".to_owned()),
+        _ if what.contains("recurs") => ("lists or tables nest too deeply".to_owned(), "no key needs that".to_owned()),
+        (_, "" | "nothing") => (what.to_owned(), "this is not TOML".to_owned()),
+        (_, expected) => (what.to_owned(), format!("expected {expected}")),
     };
-    LayoutError::new(what.lines().collect::<Vec<_>>().join("; "), right, error.span())
+    LayoutError::new(what, right, error.span())
+}
+
+/// The name of a kind of value, as a person says it. A number has become text by now: it shows without quotes.
+fn value(kind: &str) -> String {
+    match kind.strip_prefix("string ") {
+        Some(text) => format!("`{}`", text.trim_matches('"')),
+        None if kind == "map" => "a table".to_owned(),
+        None if kind.ends_with("sequence") => "a list in brackets".to_owned(),
+        None => kind.replace("boolean ", ""),
+    }
 }
 
 /// The place of a value in the file.
