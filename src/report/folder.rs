@@ -37,6 +37,13 @@ pub fn report(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Vec
     files
 }
 
+/// What the template of the index places.
+#[derive(Serialize)]
+struct Index {
+    orders: Vec<u32>,
+    engines: Vec<Line>,
+}
+
 /// One line of the index.
 #[derive(Serialize)]
 struct Line {
@@ -47,22 +54,27 @@ struct Line {
     moments: Vec<String>,
 }
 
-/// The index page over the reports of the catalogue: one line an engine.
+/// The orders of the index: those that every engine is judged at.
+fn common_orders(engines: &[(Entry, Layout, Vec<OrderBalance>)]) -> Vec<u32> {
+    let judged = |engine: &(Entry, Layout, Vec<OrderBalance>), order: u32| engine.2.iter().any(|o| o.order == order);
+    let first = engines.first().map_or(&[][..], |(_, _, orders)| orders);
+    first.iter().map(|order| order.order).filter(|&order| engines.iter().all(|engine| judged(engine, order))).collect()
+}
+
+/// The index page over the reports of the catalogue: one line an engine, at the orders that all are judged at.
 pub fn index(engines: &[(Entry, Layout, Vec<OrderBalance>)]) -> File {
     let dialect = Dialect::GithubMarkdown;
+    let columns = common_orders(engines);
+    let cells = |orders: &[OrderBalance], cell: fn(&OrderBalance) -> String| {
+        orders.iter().filter(|order| columns.contains(&order.order)).map(cell).collect()
+    };
     let line = |(entry, layout, orders): &(Entry, Layout, Vec<OrderBalance>)| Line {
         name: entry.name,
         title: dialect.quoted(&layout.title),
         firing: layout.firing.as_ref().map_or_else(String::new, intervals),
-        forces: orders.iter().map(left::force_summary).collect(),
-        moments: orders.iter().map(left::moment_summary).collect(),
+        forces: cells(orders, left::force_summary),
+        moments: cells(orders, left::moment_summary),
     };
-    #[derive(Serialize)]
-    struct Index {
-        orders: Vec<u32>,
-        engines: Vec<Line>,
-    }
-    let orders = engines.first().map_or_else(Vec::new, |(_, layout, _)| layout.orders.clone());
-    let page = Index { orders, engines: engines.iter().map(line).collect() };
+    let page = Index { orders: columns.clone(), engines: engines.iter().map(line).collect() };
     File { name: "README.md".into(), text: render::index(&page) }
 }
