@@ -43,6 +43,8 @@ pub enum Refusal {
     ZeroResidue,
     /// A step (from 1) of a splitting whose class need not vanish by itself; the prime that is missing from its modulus.
     ClassNotForced(usize, u64),
+    /// A step of a splitting (from 1) whose class is taken modulo a number that is not positive.
+    ModulusNotPositive(usize),
     /// A step of a splitting that compares what is no pair of classes of a prime.
     NoSuchClasses(usize),
     /// A step of a splitting whose prime divides the conductor twice.
@@ -71,6 +73,7 @@ impl fmt::Display for Refusal {
             Refusal::ClassNotForced(step, prime) => {
                 write!(f, "step {step}: {prime} divides the conductor and must divide the modulus of the class")
             }
+            Refusal::ModulusNotPositive(step) => write!(f, "step {step}: the modulus of a class is positive"),
             Refusal::NoSuchClasses(step) => write!(f, "step {step}: needs a prime and two different classes below it"),
             Refusal::PrimeSquared(step, prime) => write!(f, "step {step}: {prime} divides the conductor twice"),
             Refusal::NotOneVector(left) => write!(f, "the splitting ends in {left} vectors instead of one"),
@@ -184,6 +187,9 @@ fn check_splitting(terms: &[Vector], steps: &[Step]) -> Result<(), Refusal> {
 /// x^p − ζ_M is irreducible over Q(ζ_M) where p divides M, and a prime above the number of terms leaves a class
 /// empty: either way the classes vanish one by one, but for primes up to the number of terms that divide N once.
 fn keep_class(sum: &Collected, angle: &BigRational, modulus: &BigInt, step: usize) -> Result<Collected, Refusal> {
+    if !modulus.is_positive() {
+        return Err(Refusal::ModulusNotPositive(step));
+    }
     let conductor = common_denominator(sum);
     let forced = |p: &u64| (&conductor % p).is_zero() && !(modulus % p).is_zero() && is_prime(*p);
     if let Some(prime) = (2..=sum.len() as u64).find(forced) {
