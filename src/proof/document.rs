@@ -271,7 +271,12 @@ fn check_shape(document: &Document, claim: &ShapeClaim) -> Result<(), String> {
     let (direct, reverse) = (verdict(Sense::Direct)?, verdict(Sense::Reverse)?);
     let difference_vanishes = match (direct.vanishes, reverse.vanishes, claim.shape) {
         (true, true, Shape::Balanced) | (false, true, Shape::Rotating) | (true, false, Shape::CounterRotating) => {
-            return Ok(());
+            let needless = claim.certificate.is_some();
+            return if needless {
+                Err("no moduli are compared, so no certificate belongs here".into())
+            } else {
+                Ok(())
+            };
         }
         (false, false, Shape::Planar) => true,
         (false, false, Shape::Elliptical) => false,
