@@ -249,6 +249,9 @@ fn check_decimals(verdict: &VerdictClaim) -> Result<(), String> {
     if verdict.vanishes != verdict.angle_deg.is_none() {
         return Err("`angle_deg` is null exactly where the sum vanishes".into());
     }
+    if verdict.modulus < 0.0 || verdict.angle_deg.is_some_and(|angle| angle.abs() > 180.0) {
+        return Err("`modulus` is not negative and `angle_deg` lies between -180 and 180".into());
+    }
     let (mut x, mut y, mut total) = (0.0, 0.0, 0.0_f64);
     for term in &verdict.terms {
         let turns = (&term.angle - term.angle.floor()).to_f64().unwrap_or(f64::NAN);
@@ -258,7 +261,7 @@ fn check_decimals(verdict: &VerdictClaim) -> Result<(), String> {
     }
     let (shown_y, shown_x) = verdict.angle_deg.unwrap_or(0.0).to_radians().sin_cos();
     let (shown_x, shown_y) = (verdict.modulus * shown_x, verdict.modulus * shown_y);
-    let fits = (x - shown_x).hypot(y - shown_y) <= 1e-9 * total.max(f64::MIN_POSITIVE);
+    let fits = total.is_finite() && (x - shown_x).hypot(y - shown_y) <= 1e-9 * total.max(f64::MIN_POSITIVE);
     if fits { Ok(()) } else { Err("`modulus` and `angle_deg` do not fit the terms".into()) }
 }
 
