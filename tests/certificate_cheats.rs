@@ -1,0 +1,660 @@
+//! Which ways to cheat does the checker see through?
+
+mod support {
+    pub mod written;
+}
+
+use crankstar::exact::PhasorSum;
+use crankstar::layout::{self, Layout};
+use crankstar::numbers::evaluate;
+use crankstar::proof::{
+    Certificate, Cylinder, Document, Fault, Polygon, Quantity, Refusal, Residue, Sense, Shape, ShapeClaim, Step,
+    VerdictClaim, check_certificate, check_document,
+};
+use crankstar::verdict::{Balance, OrderBalance, Verdict, classify};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Zero;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use support::written::{ratio, sum, vectors};
+
+const TRIANGLE: &str = "1@0 1@1/3 1@2/3";
+const TWO_AND_ONE: &str = "1@0 1/2@1/4";
+const THREE_OVER_21: &str = "1@0 1@1/3 1@1/7";
+
+fn whole(text: &str) -> BigInt {
+    text.parse().expect("a whole number")
+}
+
+fn check(text: &str, certificate: &Certificate) -> Result<(), Refusal> {
+    check_certificate(&vectors(&sum(text)), certificate.claims_zero(), certificate)
+}
+
+/// Polygons written as terms are: `"1@1/6"` with 3 sides.
+fn polygons(list: &[(u64, &str)]) -> Certificate {
+    let polygon = |(sides, text): &(u64, &str)| {
+        let [vector] = &vectors(&sum(text))[..] else { panic!("one term a polygon") };
+        Polygon { sides: *sides, rotation: vector.angle.clone(), weight: vector.weight.clone() }
+    };
+    Certificate::Polygons { polygons: list.iter().map(polygon).collect() }
+}
+
+/// 2 + 1 · 2 ≡ 4 (mod 5), where 2 has order 4: the proof for [`TWO_AND_ONE`], changed.
+fn residue(change: impl FnOnce(&mut Residue)) -> Certificate {
+    let [conductor, prime, root, scale, residue] = ["4", "5", "2", "2", "4"].map(whole);
+    let mut claim = Residue { conductor, prime, root, scale, residue };
+    change(&mut claim);
+    Certificate::Residue(claim)
+}
+
+fn refused_residue(change: impl FnOnce(&mut Residue)) -> Refusal {
+    check(TWO_AND_ONE, &residue(change)).expect_err("a cheat")
+}
+
+fn class(angle: &str, modulus: &str) -> Step {
+    Step::Class { angle: ratio(angle), modulus: whole(modulus) }
+}
+
+fn compare(prime: u64, first: u64, second: u64) -> Step {
+    Step::Compare { prime, first, second }
+}
+
+/// [`THREE_OVER_21`] keeps the class of 0 and 1/3 modulo 3; there the classes 0 and 2 differ.
+fn splitting(steps: impl IntoIterator<Item = Step>) -> Result<(), Refusal> {
+    check(THREE_OVER_21, &Certificate::Splitting { steps: steps.into_iter().collect() })
+}
+
+fn polygons_differ(angle: &str, terms: &str, polygons: &str) -> Result<(), Refusal> {
+    Err(Refusal::PolygonsDiffer(Box::new([angle, terms, polygons].map(ratio))))
+}
+
+#[test]
+fn the_honest_certificates_are_accepted() {
+    assert_eq!(check(TRIANGLE, &polygons(&[(3, "1@0")])), Ok(()));
+    assert_eq!(check(TWO_AND_ONE, &residue(|_| ())), Ok(()));
+    assert_eq!(splitting([class("0", "3"), compare(3, 0, 2)]), Ok(()));
+}
+
+#[test]
+fn a_certificate_of_the_other_kind_is_refused() {
+    let wrong = |text: &str, vanishes: bool, certificate: Certificate| {
+        check_certificate(&vectors(&sum(text)), vanishes, &certificate)
+    };
+    let steps = vec![class("0", "3"), compare(3, 0, 2)];
+    assert_eq!(wrong(TRIANGLE, false, polygons(&[(3, "1@0")])), Err(Refusal::WrongKind));
+    assert_eq!(wrong(TWO_AND_ONE, true, residue(|_| ())), Err(Refusal::WrongKind));
+    assert_eq!(wrong(THREE_OVER_21, true, Certificate::Splitting { steps }), Err(Refusal::WrongKind));
+}
+
+#[test]
+fn sides_that_are_no_prime_are_refused() {
+    for sides in [0, 1, 4, 561, 9_999_999] {
+        assert_eq!(check(TRIANGLE, &polygons(&[(sides, "1@0")])), Err(Refusal::SidesNotPrime(sides)));
+    }
+    assert_eq!(check("1@0", &polygons(&[(1, "1@0")])), Err(Refusal::SidesNotPrime(1)));
+    let square = polygons(&[(4, "1@0")]);
+    assert_eq!(check("1@0 1@1/4 1@1/2 1@3/4", &square), Err(Refusal::SidesNotPrime(4)));
+}
+
+#[test]
+fn a_missing_polygon_is_refused() {
+    assert_eq!(check(TRIANGLE, &polygons(&[])), polygons_differ("0", "1", "0"));
+}
+
+#[test]
+fn a_polygon_told_twice_is_refused() {
+    assert_eq!(check(TRIANGLE, &polygons(&[(3, "1@0"), (3, "1@0")])), polygons_differ("0", "1", "2"));
+}
+
+#[test]
+fn a_polygon_too_many_is_refused() {
+    assert_eq!(check(TRIANGLE, &polygons(&[(3, "1@0"), (2, "1@1/5")])), polygons_differ("1/5", "0", "1"));
+}
+
+#[test]
+fn a_polygon_of_the_wrong_weight_is_refused() {
+    for weight in ["2", "-1", "0", "1/2"] {
+        let polygon = polygons(&[(3, &format!("{weight}@0"))]);
+        assert_eq!(check(TRIANGLE, &polygon), polygons_differ("0", "1", weight));
+    }
+}
+
+#[test]
+fn a_polygon_turned_too_far_is_refused_and_one_turned_by_a_side_is_the_same() {
+    assert_eq!(check(TRIANGLE, &polygons(&[(3, "1@1/6")])), polygons_differ("0", "1", "0"));
+    assert_eq!(check(TRIANGLE, &polygons(&[(3, "1@2/3")])), Ok(()));
+}
+
+#[test]
+fn polygons_do_not_prove_a_sum_that_is_not_zero() {
+    assert_eq!(check("1@0 1@1/3", &polygons(&[(3, "1@0")])), polygons_differ("2/3", "0", "1"));
+    assert_eq!(check("1@0", &polygons(&[])), polygons_differ("0", "1", "0"));
+}
+
+#[test]
+fn more_corners_than_can_be_expanded_are_refused() {
+    for sides in [10_000_019, u64::MAX] {
+        assert_eq!(check(TRIANGLE, &polygons(&[(sides, "1@0")])), Err(Refusal::TooManyCorners));
+    }
+    let two = polygons(&[(9_999_991, "1@0"), (9_999_991, "-1@0")]);
+    assert_eq!(check("", &two), Err(Refusal::TooManyCorners));
+    let wrapping = polygons(&[(3, "1@0"), (u64::MAX, "1@0")]);
+    assert_eq!(check(TRIANGLE, &wrapping), Err(Refusal::TooManyCorners));
+}
+
+#[test]
+fn a_modulus_that_is_no_prime_is_refused() {
+    for modulus in ["15", "561", "25", "1", "0", "-5", "3215031751", "3825123056546413051"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.prime = modulus.clone()), Refusal::NotPrime(modulus));
+    }
+}
+
+#[test]
+fn a_prime_beyond_two_to_the_64_is_refused() {
+    let prime = whole("170141183460469231731687303715884105727");
+    assert_eq!(refused_residue(|claim| claim.prime = prime.clone()), Refusal::NotPrime(prime));
+}
+
+#[test]
+fn a_prime_that_is_not_one_modulo_the_conductor_is_refused() {
+    for prime in ["2", "3", "7", "11", "18446744073709551557"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.prime = prime), Refusal::WrongOrder(whole("2")));
+    }
+}
+
+#[test]
+fn a_root_of_smaller_order_is_refused() {
+    for root in ["1", "4", "-1", "6"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.root = root.clone()), Refusal::WrongOrder(root));
+    }
+}
+
+#[test]
+fn a_root_of_larger_order_is_refused() {
+    assert_eq!(refused_residue(|claim| claim.prime = whole("17")), Refusal::WrongOrder(whole("2")));
+}
+
+#[test]
+fn a_root_of_zero_is_refused() {
+    for root in ["0", "5", "-10"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.root = root.clone()), Refusal::WrongOrder(root));
+    }
+}
+
+#[test]
+fn a_conductor_that_does_not_make_an_angle_whole_is_refused() {
+    let refusal = refused_residue(|claim| (claim.conductor, claim.root) = (whole("2"), whole("4")));
+    assert_eq!(refusal, Refusal::AngleNotWhole(ratio("1/4")));
+}
+
+#[test]
+fn a_conductor_out_of_range_is_refused() {
+    for conductor in ["0", "-4", "1000000000001", "18446744073709551620"].map(whole) {
+        let refusal = refused_residue(|claim| claim.conductor = conductor.clone());
+        assert_eq!(refusal, Refusal::ConductorOutOfRange(conductor));
+    }
+}
+
+#[test]
+fn a_scale_that_does_not_make_a_weight_whole_is_refused() {
+    assert_eq!(refused_residue(|claim| claim.scale = whole("1")), Refusal::WeightNotWhole(ratio("1/2")));
+}
+
+#[test]
+fn a_scale_of_zero_or_less_is_refused() {
+    for scale in ["0", "-2"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.scale = scale), Refusal::WeightNotWhole(ratio("1")));
+    }
+}
+
+#[test]
+fn a_wrong_residue_is_refused() {
+    for residue in ["0", "1", "3", "-4"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.residue = residue), Refusal::WrongResidue(4));
+    }
+}
+
+#[test]
+fn a_sum_that_the_prime_divides_is_refused() {
+    for text in ["1@0 2@1/4", TRIANGLE, ""] {
+        let (conductor, prime, root) = if text == TRIANGLE { ("3", "7", "2") } else { ("4", "5", "2") };
+        for claimed in ["0", prime] {
+            let certificate = residue(|claim| {
+                (claim.conductor, claim.prime, claim.root) = (whole(conductor), whole(prime), whole(root));
+                (claim.scale, claim.residue) = (whole("1"), whole(claimed));
+            });
+            assert_eq!(check(text, &certificate), Err(Refusal::ZeroResidue), "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_class_that_need_not_vanish_by_itself_is_refused() {
+    for modulus in ["1", "7", "2"] {
+        assert_eq!(splitting([class("0", modulus), compare(3, 0, 2)]), Err(Refusal::ClassNotForced(1, 3)));
+    }
+    let alone = Certificate::Splitting { steps: vec![class("0", "1")] };
+    assert_eq!(check(TRIANGLE, &alone), Err(Refusal::ClassNotForced(1, 3)));
+    assert_eq!(check("1@0 1@1/2", &alone), Err(Refusal::ClassNotForced(1, 2)));
+}
+
+#[test]
+fn a_prime_above_the_number_of_vectors_need_not_divide_the_modulus() {
+    let splitting = Certificate::Splitting { steps: vec![class("0", "1")] };
+    assert_eq!(check("1@0 1@1/3", &splitting), Ok(()));
+    assert_eq!(check("1@0 1@1/3 1@1/5", &splitting), Err(Refusal::ClassNotForced(1, 3)));
+}
+
+#[test]
+fn a_class_modulo_zero_or_less_is_refused() {
+    for modulus in ["0", "-3"] {
+        assert_eq!(splitting([class("0", modulus), compare(3, 0, 2)]), Err(Refusal::ModulusNotPositive(1)));
+    }
+}
+
+#[test]
+fn classes_of_a_number_that_is_no_prime_are_refused() {
+    for number in [0, 1, 4, 9, 561] {
+        assert_eq!(splitting([class("0", "3"), compare(number, 0, 2)]), Err(Refusal::NoSuchClasses(2)));
+    }
+}
+
+#[test]
+fn a_class_compared_with_itself_is_refused() {
+    assert_eq!(splitting([class("0", "3"), compare(3, 2, 2)]), Err(Refusal::NoSuchClasses(2)));
+}
+
+#[test]
+fn a_class_that_is_not_below_its_prime_is_refused() {
+    for (first, second) in [(0, 3), (5, 0), (0, u64::MAX)] {
+        assert_eq!(splitting([class("0", "3"), compare(3, first, second)]), Err(Refusal::NoSuchClasses(2)));
+    }
+}
+
+#[test]
+fn a_prime_that_divides_the_conductor_twice_is_refused() {
+    let steps = vec![compare(3, 0, 1)];
+    let refusal = Err(Refusal::PrimeSquared(1, 3));
+    assert_eq!(check("1@0 1@1/9", &Certificate::Splitting { steps: steps.clone() }), refusal);
+    assert_eq!(check("1@0 1@1/3 1@2/3 1@1/9 1@4/9 1@7/9", &Certificate::Splitting { steps }), refusal);
+}
+
+#[test]
+fn a_splitting_that_ends_in_no_vector_is_refused() {
+    assert_eq!(splitting([class("0", "3"), compare(3, 0, 1)]), Err(Refusal::NotOneVector(0)));
+    assert_eq!(splitting([class("1/5", "3")]), Err(Refusal::NotOneVector(0)));
+    assert_eq!(splitting([class("0", "3"), compare(11, 1, 2)]), Err(Refusal::NotOneVector(0)));
+}
+
+#[test]
+fn a_splitting_that_ends_in_two_vectors_is_refused() {
+    assert_eq!(splitting([class("0", "3")]), Err(Refusal::NotOneVector(2)));
+    assert_eq!(splitting([class("0", "3"), compare(11, 0, 1)]), Err(Refusal::NotOneVector(2)));
+}
+
+#[test]
+fn a_splitting_without_steps_is_refused() {
+    assert_eq!(splitting([]), Err(Refusal::NotOneVector(3)));
+    assert_eq!(check("1@0 -1@0", &Certificate::Splitting { steps: vec![] }), Err(Refusal::NotOneVector(0)));
+}
+
+const V_TWIN: &str = "
+    title = 'V-twin, 60 degrees'
+    [[cylinder]]
+    throw = 0
+    bank = 30
+    position = 1
+    [[cylinder]]
+    throw = 0
+    bank = -30
+    position = 0
+";
+const FORCE_DIRECT: usize = 0;
+const MOMENT_DIRECT: usize = 2;
+const TORQUE: usize = 4;
+const FORCE_SHAPES: [Shape; 4] = [Shape::Elliptical, Shape::Rotating, Shape::Planar, Shape::CounterRotating];
+
+/// Orders 1 to 4, five verdicts and two shapes each: force direct, reverse, moment direct, reverse, torque.
+fn document() -> Document {
+    let engine = layout::parse("twin.toml", V_TWIN).expect("reads");
+    let orders = classify(&engine, &[1, 2, 3, 4], true);
+    Document {
+        title: engine.title.clone(),
+        reference_plane: engine.reference_plane.clone(),
+        cylinders: cylinders(&engine),
+        verdicts: orders.iter().flat_map(verdicts).collect(),
+        shapes: orders.iter().flat_map(|order| [shape(&order.force), shape(&order.moment)]).collect(),
+    }
+}
+
+fn cylinders(engine: &Layout) -> Vec<Cylinder> {
+    let cylinder = |cylinder: &layout::Cylinder| Cylinder {
+        name: cylinder.name.clone(),
+        throw: cylinder.throw.turns().clone(),
+        bank: cylinder.bank.turns().clone(),
+        position: cylinder.position.clone(),
+        reciprocating_mass: cylinder.reciprocating_mass.clone(),
+    };
+    engine.cylinders.iter().map(cylinder).collect()
+}
+
+fn verdicts(order: &OrderBalance) -> Vec<VerdictClaim> {
+    let all = order.force.verdicts().into_iter().chain(order.moment.verdicts()).chain(&order.torque);
+    all.map(|verdict: &Verdict| claim(verdict.quantity, verdict.order, verdict.sense, &verdict.sum)).collect()
+}
+
+fn claim(quantity: Quantity, order: u32, sense: Option<Sense>, sum: &PhasorSum) -> VerdictClaim {
+    let (value, vanishes) = (evaluate(sum), sum.vanishes());
+    VerdictClaim {
+        quantity,
+        order,
+        sense,
+        vanishes,
+        terms: vectors(sum),
+        modulus: value.norm(),
+        angle_deg: (!vanishes).then(|| value.arg().to_degrees()),
+        certificate: sum.certificate(),
+    }
+}
+
+fn shape(balance: &Balance) -> ShapeClaim {
+    let Verdict { quantity, order, .. } = balance.direct;
+    ShapeClaim { quantity, order, shape: balance.shape, certificate: balance.comparison.clone() }
+}
+
+/// Where the changed document fails, and why.
+fn fault(change: impl FnOnce(&mut Document)) -> [String; 2] {
+    let mut document = document();
+    change(&mut document);
+    let Fault { place, reason } = check_document(&document).expect_err("a cheat");
+    [place, reason]
+}
+
+/// A true verdict with a true certificate, on another sum than that of the engine.
+fn forge(verdict: &mut VerdictClaim, text: &str) {
+    *verdict = claim(verdict.quantity, verdict.order, verdict.sense, &sum(text));
+}
+
+const FIRST: &str = "verdicts[0] (force, order 1, direct)";
+
+#[test]
+fn the_honest_document_is_accepted_and_every_certificate_counted() {
+    let document = document();
+    let shapes: Vec<Shape> = document.shapes.iter().step_by(2).map(|claim| claim.shape).collect();
+    assert_eq!(shapes, FORCE_SHAPES);
+    let comparisons = document.shapes.iter().filter(|claim| claim.certificate.is_some()).count();
+    assert_eq!(check_document(&document), Ok(20 + comparisons));
+}
+
+#[test]
+fn a_flipped_verdict_is_refused() {
+    let contradiction = "`vanishes` and the kind of the certificate contradict each other";
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].vanishes = true), [FIRST, contradiction]);
+    let place = "verdicts[2] (moment, order 1, direct)";
+    assert_eq!(fault(|document| document.verdicts[MOMENT_DIRECT].vanishes = false), [place, contradiction]);
+}
+
+#[test]
+fn an_angle_that_is_not_the_cylinders_is_refused() {
+    let forged = fault(|document| forge(&mut document.verdicts[FORCE_DIRECT], "1@0 1@1/2"));
+    assert_eq!(forged, [FIRST, "the angle of cylinder 2 is 1/2, it should be 0"]);
+    let moved = fault(|document| document.cylinders[0].throw = ratio("1/4"));
+    assert_eq!(moved, [FIRST, "the angle of cylinder 1 is 0, it should be 1/4"]);
+}
+
+#[test]
+fn a_weight_that_is_not_the_cylinders_is_refused() {
+    let forged = fault(|document| forge(&mut document.verdicts[FORCE_DIRECT], "1@0 -1@0"));
+    assert_eq!(forged, [FIRST, "the weight of cylinder 2 is -1, it should be 1"]);
+    let heavier = fault(|document| document.cylinders[1].reciprocating_mass = ratio("2"));
+    assert_eq!(heavier, [FIRST, "the weight of cylinder 2 is 1, it should be 2"]);
+}
+
+#[test]
+fn an_arm_that_is_not_the_cylinders_is_refused() {
+    let place = "verdicts[2] (moment, order 1, direct)";
+    let moved = fault(|document| document.cylinders[0].position = ratio("3"));
+    assert_eq!(moved, [place, "the weight of cylinder 1 is 1/2, it should be 5/2"]);
+    let plane = fault(|document| document.reference_plane = ratio("0"));
+    assert_eq!(plane, [place, "the weight of cylinder 1 is 1/2, it should be 1"]);
+}
+
+#[test]
+fn a_dropped_term_is_refused() {
+    let forged = fault(|document| forge(&mut document.verdicts[FORCE_DIRECT], "1@0"));
+    assert_eq!(forged, [FIRST, "1 terms for 2 cylinders"]);
+}
+
+#[test]
+fn a_dropped_cylinder_is_refused() {
+    let dropped = fault(|document| document.cylinders.truncate(1));
+    assert_eq!(dropped, [FIRST, "2 terms for 1 cylinders"]);
+}
+
+#[test]
+fn a_verdict_under_the_name_of_another_is_refused() {
+    let order = fault(|document| document.verdicts[FORCE_DIRECT].order = 2);
+    let angle = "the angle of cylinder 1 is 0, it should be 11/12";
+    assert_eq!(order, ["verdicts[0] (force, order 2, direct)", angle]);
+    let quantity = fault(|document| document.verdicts[FORCE_DIRECT].quantity = Quantity::Moment);
+    let weight = "the weight of cylinder 1 is 1, it should be 1/2";
+    assert_eq!(quantity, ["verdicts[0] (moment, order 1, direct)", weight]);
+}
+
+#[test]
+fn a_wrong_modulus_is_refused() {
+    let misfit = "`modulus` and `angle_deg` do not fit the terms";
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].modulus = 2.000_001), [FIRST, misfit]);
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].modulus = "NaN".parse().unwrap()), [FIRST, misfit]);
+    let place = "verdicts[2] (moment, order 1, direct)";
+    assert_eq!(fault(|document| document.verdicts[MOMENT_DIRECT].modulus = 1.0), [place, misfit]);
+}
+
+#[test]
+fn a_wrong_direction_is_refused() {
+    let misfit = "`modulus` and `angle_deg` do not fit the terms";
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].angle_deg = Some(0.001)), [FIRST, misfit]);
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].angle_deg = Some(180.0)), [FIRST, misfit]);
+}
+
+#[test]
+fn decimals_out_of_range_are_refused_though_they_name_the_same_vector() {
+    let range = "`modulus` is not negative and `angle_deg` lies between -180 and 180";
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].angle_deg = Some(360.0)), [FIRST, range]);
+    let turned = |verdict: &mut VerdictClaim| (verdict.modulus, verdict.angle_deg) = (-2.0, Some(180.0));
+    assert_eq!(fault(|document| turned(&mut document.verdicts[FORCE_DIRECT])), [FIRST, range]);
+}
+
+#[test]
+fn a_direction_is_null_exactly_where_the_sum_vanishes() {
+    let null = "`angle_deg` is null exactly where the sum vanishes";
+    assert_eq!(fault(|document| document.verdicts[FORCE_DIRECT].angle_deg = None), [FIRST, null]);
+    let place = "verdicts[2] (moment, order 1, direct)";
+    assert_eq!(fault(|document| document.verdicts[MOMENT_DIRECT].angle_deg = Some(0.0)), [place, null]);
+}
+
+#[test]
+fn decimals_of_a_sum_too_large_for_them_are_refused() {
+    let huge = format!("1{}@0", "0".repeat(400));
+    let fault = fault(|document| {
+        document.cylinders.clear();
+        forge(&mut document.verdicts[FORCE_DIRECT], &huge);
+        document.verdicts[FORCE_DIRECT].modulus = 3.0;
+    });
+    assert_eq!(fault, [FIRST, "`modulus` and `angle_deg` do not fit the terms"]);
+}
+
+#[test]
+fn a_shape_that_contradicts_the_verdicts_is_refused() {
+    let every = [Shape::Balanced, Shape::Rotating, Shape::CounterRotating, Shape::Planar, Shape::Elliptical];
+    for (index, right) in FORCE_SHAPES.into_iter().enumerate() {
+        let is_compared = |shape| matches!(shape, Shape::Planar | Shape::Elliptical);
+        for wrong in every.into_iter().filter(|&wrong| wrong != right) {
+            let reason = match is_compared(wrong) && is_compared(right) {
+                true => "`vanishes` and the kind of the certificate contradict each other",
+                false => "the shape contradicts the verdicts",
+            };
+            let place = format!("shapes[{}] (force, order {})", 2 * index, index + 1);
+            assert_eq!(fault(|document| document.shapes[2 * index].shape = wrong), [place.as_str(), reason]);
+        }
+    }
+}
+
+#[test]
+fn a_shape_without_the_comparison_it_needs_is_refused() {
+    for (index, place) in [(0, "shapes[0] (force, order 1)"), (4, "shapes[4] (force, order 3)")] {
+        let reason = "a certificate that compares the two moduli is missing";
+        assert_eq!(fault(|document| document.shapes[index].certificate = None), [place, reason]);
+    }
+}
+
+#[test]
+fn a_shape_with_a_comparison_it_does_not_need_is_refused() {
+    let place = "shapes[2] (force, order 2)";
+    let reason = "no moduli are compared, so no certificate belongs here";
+    assert_eq!(fault(|document| document.shapes[2].certificate = Some(polygons(&[]))), [place, reason]);
+}
+
+#[test]
+fn a_comparison_of_other_vectors_is_refused() {
+    let fault = fault(|document| document.shapes[4].certificate = Some(polygons(&[(3, "1@0")])));
+    assert_eq!(fault, ["shapes[4] (force, order 3)", "at angle 0 the terms collect to 0, but the polygons to 1"]);
+}
+
+#[test]
+fn a_shape_of_verdicts_that_are_not_there_is_refused() {
+    let gone = fault(|document| document.verdicts.truncate(5));
+    assert_eq!(gone, ["shapes[2] (force, order 2)", "there is no direct verdict for it"]);
+    let one = fault(|document| drop(document.verdicts.remove(1)));
+    assert_eq!(one, ["shapes[0] (force, order 1)", "there is no reverse verdict for it"]);
+    let torque = fault(|document| document.shapes[0].quantity = Quantity::Torque);
+    assert_eq!(torque, ["shapes[0] (torque, order 1)", "there is no direct verdict for it"]);
+}
+
+#[test]
+fn a_missing_sense_and_a_needless_one_are_refused() {
+    let reason = "a force or moment needs a sense, direct or reverse, and a torque has none";
+    let missing = fault(|document| document.verdicts[FORCE_DIRECT].sense = None);
+    assert_eq!(missing, ["verdicts[0] (force, order 1)", reason]);
+    let needless = fault(|document| document.verdicts[TORQUE].sense = Some(Sense::Direct));
+    assert_eq!(needless, ["verdicts[4] (torque, order 1, direct)", reason]);
+}
+
+#[test]
+fn an_empty_list_of_verdicts_is_refused() {
+    let reason = "the list is empty, there is nothing to check";
+    assert_eq!(fault(|document| document.verdicts.clear()), ["verdicts", reason]);
+}
+
+#[test]
+fn a_number_that_is_none_is_not_read() {
+    let honest = serde_json::to_string(&document()).expect("writes");
+    assert_eq!(serde_json::from_str::<Document>(&honest).expect("reads"), document());
+    for number in ["1/0", "0/0", "", "1.5", "1e9", "NaN", "1/2/3"] {
+        let text = honest.replacen(r#""angle":"0""#, &format!(r#""angle":"{number}""#), 1);
+        let error = serde_json::from_str::<Document>(&text).expect_err("no number").to_string();
+        let reason = format!("`{number}` is not an exact number such as \"3\" or \"-1/8\"");
+        assert!(error.starts_with(&reason), "{error}");
+    }
+}
+
+/// Whole numbers of every size, most of them small.
+fn any_whole() -> impl Strategy<Value = BigInt> {
+    let huge = vec(any::<u32>(), 1..6).prop_map(|digits| BigInt::from_slice(num_bigint::Sign::Minus, &digits));
+    prop_oneof![8 => (-3_i64..20).prop_map(BigInt::from), 1 => any::<i64>().prop_map(BigInt::from), 1 => huge]
+}
+
+fn any_ratio() -> impl Strategy<Value = BigRational> {
+    let nonzero = any_whole().prop_filter("a denominator", |whole| !whole.is_zero());
+    (any_whole(), nonzero).prop_map(|(numerator, denominator)| BigRational::new(numerator, denominator))
+}
+
+/// Small, or so large that corners are not expanded.
+fn any_count() -> impl Strategy<Value = u64> {
+    prop_oneof![8 => 0_u64..14, 1 => 1 << 40..u64::MAX, 1 => Just(18_446_744_073_709_551_557)]
+}
+
+fn any_step() -> impl Strategy<Value = Step> {
+    let class = (any_ratio(), any_whole()).prop_map(|(angle, modulus)| Step::Class { angle, modulus });
+    let compare = (any_count(), any_count(), any_count());
+    let compare = compare.prop_map(|(prime, first, second)| Step::Compare { prime, first, second });
+    prop_oneof![class, compare]
+}
+
+/// Steps that could be part of a splitting of a sum over the conductor 12 or 30.
+fn fitting_step() -> impl Strategy<Value = Step> {
+    let modulus = prop_oneof![Just(1_i64), Just(2), Just(3), Just(5), Just(6), Just(10), Just(12), Just(30)];
+    let class = (0_i64..60, modulus).prop_map(|(exponent, modulus)| Step::Class {
+        angle: BigRational::new(exponent.into(), 60.into()),
+        modulus: modulus.into(),
+    });
+    let compare = (prop_oneof![Just(2_u64), Just(3), Just(5)], 0_u64..5, 0_u64..5);
+    prop_oneof![class, compare.prop_map(|(prime, first, second)| Step::Compare { prime, first, second })]
+}
+
+fn any_certificate() -> impl Strategy<Value = Certificate> {
+    let polygon = (any_count(), any_ratio(), any_ratio());
+    let polygon = polygon.prop_map(|(sides, rotation, weight)| Polygon { sides, rotation, weight });
+    let numbers = [any_whole().boxed(), any_whole().boxed(), any_whole().boxed(), any_whole().boxed()];
+    let residue = (numbers, prop_oneof![any_whole(), Just(7.into()), Just(13.into())]);
+    let residue = residue.prop_map(|([conductor, root, scale, residue], prime)| {
+        Certificate::Residue(Residue { conductor, prime, root, scale, residue })
+    });
+    prop_oneof![
+        vec(polygon, 0..4).prop_map(|polygons| Certificate::Polygons { polygons }),
+        residue,
+        vec(any_step(), 0..5).prop_map(|steps| Certificate::Splitting { steps }),
+    ]
+}
+
+/// Sums over small conductors that are zero: polygons, of 2, 3 and 5 sides.
+fn zero_sum() -> impl Strategy<Value = PhasorSum> {
+    let polygon = (prop_oneof![Just(2_i64), Just(3), Just(5)], 0_i64..30, -2_i64..=2);
+    vec(polygon, 0..4).prop_map(|polygons| {
+        let corners = |(sides, first, weight)| (0..sides).map(move |j| (first + j * (30 / sides), weight));
+        sum(&written(30, &polygons.into_iter().flat_map(corners).collect::<Vec<_>>()))
+    })
+}
+
+/// Sums over small conductors, many of them zero, and some with numbers of any size.
+fn any_sum() -> impl Strategy<Value = PhasorSum> {
+    let fitting = vec((0_i64..12, -1_i64..=1), 0..8).prop_map(|terms| written(12, &terms));
+    let thirtieths = vec((0_i64..30, -1_i64..=1), 0..10).prop_map(|terms| written(30, &terms));
+    let wild = vec((any_ratio(), any_ratio()), 0..4)
+        .prop_map(|terms| terms.iter().map(|(angle, weight)| format!("{weight}@{angle} ")).collect::<String>());
+    prop_oneof![fitting, thirtieths, wild].prop_map(|text| sum(&text))
+}
+
+fn written(conductor: i64, terms: &[(i64, i64)]) -> String {
+    terms.iter().map(|(exponent, weight)| format!("{weight}@{exponent}/{conductor} ")).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_certificate_makes_the_checker_panic_or_accept_a_false_verdict(
+        sum in any_sum(), vanishes: bool, certificate in any_certificate(),
+    ) {
+        if check_certificate(&vectors(&sum), vanishes, &certificate).is_ok() {
+            prop_assert_eq!(sum.vanishes(), vanishes);
+        }
+    }
+
+    #[test]
+    fn no_steps_split_a_sum_that_is_zero(sum in zero_sum(), steps in vec(fitting_step(), 0..4)) {
+        let certificate = Certificate::Splitting { steps };
+        prop_assert!(check_certificate(&vectors(&sum), false, &certificate).is_err());
+    }
+
+    #[test]
+    fn the_certificate_of_one_sum_does_not_prove_a_false_verdict_on_another(
+        sum in any_sum(), other in any_sum(), vanishes: bool,
+    ) {
+        let certificate = other.certificate();
+        if check_certificate(&vectors(&sum), vanishes, &certificate).is_ok() {
+            prop_assert_eq!(sum.vanishes(), vanishes);
+        }
+    }
+}
