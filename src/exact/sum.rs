@@ -82,13 +82,23 @@ impl PhasorSum {
         self.plus(&other.map(|term| Term { angle: term.angle.clone(), weight: -&term.weight }))
     }
 
-    /// `|S|² = S S̄ = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, collected: again a phasor sum.
-    pub fn squared_modulus(&self) -> Self {
-        let terms = self.collected();
-        let products = terms.iter().flat_map(|a| {
-            terms.iter().map(move |b| Term { angle: &a.angle - &b.angle, weight: &a.weight * &b.weight })
+    /// The image under the Galois map `e^{2πit} ↦ e^{2πi·at}`, for a prime to the common denominator.
+    pub fn galois(&self, a: i64) -> Self {
+        self.map(|term| Term { angle: term.angle.times(a), weight: term.weight.clone() })
+    }
+
+    /// The product of both sums, collected.
+    pub fn times(&self, other: &Self) -> Self {
+        let (left, right) = (self.collected(), other.collected());
+        let products = left.iter().flat_map(|a| {
+            right.iter().map(move |b| Term { angle: &a.angle + &b.angle, weight: &a.weight * &b.weight })
         });
         PhasorSum { terms: PhasorSum::new(products.collect()).collected() }
+    }
+
+    /// `|S|² = S S̄ = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, collected: again a phasor sum.
+    pub fn squared_modulus(&self) -> Self {
+        self.times(&self.conjugate())
     }
 
     fn map(&self, change: impl Fn(&Term) -> Term) -> Self {

@@ -1,6 +1,11 @@
-//! How large is it, in decimals? Approximate values, for reading only: no verdict is made from them.
+//! How large is it? Closed forms, and decimals for reading: no verdict is made from a decimal.
 
+mod closed;
 mod evaluate;
 mod fixed;
+mod form;
+mod written;
 
+pub use closed::{Direction, direction_of, modulus, real};
 pub use evaluate::{direction, evaluate};
+pub use form::{Form, Root};

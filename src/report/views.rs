@@ -81,7 +81,7 @@ pub(super) fn side_view(layout: &Layout) -> Figure {
     let plane = scale.x(&layout.reference_plane);
     let top = figure.height - 1.0;
     figure.line(
-        Point::new(plane, 8.0),
+        Point::new(plane, AXIS - CRANK_RADIUS),
         Point::new(plane, top),
         Stroke { ink: Ink::Red, width: 0.25, dash: Dash::Dashed },
     );
@@ -151,11 +151,14 @@ fn draw_cylinders(figure: &mut Figure, layout: &Layout, scale: &Scale, banks: &B
     let half = if scale.gap.is_finite() { (scale.gap * 0.42).clamp(0.6, 3.4) } else { 3.4 };
     for ((row, position), names) in &by_place {
         let (x, y) = (scale.x(position), FIRST_ROW + ROW * *row as f64);
+        let label = typeset::names(names);
+        // A box is as wide as its label, where its neighbours leave room.
+        let half = half.max((label.chars().count() as f64 + 0.5).min(scale.gap * 0.42));
         let corners = [(-half, -3.4), (half, -3.4), (half, 3.4), (-half, 3.4)];
         let corners = corners.map(|(dx, dy)| Point::new(x + dx, y + dy)).to_vec();
         figure.polygon(corners, Stroke::solid(Ink::Black, 0.3), Some(Ink::Light));
         if by_place.len() <= MOST_LABELS {
-            figure.text(Point::new(x, y), typeset::names(names), Anchor::Middle);
+            figure.text(Point::new(x, y), label, Anchor::Middle);
         }
     }
     if as_rows && banks.len() > 1 {

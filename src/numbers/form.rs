@@ -1,0 +1,189 @@
+//! What does an exact real number look like? A sum of rational multiples of square roots and cosines.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::exact::Turn;
+
+/// A root that a coefficient stands before.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Root {
+    /// 1: the coefficient alone.
+    One,
+    /// The square root of a whole number above 1, free of square factors.
+    Whole(BigInt),
+    /// The square root of a form that is no rational number.
+    Nested(Form),
+    /// The cosine of an angle.
+    Cosine(Turn),
+}
+
+/// `Σ coefficient · root`, each root once, no coefficient zero.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Form {
+    terms: Vec<(Root, BigRational)>,
+}
+
+/// Square factors of larger numbers than this are not looked for: the form is right, though perhaps not the shortest.
+const LARGEST_FACTOR: u32 = 10_000;
+
+impl Form {
+    /// A rational number.
+    pub fn rational(value: BigRational) -> Self {
+        Form::new([(Root::One, value)])
+    }
+
+    /// A rational multiple of a cosine.
+    pub fn cosine(coefficient: BigRational, angle: Turn) -> Self {
+        Form::new([(Root::Cosine(angle), coefficient)])
+    }
+
+    fn new(terms: impl IntoIterator<Item = (Root, BigRational)>) -> Self {
+        let mut collected: BTreeMap<Root, BigRational> = BTreeMap::new();
+        for (root, coefficient) in terms {
+            *collected.entry(root).or_insert_with(BigRational::zero) += coefficient;
+        }
+        Form { terms: collected.into_iter().filter(|(_, coefficient)| !coefficient.is_zero()).collect() }
+    }
+
+    /// The terms: roots with their coefficients.
+    pub fn terms(&self) -> &[(Root, BigRational)] {
+        &self.terms
+    }
+
+    /// The number itself, where it is rational.
+    pub fn as_rational(&self) -> Option<BigRational> {
+        match self.terms.as_slice() {
+            [] => Some(BigRational::zero()),
+            [(Root::One, value)] => Some(value.clone()),
+            _ => None,
+        }
+    }
+
+    /// The sum of two numbers.
+    pub fn plus(&self, other: &Form) -> Form {
+        Form::new(self.terms.iter().chain(&other.terms).cloned())
+    }
+
+    /// A rational multiple of the number.
+    pub fn scaled(&self, by: &BigRational) -> Form {
+        Form::new(self.terms.iter().map(|(root, coefficient)| (root.clone(), coefficient * by)))
+    }
+
+    /// The product of two numbers; `None` where a cosine meets a root or another cosine.
+    pub fn times(&self, other: &Form) -> Option<Form> {
+        let mut sum = Form::new([]);
+        for (root, coefficient) in &self.terms {
+            for (other_root, other_coefficient) in &other.terms {
+                sum = sum.plus(&product(root, other_root)?.scaled(&(coefficient * other_coefficient)));
+            }
+        }
+        Some(sum)
+    }
+
+    /// The square root of a number that is not negative.
+    pub fn square_root(&self) -> Form {
+        if let Some(value) = self.as_rational() {
+            return root_of_rational(&value);
+        }
+        if let Some(denested) = self.denested_root() {
+            return denested;
+        }
+        // √(g·f) with rational g and whole, coprime coefficients in f: √g = q√n, so q·√(n f).
+        let content = self.content();
+        let primitive = self.scaled(&content.recip());
+        let (outside, inside) = without_squares(&content);
+        Form::new([(Root::Nested(primitive.scaled(&BigRational::from_integer(inside))), outside)])
+    }
+
+    /// `√(a + b√d) = √x ± √y` with `x + y = a` and `4xy = b²d`, where `a² − b²d` is a rational square.
+    fn denested_root(&self) -> Option<Form> {
+        let zero = BigRational::zero();
+        let (a, b, d) = match self.terms.as_slice() {
+            [(Root::One, a), (Root::Whole(d), b)] => (a, b, d),
+            [(Root::Whole(d), b)] => (&zero, b, d),
+            _ => return None,
+        };
+        let square = a * a - b * b * BigRational::from_integer(d.clone());
+        let difference = root_of_rational_square(&square)?;
+        let two = BigRational::from_integer(2.into());
+        let larger = root_of_rational(&((a + &difference) / &two));
+        let smaller = root_of_rational(&((a - &difference) / &two));
+        Some(larger.plus(&smaller.scaled(&b.signum())))
+    }
+
+    /// The rational number whose product with whole, coprime coefficients makes the form.
+    fn content(&self) -> BigRational {
+        let numerators = self.terms.iter().fold(BigInt::zero(), |g, (_, q)| g.gcd(q.numer()));
+        let denominators = self.terms.iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
+        BigRational::new(numerators, denominators)
+    }
+
+    /// The number in decimals, to nearly the accuracy of a float.
+    pub fn to_float(&self) -> f64 {
+        let root = |root: &Root| match root {
+            Root::One => 1.0,
+            Root::Whole(n) => n.to_f64().unwrap_or(f64::NAN).sqrt(),
+            Root::Nested(form) => form.to_float().max(0.0).sqrt(),
+            Root::Cosine(angle) => super::direction(angle).re,
+        };
+        self.terms.iter().map(|(r, coefficient)| coefficient.to_f64().unwrap_or(f64::NAN) * root(r)).sum()
+    }
+}
+
+fn product(a: &Root, b: &Root) -> Option<Form> {
+    let one = BigRational::one();
+    Some(match (a, b) {
+        (Root::One, other) | (other, Root::One) => Form::new([(other.clone(), one)]),
+        (Root::Whole(m), Root::Whole(n)) => root_of_rational(&BigRational::from_integer(m * n)),
+        (Root::Whole(n), Root::Nested(form)) | (Root::Nested(form), Root::Whole(n)) => {
+            form.scaled(&BigRational::from_integer(n.clone())).square_root()
+        }
+        (Root::Nested(f), Root::Nested(g)) if f == g => f.clone(),
+        (Root::Nested(f), Root::Nested(g)) => f.times(g)?.square_root(),
+        (Root::Cosine(_), _) | (_, Root::Cosine(_)) => return None,
+    })
+}
+
+fn root_of_rational(value: &BigRational) -> Form {
+    let (outside, inside) = without_squares(value);
+    let root = if inside.is_one() { Root::One } else { Root::Whole(inside) };
+    Form::new([(root, outside)])
+}
+
+/// `√value = q √n` with n whole and free of square factors up to [`LARGEST_FACTOR`].
+fn without_squares(value: &BigRational) -> (BigRational, BigInt) {
+    // √(a/b) = √(ab)/b.
+    let mut inside = value.numer() * value.denom();
+    let mut outside = BigInt::one();
+    if inside.is_zero() {
+        return (BigRational::zero(), BigInt::one());
+    }
+    let whole = inside.magnitude().sqrt();
+    if &whole * &whole == *inside.magnitude() {
+        return (BigRational::new(whole.into(), value.denom().clone()), BigInt::one());
+    }
+    for factor in 2..=LARGEST_FACTOR {
+        let square = BigInt::from(u64::from(factor).pow(2));
+        if square > inside {
+            break;
+        }
+        while inside.is_multiple_of(&square) {
+            inside /= &square;
+            outside *= factor;
+        }
+    }
+    (BigRational::new(outside, value.denom().clone()), inside)
+}
+
+fn root_of_rational_square(value: &BigRational) -> Option<BigRational> {
+    let exact = |n: &BigInt| Some(n.sqrt()).filter(|root| root * root == *n);
+    if value.is_negative() {
+        return None;
+    }
+    Some(BigRational::new(exact(value.numer())?, exact(value.denom())?))
+}

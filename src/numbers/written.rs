@@ -1,0 +1,202 @@
+//! How is an exact number written, and read back? `2√3`, `(3√2 − √6)/4`, `√(5 − 2√5)`, `3·cos(40°)`.
+
+use std::fmt;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::form::{Form, Root};
+use crate::exact::Turn;
+use crate::layout::parse_number;
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&write(self, &TEXT))
+    }
+}
+
+impl Form {
+    /// The number in TeX, for the mathematics mode.
+    pub fn tex(&self) -> String {
+        write(self, &TEX)
+    }
+
+    /// Reads what is printed, and what a person would write: `sqrt(3)/2`, `1/2*√10`, `1.5`.
+    ///
+    /// ```
+    /// use crankstar::numbers::Form;
+    /// assert_eq!(Form::parse("sqrt(12)").unwrap().to_string(), "2√3");
+    /// assert_eq!(Form::parse("½√(50 − 22√5)").unwrap().to_string(), "√(50 − 22√5)/2");
+    /// assert!(Form::parse("2√").is_none());
+    /// ```
+    ///
+    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)` and brackets are understood; `None` for all
+    /// else, and for the root of a negative number.
+    pub fn parse(text: &str) -> Option<Form> {
+        let spaced = text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)");
+        let mut parser = Parser { letters: spaced.chars().filter(|letter| !letter.is_whitespace()).collect(), at: 0, depth: 0 };
+        let form = parser.sum()?;
+        (parser.at == parser.letters.len()).then_some(form)
+    }
+}
+
+/// How the parts of a form are put down.
+struct Style {
+    minus: &'static str,
+    fraction: fn(&str, &BigInt, bool) -> String,
+    root: fn(&str, bool) -> String,
+    cosine: fn(&BigRational) -> String,
+}
+
+const TEXT: Style = Style {
+    minus: "−",
+    fraction: |numerator, denominator, is_sum| match is_sum {
+        true => format!("({numerator})/{denominator}"),
+        false => format!("{numerator}/{denominator}"),
+    },
+    root: |inside, is_number| if is_number { format!("√{inside}") } else { format!("√({inside})") },
+    cosine: |degrees| format!("·cos({degrees}°)"),
+};
+
+const TEX: Style = Style {
+    minus: "-",
+    fraction: |numerator, denominator, _| format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
+    root: |inside, _| format!("\\sqrt{{{inside}}}"),
+    cosine: |degrees| format!("\\cos({degrees}^\\circ)"),
+};
+
+fn write(form: &Form, style: &Style) -> String {
+    let denominator = form.terms().iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
+    let common = BigRational::from_integer(denominator.clone());
+    let mut text = String::new();
+    for (root, coefficient) in form.terms() {
+        let whole = (coefficient * &common).to_integer();
+        text.push_str(match (text.is_empty(), whole.is_negative()) {
+            (true, true) => style.minus,
+            (true, false) => "",
+            (false, true) => if style.minus == "-" { " - " } else { " − " },
+            (false, false) => " + ",
+        });
+        text.push_str(&term(root, &whole.abs(), style));
+    }
+    if text.is_empty() {
+        return "0".to_owned();
+    }
+    if denominator.is_one() {
+        return text;
+    }
+    match (text.strip_prefix(style.minus), form.terms().len()) {
+        (Some(positive), 1) => format!("{}{}", style.minus, (style.fraction)(positive, &denominator, false)),
+        (_, count) => (style.fraction)(&text, &denominator, count > 1),
+    }
+}
+
+fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
+    let root = match root {
+        Root::One => return coefficient.to_string(),
+        Root::Whole(n) => (style.root)(&n.to_string(), true),
+        Root::Nested(form) => (style.root)(&write(form, style), false),
+        Root::Cosine(angle) => {
+            let cosine = (style.cosine)(&angle.degrees());
+            return format!("{coefficient}{cosine}");
+        }
+    };
+    if coefficient.is_one() { root } else { format!("{coefficient}{root}") }
+}
+
+/// Brackets deeper than this are nobody's number.
+const DEEPEST: usize = 32;
+
+struct Parser {
+    letters: Vec<char>,
+    at: usize,
+    depth: usize,
+}
+
+impl Parser {
+    fn peek(&self) -> Option<char> {
+        self.letters.get(self.at).copied()
+    }
+
+    fn takes(&mut self, letter: char) -> bool {
+        let found = self.peek() == Some(letter);
+        self.at += usize::from(found);
+        found
+    }
+
+    fn sum(&mut self) -> Option<Form> {
+        let mut sum = Form::rational(BigRational::from_integer(0.into()));
+        let mut sign = if self.takes('-') { -1 } else { 1 };
+        loop {
+            let part = self.product()?;
+            sum = sum.plus(&part.scaled(&BigRational::from_integer(sign.into())));
+            sign = match self.peek() {
+                Some('+') => 1,
+                Some('-') => -1,
+                _ => return Some(sum),
+            };
+            self.at += 1;
+        }
+    }
+
+    fn product(&mut self) -> Option<Form> {
+        let mut product = self.factor()?;
+        loop {
+            if self.takes('/') {
+                let divisor = self.factor()?.as_rational().filter(|divisor| *divisor.numer() != BigInt::from(0))?;
+                product = product.scaled(&divisor.recip());
+            } else if self.takes('*') || matches!(self.peek(), Some('√' | '(' | 'c')) {
+                product = product.times(&self.factor()?)?;
+            } else {
+                return Some(product);
+            }
+        }
+    }
+
+    fn factor(&mut self) -> Option<Form> {
+        if self.takes('√') {
+            return self.root();
+        }
+        if self.takes('(') {
+            return self.bracket();
+        }
+        if self.letters[self.at..].starts_with(&['c', 'o', 's', '(']) {
+            self.at += 4;
+            let degrees = self.number()?;
+            (self.takes('°') && self.takes(')')).then_some(())?;
+            return Some(Form::cosine(BigRational::one(), Turn::from_degrees(&degrees)));
+        }
+        self.number().map(Form::rational)
+    }
+
+    fn root(&mut self) -> Option<Form> {
+        let inside = self.factor()?;
+        (inside.to_float() >= 0.0).then(|| inside.square_root())
+    }
+
+    fn bracket(&mut self) -> Option<Form> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let inside = self.sum()?;
+        self.depth -= 1;
+        self.takes(')').then_some(inside)
+    }
+
+    fn number(&mut self) -> Option<BigRational> {
+        let digits = self.letters[self.at..].iter().take_while(|letter| letter.is_ascii_digit() || **letter == '.').count();
+        let text: String = self.letters[self.at..self.at + digits].iter().collect();
+        self.at += digits;
+        let slash = self.peek() == Some('/') && self.letters.get(self.at + 1).is_some_and(char::is_ascii_digit);
+        let number = parse_number(&text).ok()?;
+        // Inside a cosine the angle may be a fraction of degrees.
+        if slash && self.letters[self.at..].iter().find(|letter| !letter.is_ascii_digit() && **letter != '/') == Some(&'°') {
+            self.at += 1;
+            return Some(number / self.number()?);
+        }
+        Some(number)
+    }
+}
