@@ -62,7 +62,9 @@ fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
             run(&folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
         }
         let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
-        for complaint in ["Overfull", "Missing character", "undefined", "Rerun LaTeX", "Rerun to get", "LaTeX Font Warning"] {
+        for complaint in
+            ["Overfull", "Missing character", "undefined", "Rerun LaTeX", "Rerun to get", "LaTeX Font Warning"]
+        {
             assert!(!log.contains(complaint), "{name}: {complaint} in {}/report.log", folder.display());
         }
     }

@@ -195,9 +195,11 @@ fn without_common_polygons(sum: &PhasorSum) -> PhasorSum {
     let Some(conductor) = conductor(sum) else { return best };
     let primes = (2..=conductor).filter(|p| conductor.is_multiple_of(*p) && (2..*p).all(|d| p % d != 0));
     for prime in primes {
-        let corner = |first: u64, j: u64| Turn::new(BigRational::new((first + j * conductor / prime).into(), conductor.into()));
+        let corner =
+            |first: u64, j: u64| Turn::new(BigRational::new((first + j * conductor / prime).into(), conductor.into()));
         for first in 0..conductor / prime {
-            let weights: BTreeMap<Turn, BigRational> = best.collected().into_iter().map(|t| (t.angle, t.weight)).collect();
+            let weights: BTreeMap<Turn, BigRational> =
+                best.collected().into_iter().map(|t| (t.angle, t.weight)).collect();
             let at = |j: u64| weights.get(&corner(first, j)).cloned().unwrap_or_else(BigRational::zero);
             let mut counts: BTreeMap<BigRational, usize> = BTreeMap::new();
             (0..prime).for_each(|j| *counts.entry(at(j)).or_default() += 1);

@@ -36,7 +36,8 @@ impl Form {
     /// else, and for the root of a negative number.
     pub fn parse(text: &str) -> Option<Form> {
         let spaced = text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)");
-        let mut parser = Parser { letters: spaced.chars().filter(|letter| !letter.is_whitespace()).collect(), at: 0, depth: 0 };
+        let mut parser =
+            Parser { letters: spaced.chars().filter(|letter| !letter.is_whitespace()).collect(), at: 0, depth: 0 };
         let form = parser.sum()?;
         (parser.at == parser.letters.len()).then_some(form)
     }
@@ -76,7 +77,13 @@ fn write(form: &Form, style: &Style) -> String {
         text.push_str(match (text.is_empty(), whole.is_negative()) {
             (true, true) => style.minus,
             (true, false) => "",
-            (false, true) => if style.minus == "-" { " - " } else { " − " },
+            (false, true) => {
+                if style.minus == "-" {
+                    " - "
+                } else {
+                    " − "
+                }
+            }
             (false, false) => " + ",
         });
         text.push_str(&term(root, &whole.abs(), style));
@@ -187,13 +194,16 @@ impl Parser {
     }
 
     fn number(&mut self) -> Option<BigRational> {
-        let digits = self.letters[self.at..].iter().take_while(|letter| letter.is_ascii_digit() || **letter == '.').count();
+        let digits =
+            self.letters[self.at..].iter().take_while(|letter| letter.is_ascii_digit() || **letter == '.').count();
         let text: String = self.letters[self.at..self.at + digits].iter().collect();
         self.at += digits;
         let slash = self.peek() == Some('/') && self.letters.get(self.at + 1).is_some_and(char::is_ascii_digit);
         let number = parse_number(&text).ok()?;
         // Inside a cosine the angle may be a fraction of degrees.
-        if slash && self.letters[self.at..].iter().find(|letter| !letter.is_ascii_digit() && **letter != '/') == Some(&'°') {
+        if slash
+            && self.letters[self.at..].iter().find(|letter| !letter.is_ascii_digit() && **letter != '/') == Some(&'°')
+        {
             self.at += 1;
             return Some(number / self.number()?);
         }

@@ -102,8 +102,10 @@ pub enum Mark {
     Text {
         /// Where.
         at: Point,
-        /// What.
+        /// What, in plain text.
         text: String,
+        /// The same as prose with `$formulas$`, where it has any.
+        prose: Option<String>,
         /// How it hangs.
         anchor: Anchor,
         /// Whether it is a heading of the drawing.
@@ -150,12 +152,17 @@ impl Figure {
 
     /// Writes a text.
     pub fn text(&mut self, at: Point, text: impl Into<String>, anchor: Anchor) {
-        self.marks.push(Mark::Text { at, text: text.into(), anchor, bold: false });
+        self.marks.push(Mark::Text { at, text: text.into(), prose: None, anchor, bold: false });
+    }
+
+    /// Writes a text that has formulas, centred: plain where there is no TeX, else as prose.
+    pub fn formula(&mut self, at: Point, text: String, prose: String) {
+        self.marks.push(Mark::Text { at, text, prose: Some(prose), anchor: Anchor::Middle, bold: false });
     }
 
     /// Writes a heading, centred.
     pub fn heading(&mut self, at: Point, text: impl Into<String>) {
-        self.marks.push(Mark::Text { at, text: text.into(), anchor: Anchor::Middle, bold: true });
+        self.marks.push(Mark::Text { at, text: text.into(), prose: None, anchor: Anchor::Middle, bold: true });
     }
 }
 

@@ -1,39 +1,29 @@
 //! What is left of an order, and how is it put in a few words?
 
-use num_traits::Signed;
+use num_rational::BigRational;
 
-use super::typeset::{Amount, decimal, signed_degrees};
-use crate::numbers;
+use super::typeset::{Amount, Bearing, signed_degrees};
+use crate::exact::{PhasorSum, Turn};
+use crate::numbers::{self, Direction};
 use crate::proof::{Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, Verdict};
 
-/// `|S|` of a verdict: exact where like directions collect to one.
+/// `|S|` of a verdict.
 pub(super) fn modulus(verdict: &Verdict) -> Amount {
-    match verdict.sum.collected().as_slice() {
-        [] => Amount::Exact(num_rational::BigRational::from_integer(0.into())),
-        [only] => Amount::Exact(only.weight.abs()),
-        _ => Amount::Approximate(numbers::evaluate(&verdict.sum).norm()),
+    match verdict.vanishes() {
+        true => Amount::zero(),
+        false => Amount { exact: numbers::modulus(&verdict.sum), decimal: numbers::evaluate(&verdict.sum).norm() },
     }
 }
 
-/// The direction of a sum that is not zero: `= 45°` where one direction is left, else `≈ −18.4349°`.
-pub(super) fn direction(verdict: &Verdict) -> String {
-    match verdict.sum.collected().as_slice() {
-        [only] => {
-            let angle = if only.weight.is_negative() { only.angle.opposite() } else { only.angle.clone() };
-            format!("= {}", super::typeset::degrees(&signed_degrees(&angle)))
-        }
-        _ => format!("≈ {}°", decimal(numbers::evaluate(&verdict.sum).arg().to_degrees())),
-    }
+/// The direction of a sum that is not zero.
+pub(super) fn bearing(sum: &PhasorSum) -> Bearing {
+    Bearing { exact: numbers::direction_of(sum), decimal: numbers::evaluate(sum).arg().to_degrees() }
 }
 
 /// The largest value through a revolution, `½(|P⁺| + |P⁻|)`.
 pub(super) fn largest(balance: &Balance) -> Amount {
-    let part = |verdict: &Verdict| match verdict.vanishes() {
-        true => Amount::Exact(num_rational::BigRational::from_integer(0.into())),
-        false => modulus(verdict),
-    };
-    part(&balance.direct).mean(&part(&balance.reverse))
+    modulus(&balance.direct).mean(&modulus(&balance.reverse))
 }
 
 /// The word for a shape.
@@ -49,30 +39,33 @@ pub(super) fn shape_name(shape: Shape) -> &'static str {
 
 /// The force of an order in a few words: `0` or `= 4, planar`.
 pub fn force_summary(order: &OrderBalance) -> String {
-    summary(&order.force)
+    summary(&order.force, "", Amount::plain)
 }
 
-/// The moment of an order in a few words: `0` or `couple = 4, planar`.
+/// The moment of an order in a few words: `0` or `couple = √10 ≈ 3.1623, rotating`.
 pub fn moment_summary(order: &OrderBalance) -> String {
-    match order.moment.is_balanced() {
-        true => summary(&order.moment),
-        false => format!("{} {}", moment_name(order), summary(&order.moment)),
-    }
+    summary(&order.moment, moment_name(order), Amount::plain)
 }
 
 /// The inertia torque of an order in a few words: `0` or `= 4`.
 pub fn torque_summary(torque: &Verdict) -> String {
-    if torque.vanishes() { "0".to_owned() } else { modulus(torque).related() }
+    if torque.vanishes() { "0".to_owned() } else { modulus(torque).plain() }
+}
+
+/// The same two cells as prose, with formulas.
+pub(super) fn summary_prose(order: &OrderBalance) -> [String; 2] {
+    [summary(&order.force, "", Amount::prose), summary(&order.moment, moment_name(order), Amount::prose)]
 }
 
 /// What the summaries are counted in.
 pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
                           times the unit of the positions; = exact, ≈ decimal.";
 
-fn summary(balance: &Balance) -> String {
+fn summary(balance: &Balance, kind: &str, set: fn(&Amount) -> String) -> String {
+    let space = if kind.is_empty() { "" } else { " " };
     match balance.shape {
         Shape::Balanced => "0".to_owned(),
-        shape => format!("{}, {}", largest(balance).related(), shape_name(shape)),
+        shape => format!("{kind}{space}{}, {}", set(&largest(balance)), shape_name(shape)),
     }
 }
 
@@ -85,7 +78,7 @@ pub(super) fn moment_name(order: &OrderBalance) -> &'static str {
 pub(super) fn sentence(balance: &Balance) -> String {
     let k = balance.direct.order;
     let speed = if k == 1 { "crank speed".to_owned() } else { format!("{k} times crank speed") };
-    let largest = largest(balance).related();
+    let largest = largest(balance).prose();
     let symbol = if balance.direct.quantity == Quantity::Force { "F" } else { "C" };
     match balance.shape {
         Shape::Balanced => "Nothing is left: both vectors vanish.".to_owned(),
@@ -114,7 +107,14 @@ pub(super) fn sentence(balance: &Balance) -> String {
 
 /// The major axis, `(arg P⁺ + arg P⁻)/2` (theory, section 3), as a line in `(−90°, 90°]`.
 fn line_direction(balance: &Balance) -> String {
-    let product = numbers::evaluate(&balance.direct.sum) * numbers::evaluate(&balance.reverse.sum);
-    let angle = product.arg().to_degrees() / 2.0;
-    format!("≈ {}°", decimal(angle))
+    let product = bearing(&balance.direct.sum.times(&balance.reverse.sum));
+    let half = |turn: &Turn| {
+        let degrees = signed_degrees(turn) / BigRational::from_integer(2.into());
+        Turn::from_degrees(&degrees)
+    };
+    let exact = match &product.exact {
+        Some(Direction::Turn(turn)) => Some(Direction::Turn(half(turn))),
+        _ => None,
+    };
+    Bearing { exact, decimal: product.decimal / 2.0 }.prose()
 }

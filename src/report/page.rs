@@ -175,8 +175,8 @@ impl Paragraph {
             false => format!(
                 "**{}:** ${symbol} \\ne 0$, length {}, at angle {}.",
                 capital(name),
-                left::modulus(verdict).related(),
-                left::direction(verdict)
+                left::modulus(verdict).prose(),
+                left::bearing(&verdict.sum).prose()
             ),
         };
         Paragraph {

@@ -124,12 +124,10 @@ fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) 
     if star.rays.len() <= MOST_LABELS {
         draw_labels(figure, centre, layout, &star);
     }
-    let result = if verdict.vanishes() {
-        "sum = 0".to_owned()
-    } else {
-        format!("sum {}", super::left::modulus(verdict).related())
-    };
-    figure.text(corner + Point::new(PANEL.0 / 2.0, 3.6), result, Anchor::Middle);
+    let place = corner + Point::new(PANEL.0 / 2.0, 3.6);
+    let modulus = super::left::modulus(verdict);
+    let name = if verdict.vanishes() { "sum" } else { "length" };
+    figure.formula(place, format!("{name} {}", modulus.plain()), format!("{name} {}", modulus.prose()));
 }
 
 fn heading(verdict: &Verdict) -> String {

@@ -57,7 +57,7 @@ fn element(mark: &Mark, height: f64) -> String {
         Mark::Polygon { corners, stroke, fill } => {
             polygon(corners, height, &format!("{} {} stroke-linejoin=\"round\"", inside(fill), outline(stroke)))
         }
-        Mark::Text { at, text, anchor, bold } => {
+        Mark::Text { at, text, anchor, bold, .. } => {
             let anchor = match anchor {
                 Anchor::Start => "start",
                 Anchor::Middle => "middle",

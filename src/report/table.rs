@@ -54,7 +54,8 @@ fn size(width: usize) -> &'static str {
 pub(super) fn summary(dialect: Dialect, orders: &[OrderBalance]) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
     let row = |order: &OrderBalance| {
-        vec![order.order.to_string(), bold(left::force_summary(order)), bold(left::moment_summary(order))]
+        let [force, moment] = left::summary_prose(order);
+        vec![order.order.to_string(), bold(force), bold(moment)]
     };
     Table::new(dialect, &["Order", "Force", "Moment"], orders.iter().map(row).collect())
 }
@@ -132,7 +133,7 @@ fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String
         cells.extend(vec![String::new(); blank]);
         cells.extend(balance.verdicts().map(|verdict| match verdict.vanishes() {
             true => "**0**".to_owned(),
-            false => format!("{} at {}", left::modulus(verdict).related(), left::direction(verdict)),
+            false => format!("{} at {}", left::modulus(verdict).prose(), left::bearing(&verdict.sum).prose()),
         }));
         rows.push(cells);
     }

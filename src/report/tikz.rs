@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::dialect::latex_text;
+use super::dialect::{Dialect, latex_text};
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
 
 /// The drawing as a `tikzpicture`; the colours are defined in the template.
@@ -30,13 +30,13 @@ fn command(mark: &Mark) -> String {
             let corners: Vec<String> = corners.iter().map(point).collect();
             format!("\\draw[{}{},line join=round] {} -- cycle;", outline(stroke), inside(fill), corners.join(" -- "))
         }
-        Mark::Text { at, text, anchor, bold } => {
+        Mark::Text { at, text, prose, anchor, bold } => {
             let anchor = match anchor {
                 Anchor::Start => "west",
                 Anchor::Middle => "center",
                 Anchor::End => "east",
             };
-            let text = latex_text(text);
+            let text = prose.as_ref().map_or_else(|| latex_text(text), |prose| Dialect::Latex.prose(prose));
             let text = if *bold { format!("\\textbf{{{text}}}") } else { text };
             format!("\\node[anchor={anchor},inner sep=0pt] at {} {{{text}}};", point(at))
         }

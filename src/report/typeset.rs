@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::Turn;
+use crate::numbers::{Direction, Form};
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 4;
@@ -67,36 +68,83 @@ pub(super) fn decimal(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// A length of a vector or a half-sum of two: exact where it is rational, else in decimals.
-pub(super) enum Amount {
+/// A length: exact where a closed form is known, and in decimals.
+pub(super) struct Amount {
     /// The number itself.
-    Exact(BigRational),
+    pub exact: Option<Form>,
     /// Its decimals.
-    Approximate(f64),
+    pub decimal: f64,
 }
 
 impl Amount {
-    /// `= 4` or `≈ 3.1623`.
-    pub fn related(&self) -> String {
-        match self {
-            Amount::Exact(value) => format!("= {}", number(value)),
-            Amount::Approximate(value) => format!("≈ {}", decimal(*value)),
-        }
+    /// Zero, exactly.
+    pub fn zero() -> Self {
+        Amount { exact: Some(Form::rational(BigRational::zero())), decimal: 0.0 }
     }
 
     /// Half the sum of two amounts.
     pub fn mean(&self, other: &Amount) -> Amount {
-        match (self, other) {
-            (Amount::Exact(a), Amount::Exact(b)) => Amount::Exact((a + b) / BigRational::from_integer(2.into())),
-            _ => Amount::Approximate((self.to_float() + other.to_float()) / 2.0),
-        }
+        let half = BigRational::new(1.into(), 2.into());
+        let exact = self.exact.as_ref().zip(other.exact.as_ref()).map(|(a, b)| a.plus(b).scaled(&half));
+        Amount { exact, decimal: (self.decimal + other.decimal) / 2.0 }
     }
 
-    /// The amount in decimals.
-    pub fn to_float(&self) -> f64 {
-        match self {
-            Amount::Exact(value) => value.to_f64().unwrap_or(f64::NAN),
-            Amount::Approximate(value) => *value,
+    /// Plain text: `= 4`, `= √10 ≈ 3.1623`, `≈ 0.1234`.
+    pub fn plain(&self) -> String {
+        self.set(|form| form.to_string())
+    }
+
+    /// Prose with a formula: `= $\sqrt{10}$ ≈ 3.1623`.
+    pub fn prose(&self) -> String {
+        self.set(|form| format!("${}$", form.tex()))
+    }
+
+    fn set(&self, irrational: impl Fn(&Form) -> String) -> String {
+        let Some(form) = &self.exact else { return format!("≈ {}", decimal(self.decimal)) };
+        match form.as_rational() {
+            Some(value) => related(&value),
+            None => format!("= {} ≈ {}", irrational(form), decimal(self.decimal)),
+        }
+    }
+}
+
+/// `= 4`; where a number is too long to be shown exactly, `≈ 0.1429`.
+fn related(value: &BigRational) -> String {
+    let text = number(value);
+    if text.starts_with('≈') { text } else { format!("= {text}") }
+}
+
+/// A direction: exact where a closed form is known.
+pub(super) struct Bearing {
+    /// The direction itself.
+    pub exact: Option<Direction>,
+    /// In degrees, in `(−180, 180]`.
+    pub decimal: f64,
+}
+
+impl Bearing {
+    /// Prose: `= 45°`, `= $-\arctan\tfrac{1}{3}$ ≈ −18.4349°`, `≈ 12.3456°`.
+    pub fn prose(&self) -> String {
+        let decimals = format!("≈ {}°", decimal(self.decimal));
+        match &self.exact {
+            None => decimals,
+            Some(Direction::Turn(turn)) => {
+                let text = degrees(&signed_degrees(turn));
+                if text.starts_with('≈') { text } else { format!("= {text}") }
+            }
+            Some(Direction::Arctangent { tangent, opposite }) => {
+                let (positive, sign) = match tangent.to_float() < 0.0 {
+                    true => (tangent.scaled(&-BigRational::one()), "-"),
+                    false => (tangent.clone(), ""),
+                };
+                // An arctangent lies within 90° of 0°; the opposite direction is half a turn from it.
+                let half_turn = match (opposite, sign) {
+                    (false, _) => "",
+                    (true, "-") => "180^\\circ",
+                    (true, _) => "-180^\\circ + ",
+                };
+                format!("= ${half_turn}{sign}\\arctan({})$ {decimals}", positive.tex())
+            }
         }
     }
 }
