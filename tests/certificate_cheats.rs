@@ -89,7 +89,7 @@ fn a_certificate_of_the_other_kind_is_refused() {
 
 #[test]
 fn sides_that_are_no_prime_are_refused() {
-    for sides in [0, 1, 4, 561, 9_999_999] {
+    for sides in [0, 1, 4, 561, 99_999] {
         assert_eq!(check(TRIANGLE, &polygons(&[(sides, "1@0")])), Err(Refusal::SidesNotPrime(sides)));
     }
     assert_eq!(check("1@0", &polygons(&[(1, "1@0")])), Err(Refusal::SidesNotPrime(1)));
@@ -430,6 +430,15 @@ fn a_dropped_term_is_refused() {
 fn a_dropped_cylinder_is_refused() {
     let dropped = fault(|document| document.cylinders.truncate(1));
     assert_eq!(dropped, [FIRST, "2 terms for 1 cylinders"]);
+}
+
+#[test]
+fn a_verdict_that_is_listed_twice_is_refused() {
+    let twice = fault(|document| {
+        let again = document.verdicts[FORCE_DIRECT].clone();
+        document.verdicts.push(again);
+    });
+    assert_eq!(twice[1], "this verdict is in the list twice");
 }
 
 #[test]

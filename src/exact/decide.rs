@@ -100,8 +100,8 @@ fn squarefree_vanishes<E: Exponent, W: Weight>(terms: &[(E, W)], primes: &[u32],
         return every_class_vanishes(terms, &prime, smaller, &rest);
     }
     if smaller.is_empty() {
-        // Over one prime, 1 + ζ + … + ζ^{p−1} = 0 is the only relation.
-        return terms.len() == count && terms.iter().all(|(_, weight)| *weight == terms[0].1);
+        // Over one prime, 1 + ζ + … + ζ^{p−1} = 0 is the only relation, and all corners are here.
+        return terms.iter().all(|(_, weight)| *weight == terms[0].1);
     }
     let sorted = by_class(terms, &prime);
     if sorted.chunk_by(same_class).count() < count {

@@ -12,7 +12,7 @@ use super::certificate::{Certificate, Polygon, Residue, Step};
 use super::document::Vector;
 
 /// More corners than this in one certificate are not expanded.
-const MOST_CORNERS: u64 = 10_000_000;
+const MOST_CORNERS: u64 = 100_000;
 /// The order of a root is checked by the prime divisors of the conductor, found by trial division.
 const LARGEST_CONDUCTOR: u64 = 1_000_000_000_000;
 

@@ -1,5 +1,6 @@
 //! What does `classify --json` say, and does all of it hold together?
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use num_bigint::BigInt;
@@ -168,6 +169,10 @@ pub fn check_document(document: &Document) -> Result<usize, Fault> {
         check_verdict(document, verdict).map_err(|reason| Fault { place: verdict_place(index, verdict), reason })?;
         checked += 1;
     }
+    if let Some((index, verdict)) = repeated(&document.verdicts) {
+        let reason = "this verdict is in the list twice".into();
+        return Err(Fault { place: verdict_place(index, verdict), reason });
+    }
     for (index, claim) in document.shapes.iter().enumerate() {
         let place = || format!("shapes[{index}] ({}, order {})", claim.quantity.name(), claim.order);
         check_shape(document, claim).map_err(|reason| Fault { place: place(), reason })?;
@@ -195,6 +200,13 @@ impl Sense {
             Sense::Reverse => "reverse",
         }
     }
+}
+
+/// The first verdict about what an earlier one is about.
+fn repeated(verdicts: &[VerdictClaim]) -> Option<(usize, &VerdictClaim)> {
+    let mut seen = BTreeSet::new();
+    let subject = |verdict: &VerdictClaim| (verdict.quantity, verdict.order, verdict.sense);
+    verdicts.iter().enumerate().find(|(_, verdict)| !seen.insert(subject(verdict)))
 }
 
 fn verdict_place(index: usize, verdict: &VerdictClaim) -> String {

@@ -101,6 +101,8 @@ fn polygon_sentence(layout: &Layout, star: &Star, polygon: &Polygon) -> String {
     let shape = typeset::polygon_name(polygon.sides);
     let whole = corners.iter().all(|ray| ray.total() == polygon.weight);
     if whole && polygon.weight.is_one() && corners.iter().all(|ray| ray.members.len() == 1) {
+        let mut corners = corners;
+        corners.sort_by_key(|ray| ray.members[0].0);
         let names: Vec<String> = corners.iter().map(|ray| ray.names(layout)).collect();
         return format!("Vectors {} are {}, so they sum to zero.", listed(&names), corners_of(polygon.sides, &shape));
     }
@@ -164,7 +166,8 @@ fn written_sum(collected: &[Term], claim: &Residue) -> String {
             (false, 0) => "",
             (false, _) => "+",
         };
-        format!("{sign}{}\\cdot {}^{{{exponent}}}", weight.abs(), claim.root)
+        let factor = if weight.abs().is_one() { String::new() } else { format!("{}\\cdot ", weight.abs()) };
+        format!("{sign}{factor}{}^{{{exponent}}}", claim.root)
     };
     collected.iter().enumerate().map(term).collect()
 }

@@ -92,12 +92,12 @@ pub(super) fn sentence(balance: &Balance) -> String {
         ),
         Shape::Planar => format!(
             "What is left is **planar**: both vectors are equally long ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 = 0$, proved), so \
-             ${symbol}_{{{k}}}$ swings along the line at {} with the largest value {largest}.",
+             ${symbol}_{{{k}}}$ swings along the line of angle {}; its largest value {largest}.",
             line_direction(balance)
         ),
         Shape::Elliptical => format!(
             "What is left is **elliptical**: the vectors differ in length ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 \\ne 0$, proved); the \
-             largest value is {largest}, along the line at {}.",
+             largest value {largest}, along the line of angle {}.",
             line_direction(balance)
         ),
     }

@@ -173,7 +173,7 @@ impl Paragraph {
         let lead = match verdict.vanishes() {
             true => format!("**{}:** ${symbol} = 0$.", capital(name)),
             false => format!(
-                "**{}:** ${symbol} \\ne 0$, length {}, at angle {}.",
+                "**{}:** ${symbol} \\ne 0$, length {}, angle {}.",
                 capital(name),
                 left::modulus(verdict).prose(),
                 left::bearing(&verdict.sum).prose()

@@ -133,7 +133,7 @@ fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String
         cells.extend(vec![String::new(); blank]);
         cells.extend(balance.verdicts().map(|verdict| match verdict.vanishes() {
             true => "**0**".to_owned(),
-            false => format!("{} at {}", left::modulus(verdict).prose(), left::bearing(&verdict.sum).prose()),
+            false => format!("{}, angle {}", left::modulus(verdict).prose(), left::bearing(&verdict.sum).prose()),
         }));
         rows.push(cells);
     }
