@@ -85,3 +85,11 @@ fn f_scattered_over_denominator(bencher: Bencher, denominator: u64) {
     assert!(!vanishes(&denominator, &terms));
     bencher.bench_local(|| vanishes(black_box(&denominator), black_box(&terms)));
 }
+
+/// The two squares over 360 by the oracle: dense reduction grows with the conductor, and needs its polynomial.
+#[divan::bench]
+fn g_oracle_two_squares_over_360(bencher: Bencher) {
+    let terms: Vec<(u64, i64)> = (0..4).flat_map(|j| [(90 * j, 3), (90 * j + 1, 5)]).collect();
+    let cyclotomic = oracle::cyclotomic(360);
+    bencher.bench_local(|| oracle::vanishes(black_box(360), &cyclotomic, black_box(&terms)));
+}
