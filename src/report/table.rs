@@ -8,7 +8,7 @@ use super::left;
 use super::typeset;
 use crate::layout::{Cylinder, Layout, LengthUnit};
 use crate::proof::Sense;
-use crate::verdict::OrderBalance;
+use crate::verdict::{OrderBalance, Verdict};
 
 /// A table: every row has as many cells as the header.
 #[derive(Clone, Debug, Serialize)]
@@ -32,9 +32,19 @@ impl Table {
     }
 }
 
+/// Letters of a cell as it is set: bold marks, braces and dollars are not, a TeX command is about one letter.
+fn letters(cell: &str) -> usize {
+    let mut count = 0;
+    let mut in_command = false;
+    for letter in cell.chars() {
+        in_command = letter == '\\' || in_command && letter.is_ascii_alphabetic();
+        count += usize::from(letter == '\\' || !in_command && !"{}$*".contains(letter));
+    }
+    count
+}
+
 /// Letters that the widest cells of all columns take beside each other, with the space between columns.
 fn width(header: &[&str], rows: &[Vec<String>]) -> usize {
-    let letters = |cell: &str| cell.replace("**", "").chars().count();
     let widest = |column: usize| rows.iter().map(|row| letters(&row[column])).chain([letters(header[column])]).max();
     (0..header.len()).filter_map(widest).map(|width| width + 3).sum()
 }
@@ -129,15 +139,24 @@ fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String
     let mut rows: Vec<Vec<String>> = layout.cylinders.iter().map(row).collect();
     let blank = header.len() - 3;
     for (name, balance) in [("Σ force", &order.force), ("Σ moment", &order.moment)] {
-        let mut cells = vec![format!("**{name}**")];
-        cells.extend(vec![String::new(); blank]);
-        cells.extend(balance.verdicts().map(|verdict| match verdict.vanishes() {
-            true => "**0**".to_owned(),
-            false => format!("{}, angle {}", left::modulus(verdict).prose(), left::bearing(&verdict.sum).prose()),
-        }));
-        rows.push(cells);
+        let mut add = |name: &str, cell: fn(&Verdict) -> String| {
+            let cells = balance.verdicts().map(cell);
+            rows.push([name.to_owned()].into_iter().chain(vec![String::new(); blank]).chain(cells).collect());
+        };
+        add(&format!("**{name}**"), length_cell);
+        if !balance.is_balanced() {
+            add("angle", angle_cell);
+        }
     }
     (header, rows)
+}
+
+fn length_cell(verdict: &Verdict) -> String {
+    if verdict.vanishes() { "**0**".to_owned() } else { left::modulus(verdict).prose() }
+}
+
+fn angle_cell(verdict: &Verdict) -> String {
+    if verdict.vanishes() { String::new() } else { left::bearing(&verdict.sum).prose() }
 }
 
 /// `2β − α`, `−2β + 3α`; without the bank where all banks are at 0.
