@@ -4,17 +4,18 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::engine::{Cylinder, Form, Layout, LengthUnit};
 use super::error::LayoutError;
+use super::family::{DELTA, Family, PHI, SymbolicCylinder};
 use super::firing::{self, Cycle, Firing};
 use super::forms::{self, Expanded, MOST_CYLINDERS};
+use super::linear::Linear;
 use super::units;
 use super::written::{Table, Text, place, read};
-use crate::exact::Turn;
 
 /// The highest order that is answered.
 pub(crate) const HIGHEST_ORDER: u32 = 1000;
@@ -31,6 +32,7 @@ struct File {
     cycle: Option<Text>,
     firing_order: Option<Spanned<firing::Order>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
+    values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
     vee: Option<Spanned<Table<forms::Vee>>>,
@@ -50,7 +52,16 @@ struct CylinderTable {
     reciprocating_mass: Option<Text>,
 }
 
-/// Reads a layout file.
+/// What a layout file describes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// One engine, and the family that it is a member of where the file gives values to symbols.
+    Known(Box<Layout>, Option<Box<Family>>),
+    /// A family: some angle or position is left open.
+    Open(Box<Family>),
+}
+
+/// Reads a layout file without unknowns.
 ///
 /// `name` is the path that messages show, and the title where the file has none.
 ///
@@ -61,30 +72,89 @@ struct CylinderTable {
 /// ```
 ///
 /// # Errors
-/// The first mistake, with its place and what would be right.
+/// The first mistake, with its place and what would be right; an unknown without a value is one.
 pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
-    read::<File>(source).and_then(|file| layout(name, file)).map_err(|error| error.in_file(name, source))
+    match parse_engine(name, source)? {
+        Engine::Known(layout, _) => Ok(*layout),
+        Engine::Open(family) => {
+            let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
+            let message = format!("the layout leaves {} open", unknowns.join(", "));
+            Err(LayoutError::new(message, "give them values below [values]", None).in_file(name, source))
+        }
+    }
 }
 
-fn layout(name: &str, file: File) -> Result<Layout, LayoutError> {
+/// Reads a layout file that may leave angles (`phi`, `delta`) and lengths (`a`, `b`, …) open.
+///
+/// # Errors
+/// The first mistake, with its place and what would be right.
+pub fn parse_engine(name: &str, source: &str) -> Result<Engine, LayoutError> {
+    read::<File>(source).and_then(|file| engine(name, file)).map_err(|error| error.in_file(name, source))
+}
+
+fn engine(name: &str, file: File) -> Result<Engine, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let expanded = expand(&file, cycle)?;
     let mut length_unit = expanded.length_unit;
-    let reference_plane = match &file.reference_plane {
-        Some(text) => forms::length(text, &mut length_unit)?,
-        None => middle(&expanded.cylinders),
-    };
-    Ok(Layout {
+    let values = values(&file.values, &mut length_unit)?;
+    let given_plane = file.reference_plane.as_ref().map(|text| forms::length(text, &mut length_unit)).transpose()?;
+    let family = Family {
         title: file.title.as_ref().map_or_else(|| name.to_owned(), |title| title.get_ref().0.clone()),
-        source: file.source.map(|source| source.into_inner().0),
+        source: file.source.as_ref().map(|source| source.get_ref().0.clone()),
         form: expanded.form,
-        firing: firing(&file.firing_order, &file.firing_angles, cycle, &expanded.cylinders)?,
-        reference_plane,
-        reference_plane_given: file.reference_plane.is_some(),
+        reference_plane: given_plane.clone().unwrap_or_else(|| middle(&expanded.cylinders)),
         length_unit,
         orders: file.orders.as_ref().map_or(Ok(USUAL_ORDERS.to_vec()), orders)?,
         cylinders: expanded.cylinders,
-    })
+        cycle,
+    };
+    check_values(&file.values, &family)?;
+    let Some(mut layout) = family.with(&values).only() else {
+        return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
+            None => Ok(Engine::Open(Box::new(family.with(&values)))),
+            span => Err(LayoutError::new(
+                "when the cylinders fire cannot be judged while an angle or position is open",
+                "leave it out: the angles that fire evenly are found from the cycle",
+                span,
+            )),
+        };
+    };
+    layout.firing = firing(&file.firing_order, &file.firing_angles, cycle, &layout.cylinders)?;
+    layout.reference_plane_given = given_plane.is_some();
+    let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
+    Ok(Engine::Known(Box::new(layout), symbolic))
+}
+
+/// The values that the file gives to its unknowns.
+fn values(
+    table: &Option<BTreeMap<String, Text>>,
+    unit: &mut LengthUnit,
+) -> Result<BTreeMap<String, BigRational>, LayoutError> {
+    let value = |(name, text): (&String, &Text)| {
+        let value = if name == PHI || name == DELTA {
+            forms::known_angle(text)?
+        } else {
+            let length = forms::length(text, unit)?;
+            let known = length.as_known().cloned();
+            known.ok_or_else(|| forms::misread("value", &text.get_ref().0, "a known length".to_owned(), text))?
+        };
+        Ok((name.clone(), value))
+    };
+    table.iter().flatten().map(value).collect()
+}
+
+/// A value for what does not occur is a mistake, in the name most likely.
+fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Family) -> Result<(), LayoutError> {
+    let unknowns = family.unknowns();
+    match table.iter().flatten().find(|(name, _)| !unknowns.contains(name.as_str())) {
+        None => Ok(()),
+        Some((name, text)) => {
+            let known: Vec<&str> = unknowns.into_iter().collect();
+            let right =
+                if known.is_empty() { "it has no unknown".to_owned() } else { format!("it has {}", known.join(", ")) };
+            Err(LayoutError::new(format!("the layout has no unknown `{name}`"), right, place(text)))
+        }
+    }
 }
 
 /// The one form that the file uses, as cylinders.
@@ -117,10 +187,10 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     let mut length_unit = LengthUnit::Spacing;
     let cylinders = tables.iter().enumerate().map(|(index, table)| {
         let table = &table.get_ref().0;
-        Ok(Cylinder {
+        Ok(SymbolicCylinder {
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
-            throw: Turn::new(forms::angle(&table.throw)?),
-            bank: Turn::new(forms::angle(&table.bank)?),
+            throw: forms::angle(&table.throw)?,
+            bank: forms::angle(&table.bank)?,
             position: forms::length(&table.position, &mut length_unit)?,
             reciprocating_mass: table
                 .reciprocating_mass
@@ -152,7 +222,7 @@ fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
     }
 }
 
-fn check_names(cylinders: &[Cylinder], tables: &[Spanned<Table<CylinderTable>>]) -> Result<(), LayoutError> {
+fn check_names(cylinders: &[SymbolicCylinder], tables: &[Spanned<Table<CylinderTable>>]) -> Result<(), LayoutError> {
     let mut seen = BTreeMap::new();
     for (index, cylinder) in cylinders.iter().enumerate() {
         if let Some(first) = seen.insert(&cylinder.name, index) {
@@ -163,11 +233,14 @@ fn check_names(cylinders: &[Cylinder], tables: &[Spanned<Table<CylinderTable>>])
     Ok(())
 }
 
-/// The middle between the outermost cylinders.
-fn middle(cylinders: &[Cylinder]) -> BigRational {
+/// The middle between the outermost cylinders; where positions are open, between the first and the last of the file.
+fn middle(cylinders: &[SymbolicCylinder]) -> Linear {
     let positions = || cylinders.iter().map(|cylinder| &cylinder.position);
-    let ends = positions().min().zip(positions().max());
-    ends.map_or_else(BigRational::zero, |(low, high)| (low + high) / BigRational::from_integer(2.into()))
+    let all_known = positions().all(|position| position.as_known().is_some());
+    let ends =
+        if all_known { positions().min().zip(positions().max()) } else { positions().next().zip(positions().last()) };
+    let half = BigRational::new(1.into(), 2.into());
+    ends.map_or_else(Linear::default, |(first, last)| first.plus(last).scaled(&half))
 }
 
 fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
@@ -223,7 +296,7 @@ fn firing(
                 .map_err(|(message, right)| LayoutError::new(message, right, place(order)))
         }
         (None, Some(list)) => {
-            let angles = list.get_ref().iter().map(forms::angle).collect::<Result<Vec<_>, _>>()?;
+            let angles = list.get_ref().iter().map(forms::known_angle).collect::<Result<Vec<_>, _>>()?;
             Firing::from_angles(&angles, cycle, cylinders)
                 .map(Some)
                 .map_err(|(message, right)| LayoutError::new(message, right, place(list)))

@@ -5,16 +5,17 @@
 use std::ops::Range;
 
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::engine::{Cylinder, Form, LengthUnit};
+use super::engine::{Form, LengthUnit};
 use super::error::LayoutError;
+use super::family::{DELTA, PHI, SymbolicCylinder};
 use super::firing::{self, Cycle};
+use super::linear::Linear;
 use super::units;
 use super::written::{Text, place};
-use crate::exact::Turn;
 
 /// More cylinders than this are refused by name.
 pub(super) const MOST_CYLINDERS: usize = 2000;
@@ -22,7 +23,7 @@ pub(super) const MOST_CYLINDERS: usize = 2000;
 /// What every form comes to.
 pub(super) struct Expanded {
     pub form: Form,
-    pub cylinders: Vec<Cylinder>,
+    pub cylinders: Vec<SymbolicCylinder>,
     pub length_unit: LengthUnit,
 }
 
@@ -99,13 +100,13 @@ pub(super) struct Radial {
 
 /// One bank of a fan: axis, pin split, axial offset.
 struct Bank {
-    angle: Turn,
-    split: Turn,
-    offset: BigRational,
+    angle: Linear,
+    split: Linear,
+    offset: Linear,
 }
 
 /// The pins along the crankshaft: throw and position.
-struct Pins(Vec<(Turn, BigRational)>);
+struct Pins(Vec<(Linear, Linear)>);
 
 impl Inline {
     pub fn expand(
@@ -117,7 +118,10 @@ impl Inline {
         let mut unit = LengthUnit::Spacing;
         let (throws, place) = match (&self.throws, order, cycle) {
             (Some(list), _, _) => (angles(list)?, list.span()),
-            (None, Some(order), Some(cycle)) => (order.get_ref().even_throws(cycle, place(order))?, order.span()),
+            (None, Some(order), Some(cycle)) => {
+                let throws = order.get_ref().even_throws(cycle, place(order))?;
+                (throws.iter().map(|throw| Linear::constant(throw.turns().clone())).collect(), order.span())
+            }
             (None, _, _) => {
                 return Err(LayoutError::new(
                     "the crank throws are missing",
@@ -126,8 +130,8 @@ impl Inline {
                 ));
             }
         };
-        let pins = pins(throws, place, &self.spacing, &self.positions, one(), &mut unit)?;
-        let bank = Bank { angle: Turn::zero(), split: Turn::zero(), offset: BigRational::zero() };
+        let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
+        let bank = Bank { angle: Linear::default(), split: Linear::default(), offset: Linear::default() };
         fan(Form::Inline, &[bank], &pins, None, unit)
     }
 }
@@ -136,14 +140,14 @@ impl Vee {
     pub fn expand(&self) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let angle = angle(&self.bank_angle)?;
-        if angle.is_negative() || angle >= one() {
+        if angle.as_known().is_some_and(|angle| angle.is_negative() || *angle >= one()) {
             let right = "the angle between the banks, from 0 up to 360 degrees".to_owned();
             return Err(misread("bank angle", &self.bank_angle.get_ref().0, right, &self.bank_angle));
         }
         let split = optional_angle(&self.pin_split)?;
-        let offset = optional_length(&self.bank_offset, BigRational::zero(), &mut unit)?;
+        let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
         let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
         fan(Form::Vee, &two_banks(&angle, split, &offset), &pins, self.numbering.as_ref(), unit)
     }
 }
@@ -151,10 +155,16 @@ impl Vee {
 impl Flat {
     pub fn expand(&self) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
-        let offset = optional_length(&self.bank_offset, BigRational::zero(), &mut unit)?;
+        let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
         let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
-        fan(Form::Flat, &two_banks(&half(), Turn::zero(), &offset), &pins, self.numbering.as_ref(), unit)
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
+        fan(
+            Form::Flat,
+            &two_banks(&Linear::constant(half()), Linear::default(), &offset),
+            &pins,
+            self.numbering.as_ref(),
+            unit,
+        )
     }
 }
 
@@ -162,10 +172,10 @@ impl Boxer {
     pub fn expand(&self) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let stagger = length(&self.stagger, &mut unit)?;
-        let between_pairs = &stagger * BigRational::from_integer(2.into());
+        let between_pairs = stagger.scaled(&integer(2));
         let throws = angles(&self.throws)?;
         let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, between_pairs, &mut unit)?;
-        let banks = two_banks(&half(), Turn::fraction(1, 2), &stagger);
+        let banks = two_banks(&Linear::constant(half()), Linear::constant(half()), &stagger);
         fan(Form::Boxer, &banks, &pins, self.numbering.as_ref(), unit)
     }
 }
@@ -176,11 +186,11 @@ impl Fan {
         let axes = angles(&self.banks)?;
         let splits = match &self.pin_splits {
             Some(list) => angles(list)?,
-            None => vec![Turn::zero(); axes.len()],
+            None => vec![Linear::default(); axes.len()],
         };
         let offsets = match &self.bank_offsets {
             Some(list) => lengths(list, &mut unit)?,
-            None => vec![BigRational::zero(); axes.len()],
+            None => vec![Linear::default(); axes.len()],
         };
         for (count, list) in [(splits.len(), &self.pin_splits), (offsets.len(), &self.bank_offsets)] {
             if count != axes.len() {
@@ -196,7 +206,7 @@ impl Fan {
             return Err(LayoutError::new("a fan without banks", "the angles of its banks", place(&self.banks)));
         }
         let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, one(), &mut unit)?;
+        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
         let banks = axes.into_iter().zip(splits).zip(offsets);
         let banks: Vec<Bank> = banks.map(|((angle, split), offset)| Bank { angle, split, offset }).collect();
         fan(Form::Fan, &banks, &pins, self.numbering.as_ref(), unit)
@@ -218,19 +228,19 @@ impl Radial {
         };
         let (rotation, throw) = match (&self.row_rotation, &self.row_throw) {
             (Some(rotation), Some(throw)) => (angle(rotation)?, angle(throw)?),
-            (None, None) if rows == 1 => (BigRational::zero(), BigRational::zero()),
+            (None, None) if rows == 1 => (Linear::default(), Linear::default()),
             (None, _) => return Err(missing("row_rotation")),
             (_, None) => return Err(missing("row_throw")),
         };
-        let spacing = optional_length(&self.row_spacing, one(), &mut unit)?;
+        let spacing = optional_length(&self.row_spacing, unit_length(), &mut unit)?;
         let cylinders = (0..rows).flat_map(|row| {
-            let (rotation, throw, spacing) =
-                (Turn::new(&rotation * integer(row)), Turn::new(&throw * integer(row)), &spacing);
-            (0..count).map(move |i| Cylinder {
+            let (rotation, throw) = (rotation.scaled(&integer(row)), throw.scaled(&integer(row)));
+            let position = spacing.scaled(&BigRational::new((rows - 1 - 2 * row).into(), 2.into()));
+            (0..count).map(move |i| SymbolicCylinder {
                 name: (row * count + i + 1).to_string(),
                 throw: throw.clone(),
-                bank: &Turn::fraction(i, count) + &rotation,
-                position: BigRational::new((rows - 1 - 2 * row).into(), 2.into()) * spacing,
+                bank: Linear::constant(BigRational::new(i.into(), count.into())).plus(&rotation),
+                position: position.clone(),
                 reciprocating_mass: one(),
             })
         });
@@ -239,10 +249,11 @@ impl Radial {
 }
 
 /// Two banks φ apart about the bisector; the first stands half the offset towards the free end.
-fn two_banks(bank_angle: &BigRational, split: Turn, offset: &BigRational) -> [Bank; 2] {
+fn two_banks(bank_angle: &Linear, split: Linear, offset: &Linear) -> [Bank; 2] {
+    let minus_half = -half();
     [
-        Bank { angle: Turn::new(-bank_angle * half()), split: Turn::zero(), offset: offset * half() },
-        Bank { angle: Turn::new(bank_angle * half()), split, offset: -offset * half() },
+        Bank { angle: bank_angle.scaled(&minus_half), split: Linear::default(), offset: offset.scaled(&half()) },
+        Bank { angle: bank_angle.scaled(&half()), split, offset: offset.scaled(&minus_half) },
     ]
 }
 
@@ -257,7 +268,7 @@ fn fan(
         let message = format!("{} cylinders", banks.len() * pins.0.len());
         return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
     }
-    let pairs: Vec<(&Bank, &(Turn, BigRational))> = match numbering.map(|text| text.get_ref().0.as_str()) {
+    let pairs: Vec<(&Bank, &(Linear, Linear))> = match numbering.map(|text| text.get_ref().0.as_str()) {
         None | Some("by-bank") => banks.iter().flat_map(|bank| pins.0.iter().map(move |pin| (bank, pin))).collect(),
         Some("by-pin") => pins.0.iter().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
         Some(other) => {
@@ -266,11 +277,11 @@ fn fan(
             return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
         }
     };
-    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (throw, position)))| Cylinder {
+    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (throw, position)))| SymbolicCylinder {
         name: (index + 1).to_string(),
-        throw: throw + &bank.split,
+        throw: throw.plus(&bank.split),
         bank: bank.angle.clone(),
-        position: position + &bank.offset,
+        position: position.plus(&bank.offset),
         reciprocating_mass: one(),
     });
     Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit })
@@ -278,11 +289,11 @@ fn fan(
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.
 fn pins(
-    throws: Vec<Turn>,
+    throws: Vec<Linear>,
     throws_place: Range<usize>,
     spacing: &Option<Text>,
     positions: &Option<List>,
-    usual_spacing: BigRational,
+    usual_spacing: Linear,
     unit: &mut LengthUnit,
 ) -> Result<Pins, LayoutError> {
     if throws.is_empty() || throws.len() > MOST_CYLINDERS {
@@ -302,26 +313,45 @@ fn pins(
         (spacing, None) => {
             let spacing = optional_length(spacing, usual_spacing, unit)?;
             let last = throws.len() as i64 - 1;
-            (0..=last).map(|i| BigRational::new((last - 2 * i).into(), 2.into()) * &spacing).collect()
+            (0..=last).map(|i| spacing.scaled(&BigRational::new((last - 2 * i).into(), 2.into()))).collect()
         }
     };
     Ok(Pins(throws.into_iter().zip(positions).collect()))
 }
 
-/// An angle in turns, not yet modulo 1.
-pub(super) fn angle(text: &Text) -> Result<BigRational, LayoutError> {
+/// An angle in turns, not yet modulo 1; `phi` and `delta` may stand in it.
+pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
+    let written = text.get_ref().0.replace('φ', PHI).replace('δ', DELTA);
+    Linear::parse(&written, units::angle, |name| name == PHI || name == DELTA)
+        .map_err(|right| misread("angle", &written, right, text))
+}
+
+/// An angle without unknowns, in turns.
+pub(super) fn known_angle(text: &Text) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
     units::angle(written).map_err(|right| misread("angle", written, right, text))
 }
 
-/// A length; a unit behind it makes the layout metric.
-pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<BigRational, LayoutError> {
+/// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may stand in it.
+pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
     let written = &text.get_ref().0;
-    let length = units::length(written).map_err(|right| misread("length", written, right, text))?;
-    if length.has_unit {
+    let has_unit = std::cell::Cell::new(false);
+    let known = |text: &str| {
+        let length = units::length(text)?;
+        has_unit.set(has_unit.get() || length.has_unit);
+        Ok(length.value)
+    };
+    let length =
+        Linear::parse(written, known, is_length_symbol).map_err(|right| misread("length", written, right, text))?;
+    if has_unit.get() {
         *unit = LengthUnit::Metre;
     }
-    Ok(length.value)
+    Ok(length)
+}
+
+/// One lower-case letter, but not the metre.
+pub(super) fn is_length_symbol(name: &str) -> bool {
+    name.len() == 1 && name != "m" && name.bytes().all(|letter| letter.is_ascii_lowercase())
 }
 
 /// A value that cannot be taken as written.
@@ -331,19 +361,19 @@ pub(super) fn misread(what: &str, written: &str, right: String, text: &Text) -> 
     LayoutError::new(format!("cannot read the {what} `{shown}{dots}`"), right, place(text))
 }
 
-fn angles(list: &List) -> Result<Vec<Turn>, LayoutError> {
-    list.get_ref().iter().map(|text| angle(text).map(Turn::new)).collect()
+fn angles(list: &List) -> Result<Vec<Linear>, LayoutError> {
+    list.get_ref().iter().map(angle).collect()
 }
 
-fn lengths(list: &List, unit: &mut LengthUnit) -> Result<Vec<BigRational>, LayoutError> {
+fn lengths(list: &List, unit: &mut LengthUnit) -> Result<Vec<Linear>, LayoutError> {
     list.get_ref().iter().map(|text| length(text, unit)).collect()
 }
 
-fn optional_angle(text: &Option<Text>) -> Result<Turn, LayoutError> {
-    text.as_ref().map_or(Ok(Turn::zero()), |text| angle(text).map(Turn::new))
+fn optional_angle(text: &Option<Text>) -> Result<Linear, LayoutError> {
+    text.as_ref().map_or(Ok(Linear::default()), angle)
 }
 
-fn optional_length(text: &Option<Text>, usual: BigRational, unit: &mut LengthUnit) -> Result<BigRational, LayoutError> {
+fn optional_length(text: &Option<Text>, usual: Linear, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
     text.as_ref().map_or(Ok(usual), |text| length(text, unit))
 }
 
@@ -353,6 +383,10 @@ fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
         Ok(count) if (1..=MOST_CYLINDERS as i64).contains(&count) => Ok(count),
         _ => Err(misread(what, written, format!("a whole number from 1 to {MOST_CYLINDERS}"), text)),
     }
+}
+
+fn unit_length() -> Linear {
+    Linear::constant(one())
 }
 
 fn one() -> BigRational {
