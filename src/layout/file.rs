@@ -237,8 +237,11 @@ fn check_names(cylinders: &[SymbolicCylinder], tables: &[Spanned<Table<CylinderT
 fn middle(cylinders: &[SymbolicCylinder]) -> Linear {
     let positions = || cylinders.iter().map(|cylinder| &cylinder.position);
     let all_known = positions().all(|position| position.as_known().is_some());
-    let ends =
-        if all_known { positions().min().zip(positions().max()) } else { positions().next().zip(positions().last()) };
+    let ends = if all_known {
+        positions().min().zip(positions().max())
+    } else {
+        positions().next().zip(positions().next_back())
+    };
     let half = BigRational::new(1.into(), 2.into());
     ends.map_or_else(Linear::default, |(first, last)| first.plus(last).scaled(&half))
 }

@@ -349,9 +349,9 @@ pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, Layou
     Ok(length)
 }
 
-/// One lower-case letter, but not the metre.
-pub(super) fn is_length_symbol(name: &str) -> bool {
-    name.len() == 1 && name != "m" && name.bytes().all(|letter| letter.is_ascii_lowercase())
+/// One lower-case letter, but not that of the metre or the gram.
+fn is_length_symbol(name: &str) -> bool {
+    !matches!(name, "m" | "g") && name.len() == 1 && name.bytes().all(|letter| letter.is_ascii_lowercase())
 }
 
 /// A value that cannot be taken as written.
