@@ -1,5 +1,7 @@
 //! `classify`: does force or moment vanish, order by order?
 
+use crankstar::family;
+use crankstar::layout::{Engine, Family};
 use crankstar::report;
 use crankstar::verdict;
 
@@ -22,7 +24,11 @@ pub struct Classify {
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
-        let (layout, orders) = self.subject.read()?;
+        let (engine, orders) = self.subject.read()?;
+        let layout = match engine {
+            Engine::Known(layout, _) => layout,
+            Engine::Open(family) => return self.run_open(&family, &orders),
+        };
         let balances = verdict::classify(&layout, &orders, self.torque);
         if !self.json {
             return write::to_stdout(&terminal::summary(&layout, &balances));
@@ -30,5 +36,13 @@ impl Classify {
         let document = report::document(&layout, &balances);
         let json = serde_json::to_string_pretty(&document).map_err(Failure::new)?;
         write::to_stdout(&format!("{json}\n"))
+    }
+
+    fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
+        if self.json || self.torque {
+            let message = "--json and --torque need an engine without unknowns; give them values below [values]";
+            return Err(Failure::new(message));
+        }
+        write::to_stdout(&terminal::open_summary(family, &family::classify(family, orders)))
     }
 }

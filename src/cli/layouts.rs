@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crankstar::layout::{self, Layout};
+use crankstar::layout::{self, Engine};
 
 use super::failure::Failure;
 
@@ -10,9 +10,9 @@ use super::failure::Failure;
 const LARGEST_FILE: u64 = 4 << 20;
 
 /// Reads the engine of this name or path.
-pub fn read(layout: &str) -> Result<Layout, Failure> {
+pub fn read(layout: &str) -> Result<Engine, Failure> {
     if let Some(entry) = layout::find(layout) {
-        return Ok(entry.layout()?);
+        return Ok(layout::parse_engine(entry.name, entry.text)?);
     }
     let path = Path::new(layout);
     let metadata = path.metadata().map_err(|error| not_found(layout, &error))?;
@@ -27,7 +27,7 @@ pub fn read(layout: &str) -> Result<Layout, Failure> {
         let place = error.utf8_error().valid_up_to();
         Failure::new(format!("`{layout}` is not a text: byte {place} is not UTF-8; a layout file is a TOML text"))
     })?;
-    Ok(layout::parse(layout, &text)?)
+    Ok(layout::parse_engine(layout, &text)?)
 }
 
 fn not_found(layout: &str, error: &std::io::Error) -> Failure {

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 
+use crankstar::layout::Engine;
 use failure::Failure;
 
 /// Decides exactly how a reciprocating engine balances, and writes the proof.
@@ -71,12 +72,16 @@ struct Subject {
 
 impl Subject {
     /// The engine, and the orders to judge, rising, each once.
-    fn read(&self) -> Result<(crankstar::layout::Layout, Vec<u32>), Failure> {
-        let layout = layouts::read(&self.layout)?;
-        let mut orders = if self.orders.is_empty() { layout.orders.clone() } else { self.orders.clone() };
+    fn read(&self) -> Result<(Engine, Vec<u32>), Failure> {
+        let engine = layouts::read(&self.layout)?;
+        let usual = match &engine {
+            Engine::Known(layout, _) => &layout.orders,
+            Engine::Open(family) => &family.orders,
+        };
+        let mut orders = if self.orders.is_empty() { usual.clone() } else { self.orders.clone() };
         orders.sort_unstable();
         orders.dedup();
-        Ok((layout, orders))
+        Ok((engine, orders))
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use crankstar::family;
+use crankstar::layout::Engine;
 use crankstar::report::{self, Dialect};
 use crankstar::verdict;
 
@@ -27,19 +29,29 @@ pub struct Report {
 impl Report {
     /// Writes the report into the folder and the summary to the terminal, or the text alone to the terminal.
     pub fn run(&self) -> Result<(), Failure> {
-        let (layout, orders) = self.subject.read()?;
-        let balances = verdict::classify(&layout, &orders, false);
+        let (engine, orders) = self.subject.read()?;
         let dialect = match (self.format, self.math) {
             (Format::Latex, _) => Dialect::Latex,
             (Format::Markdown, Math::Github) => Dialect::GithubMarkdown,
             (Format::Markdown, Math::Dollars) => Dialect::DollarMarkdown,
         };
-        let Some(folder) = &self.output else {
-            return write::to_stdout(&report::text(&layout, &balances, dialect));
+        let (files, summary) = match &engine {
+            Engine::Known(layout, family) => {
+                let balances = verdict::classify(layout, &orders, false);
+                let open = family.as_ref().map(|family| (family.as_ref(), family::classify(family, &orders)));
+                let open = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
+                (report::report(layout, &balances, open, dialect), terminal::summary(layout, &balances))
+            }
+            Engine::Open(family) => {
+                let verdicts = family::classify(family, &orders);
+                (report::open_report(family, &verdicts, dialect), terminal::open_summary(family, &verdicts))
+            }
         };
-        let files = report::report(&layout, &balances, dialect);
+        let Some(folder) = &self.output else {
+            return write::to_stdout(&files[0].text);
+        };
         write::to_folder(folder, &files)?;
         let written = format!("\nWritten: {}\n", folder.join(&files[0].name).display());
-        write::to_stdout(&format!("{}{written}", terminal::summary(&layout, &balances)))
+        write::to_stdout(&format!("{summary}{written}"))
     }
 }

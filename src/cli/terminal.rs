@@ -2,7 +2,8 @@
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, Table};
-use crankstar::layout::Layout;
+use crankstar::family::{self, OpenOrder};
+use crankstar::layout::{Family, Layout};
 use crankstar::report;
 use crankstar::verdict::OrderBalance;
 
@@ -24,6 +25,24 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
         table.add_row(row);
     }
     format!("{}\n{table}\n{}\n", layout.title, report::LEGEND)
+}
+
+/// The title of a family and a table: for which angles each order vanishes.
+pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    table.set_header(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
+    for order in orders {
+        let cells = order.force.iter().chain(&order.moment);
+        let cells = cells.map(|verdict| verdict_cell(report::open_summary(verdict), verdict.always()));
+        table.add_row([Cell::new(order.order)].into_iter().chain(cells));
+    }
+    let evenly = family::even_firing(family).map(|angles| report::even_firing_words(&angles));
+    let lines = evenly.map(|line| format!("{line}\n")).unwrap_or_default();
+    format!(
+        "{}\n{table}\n0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).\n{lines}",
+        family.title
+    )
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

@@ -140,6 +140,12 @@ fn conductor(sum: &PhasorSum) -> Option<u64> {
     conductor.to_u64().filter(|&n| n <= LARGEST_CONDUCTOR)
 }
 
+/// The mean of all conjugates of a sum: rational, and the sum itself where that is rational; `None` for conductors
+/// above 1000.
+pub fn mean_of_conjugates(sum: &PhasorSum) -> Option<BigRational> {
+    conductor(sum).map(|_| trace(sum))
+}
+
 /// The mean of the conjugates, `Σ w μ(n)/φ(n)` over terms of exact order n: the sum itself where it is rational.
 fn trace(sum: &PhasorSum) -> BigRational {
     let mean = |term: &Term| {

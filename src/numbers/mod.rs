@@ -6,6 +6,6 @@ mod fixed;
 mod form;
 mod written;
 
-pub use closed::{Direction, direction_of, modulus, real};
+pub use closed::{Direction, direction_of, mean_of_conjugates, modulus, real};
 pub use evaluate::{direction, evaluate};
 pub use form::{Form, Root};

@@ -7,7 +7,7 @@ use num_traits::{One, Signed};
 
 use super::star::{Ray, Star};
 use super::typeset;
-use crate::exact::{Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::Layout;
 use crate::proof::{Certificate, Polygon, Quantity, Residue, Step};
 use crate::verdict::{Reason, Verdict, mirror_partners, reason};
@@ -127,7 +127,12 @@ fn listed(items: &[String]) -> String {
 
 /// The numbers of the certificate, as `classify --json` holds them.
 pub(super) fn certificate(verdict: &Verdict) -> String {
-    match &verdict.certificate {
+    certificate_of(&verdict.sum, &verdict.certificate)
+}
+
+/// The numbers of the certificate of any sum.
+pub(super) fn certificate_of(sum: &PhasorSum, certificate: &Certificate) -> String {
+    match certificate {
         Certificate::Polygons { polygons } if polygons.is_empty() => {
             "Certificate: no polygon is needed, the collected sum is empty.".to_owned()
         }
@@ -136,7 +141,7 @@ pub(super) fn certificate(verdict: &Verdict) -> String {
             let list: Vec<String> = polygons.iter().map(one).collect();
             format!("Certificate, polygons as (sides; turn of a corner; weight): {}.", list.join(", "))
         }
-        Certificate::Residue(residue) => residue_sentence(&verdict.sum.collected(), residue),
+        Certificate::Residue(residue) => residue_sentence(&sum.collected(), residue),
         Certificate::Splitting { steps } => splitting_sentence(steps),
     }
 }

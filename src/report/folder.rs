@@ -3,9 +3,11 @@
 use serde::Serialize;
 
 use super::dialect::Dialect;
+use super::open_page::OpenPage;
 use super::page::{Page, figures, intervals};
 use super::{left, render, svg};
-use crate::layout::{Entry, Layout};
+use crate::family::OpenOrder;
+use crate::layout::{Entry, Family, Layout};
 use crate::verdict::OrderBalance;
 
 /// A file to be written: its name inside the folder, and its text.
@@ -19,12 +21,19 @@ pub struct File {
 
 /// The text of a report alone.
 pub fn text(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> String {
-    render::report(&Page::new(layout, orders, dialect), dialect)
+    render::report(&Page::new(layout, orders, None, dialect), dialect)
 }
 
 /// A report with its diagrams: `report.md` with SVG files, or `report.tex`, which holds its own.
-pub fn report(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Vec<File> {
-    let text = text(layout, orders, dialect);
+///
+/// Where the file gives values to symbols, its family adds what holds for all values.
+pub fn report(
+    layout: &Layout,
+    orders: &[OrderBalance],
+    family: Option<(&Family, &[OpenOrder])>,
+    dialect: Dialect,
+) -> Vec<File> {
+    let text = render::report(&Page::new(layout, orders, family, dialect), dialect);
     if dialect == Dialect::Latex {
         return vec![File { name: "report.tex".into(), text }];
     }
@@ -35,6 +44,13 @@ pub fn report(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Vec
             .map(|named| File { text: svg::svg(&named.figure, &named.caption), name: format!("{}.svg", named.name) }),
     );
     files
+}
+
+/// The report of a family: one file, without diagrams, for its angles are open.
+pub fn open_report(family: &Family, orders: &[OpenOrder], dialect: Dialect) -> Vec<File> {
+    let name = if dialect == Dialect::Latex { "report.tex" } else { "report.md" };
+    let text = render::open_report(&OpenPage::new(family, orders, dialect), dialect);
+    vec![File { name: name.into(), text }]
 }
 
 /// What the template of the index places.

@@ -10,10 +10,12 @@ use crate::verdict::{Balance, OrderBalance, Verdict};
 
 /// `|S|` of a verdict.
 pub(super) fn modulus(verdict: &Verdict) -> Amount {
-    match verdict.vanishes() {
-        true => Amount::zero(),
-        false => Amount { exact: numbers::modulus(&verdict.sum), decimal: numbers::evaluate(&verdict.sum).norm() },
-    }
+    if verdict.vanishes() { Amount::zero() } else { modulus_of(&verdict.sum) }
+}
+
+/// `|S|` of a sum that is not zero.
+pub(super) fn modulus_of(sum: &PhasorSum) -> Amount {
+    Amount { exact: numbers::modulus(sum), decimal: numbers::evaluate(sum).norm() }
 }
 
 /// The direction of a sum that is not zero.

@@ -8,6 +8,8 @@ mod document;
 mod figure;
 mod folder;
 mod left;
+mod open_page;
+mod open_words;
 mod page;
 mod render;
 mod star;
@@ -19,5 +21,6 @@ mod views;
 
 pub use dialect::Dialect;
 pub use document::document;
-pub use folder::{File, index, report, text};
+pub use folder::{File, index, open_report, report, text};
 pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
+pub use open_words::{even_firing_words, open_summary};

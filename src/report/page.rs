@@ -4,11 +4,13 @@ use serde::Serialize;
 
 use super::dialect::Dialect;
 use super::figure::Figure;
+use super::open_page::OpenPage;
 use super::star::star_figure;
 use super::table::{self, Table};
 use super::views::{end_view, side_view};
 use super::{argument, left, tikz, typeset};
-use crate::layout::{Cycle, Firing, Layout};
+use crate::family::OpenOrder;
+use crate::layout::{Cycle, Family, Firing, Layout};
 use crate::proof::Sense;
 use crate::verdict::{Balance, OrderBalance, Verdict};
 
@@ -29,6 +31,7 @@ pub struct Page {
     phase_formulas: String,
     bank_remark: Option<String>,
     orders: Vec<Section>,
+    open: Option<OpenPage>,
 }
 
 /// One order.
@@ -93,7 +96,12 @@ pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigu
 
 impl Page {
     /// Sets a report in a dialect.
-    pub fn new(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Self {
+    pub fn new(
+        layout: &Layout,
+        orders: &[OrderBalance],
+        family: Option<(&Family, &[OpenOrder])>,
+        dialect: Dialect,
+    ) -> Self {
         let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
@@ -113,6 +121,7 @@ impl Page {
             phase_formulas: dialect.display(PHASES),
             bank_remark: has_banks.then(|| dialect.prose(BANKS)),
             orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
+            open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
         }
     }
 }
@@ -187,7 +196,7 @@ impl Paragraph {
     }
 }
 
-fn capital(word: &str) -> String {
+pub(super) fn capital(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -256,17 +265,21 @@ fn conventions(layout: &Layout) -> Vec<String> {
     let unit = table::position_unit(layout).replace(['(', ')'], "");
     let why = if layout.reference_plane_given { "as the layout file says" } else { "the middle of the cylinders" };
     vec![
-        "Seen from the free end of the crankshaft (+z towards the reader), angles grow anticlockwise from the reference direction, \
-         drawn upwards; for a V it is the bisector of the banks. The crank turns anticlockwise by θ."
-            .to_owned(),
-        "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.".to_owned(),
-        "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it grow draw the \
-         mirror image: the same verdicts and lengths, directions of the opposite sign.) The pin of the second bank of a V stands at the \
-         throw plus the pin split."
-            .to_owned(),
+        SEEN.to_owned(),
+        CENTRES.to_owned(),
+        FIRES.to_owned(),
         format!("Moments are taken about the plane z = {plane}{unit}, {why}."),
-        "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their cylinder; a radial's \
-         rods all on the crankpin itself. Orders of a centric engine are 1 and the even ones."
-            .to_owned(),
+        ASSUMED.to_owned(),
     ]
 }
+
+pub(super) const SEEN: &str = "Seen from the free end of the crankshaft (+z towards the reader), angles grow anticlockwise from the \
+                               reference direction, drawn upwards; for a V it is the bisector of the banks. The crank turns \
+                               anticlockwise by θ.";
+const CENTRES: &str =
+    "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
+pub(super) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it \
+                                grow draw the mirror image: the same verdicts and lengths, directions of the opposite sign.) The pin of \
+                                the second bank of a V stands at the throw plus the pin split.";
+pub(super) const ASSUMED: &str = "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their \
+                                  cylinder; a radial's rods all on the crankpin itself. Orders of a centric engine are 1 and the even ones.";

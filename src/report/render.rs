@@ -7,6 +7,8 @@ use super::dialect::Dialect;
 
 const MARKDOWN: &str = include_str!("../../templates/report.md");
 const LATEX: &str = include_str!("../../templates/report.tex");
+const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
+const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -17,6 +19,14 @@ pub(super) fn report(page: &impl Serialize, dialect: Dialect) -> String {
     match dialect {
         Dialect::Latex => fill(LATEX, page, true),
         _ => fill(MARKDOWN, page, false),
+    }
+}
+
+/// Fills the template of the report of a family.
+pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
+    match dialect {
+        Dialect::Latex => fill(OPEN_LATEX, page, true),
+        _ => fill(OPEN_MARKDOWN, page, false),
     }
 }
 

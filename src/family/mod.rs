@@ -1,0 +1,159 @@
+//! For which angles and spacings does it vanish? Sums with an open bank angle φ, pin split δ, and open lengths.
+//!
+//! An angle `q + jφ + lδ` puts the factor `e^{i(jφ + lδ)}` before its term, and an arm `Σ c_s s` splits the sum by its
+//! symbols. So every sum is `Σ_s s Σ_{j,l} e^{i(jφ + lδ)} S_{s,j,l}` with phasor sums S without unknowns: it vanishes for
+//! all values of the symbols iff each `Σ_{j,l}` does, and for all angles iff every S does (theory, section 5).
+
+mod firing;
+mod left;
+mod solve;
+
+pub use firing::even_firing;
+pub use left::{Left, left};
+pub use solve::{Angles, Condition, Never, When};
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::{DELTA, Family, Linear, PHI, SymbolicCylinder};
+use crate::proof::{Certificate, Quantity, Sense};
+
+/// The factor `e^{i(phi·φ + delta·δ)}` with the sum behind it.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// How many times φ enters.
+    pub phi: BigRational,
+    /// How many times δ enters.
+    pub delta: BigRational,
+    /// The sum without unknowns.
+    pub sum: PhasorSum,
+    /// Evidence that it is zero, or that it is not.
+    pub certificate: Certificate,
+}
+
+/// The part of a sum that one length multiplies.
+#[derive(Clone, Debug)]
+pub struct OpenSum {
+    /// The open length, or none for the known lengths (and for the force).
+    pub symbol: Option<String>,
+    /// The sums by the multiples of φ and δ that stand before them.
+    pub parts: Vec<Part>,
+    /// When it vanishes.
+    pub when: When,
+}
+
+impl OpenSum {
+    /// The parts that do not vanish.
+    pub fn left(&self) -> impl Iterator<Item = &Part> {
+        self.parts.iter().filter(|part| !part.certificate.claims_zero())
+    }
+}
+
+/// When one quantity, order and sense vanishes, whatever the open lengths are.
+#[derive(Clone, Debug)]
+pub struct OpenVerdict {
+    /// Force or moment.
+    pub quantity: Quantity,
+    /// The order k.
+    pub order: u32,
+    /// Direct or reverse.
+    pub sense: Sense,
+    /// One sum a length; none where no term has a weight.
+    pub sums: Vec<OpenSum>,
+}
+
+impl OpenVerdict {
+    /// Whether it vanishes for all angles and lengths.
+    pub fn always(&self) -> bool {
+        self.sums.iter().all(|sum| matches!(sum.when, When::Always))
+    }
+
+    /// Whether it vanishes for no angle, whatever the lengths are.
+    pub fn never(&self) -> bool {
+        self.sums.iter().any(|sum| matches!(sum.when, When::Never(_)))
+    }
+
+    /// The angles φ in (0°, 360°) at which it vanishes for all lengths; `None` where it always does, where δ enters,
+    /// or where some sum is not solved.
+    pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
+        if self.never() {
+            return Some(BTreeSet::new());
+        }
+        let open = self.sums.iter().filter(|sum| !matches!(sum.when, When::Always));
+        let sets = open.map(|sum| match &sum.when {
+            When::Where(angles) => angles.bank_angles(),
+            _ => None,
+        });
+        let sets = sets.collect::<Option<Vec<BTreeSet<Turn>>>>()?;
+        sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())
+    }
+}
+
+/// The verdicts on one order.
+#[derive(Clone, Debug)]
+pub struct OpenOrder {
+    /// The order k.
+    pub order: u32,
+    /// Force, direct and reverse.
+    pub force: [OpenVerdict; 2],
+    /// Moment, direct and reverse.
+    pub moment: [OpenVerdict; 2],
+}
+
+/// Judges the given orders of a family.
+pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
+    let judge = |quantity, order| [Sense::Direct, Sense::Reverse].map(|sense| verdict(family, quantity, order, sense));
+    let order = |&order: &u32| OpenOrder {
+        order,
+        force: judge(Quantity::Force, order),
+        moment: judge(Quantity::Moment, order),
+    };
+    orders.iter().map(order).collect()
+}
+
+fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {
+    let weight = |cylinder: &SymbolicCylinder| match quantity {
+        Quantity::Moment => family.arm(cylinder).scaled(&cylinder.reciprocating_mass),
+        Quantity::Force | Quantity::Torque => Linear::constant(cylinder.reciprocating_mass.clone()),
+    };
+    let terms: Vec<(Linear, Linear)> =
+        family.cylinders.iter().map(|cylinder| (phase(cylinder, order, sense), weight(cylinder))).collect();
+    let symbols: BTreeSet<Option<&String>> = terms
+        .iter()
+        .flat_map(|(_, weight)| {
+            let known = (!weight.known().is_zero()).then_some(None);
+            weight.symbols().keys().map(Some).chain(known)
+        })
+        .collect();
+    let sums = symbols.into_iter().map(|symbol| open_sum(&terms, symbol)).collect();
+    OpenVerdict { quantity, order, sense, sums }
+}
+
+/// Direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, with the unknowns in it.
+pub fn phase(cylinder: &SymbolicCylinder, order: u32, sense: Sense) -> Linear {
+    let k = BigRational::from_integer(order.into());
+    let one = BigRational::one();
+    match sense {
+        Sense::Direct => cylinder.throw.scaled(&k).minus(&cylinder.bank.scaled(&(k - one))),
+        Sense::Reverse => cylinder.bank.scaled(&(&k + one)).minus(&cylinder.throw.scaled(&k)),
+    }
+}
+
+fn open_sum(terms: &[(Linear, Linear)], symbol: Option<&String>) -> OpenSum {
+    let mut by_angle: BTreeMap<(BigRational, BigRational), Vec<Term>> = BTreeMap::new();
+    for (angle, weight) in terms {
+        let weight = symbol.map_or_else(|| weight.known().clone(), |symbol| weight.coefficient(symbol));
+        let term = Term { angle: Turn::new(angle.known().clone()), weight };
+        by_angle.entry((angle.coefficient(PHI), angle.coefficient(DELTA))).or_default().push(term);
+    }
+    let part = |((phi, delta), terms)| {
+        let sum = PhasorSum::new(terms);
+        Part { phi, delta, certificate: sum.certificate(), sum }
+    };
+    let parts: Vec<Part> = by_angle.into_iter().map(part).collect();
+    let left: Vec<&Part> = parts.iter().filter(|part| !part.certificate.claims_zero()).collect();
+    OpenSum { symbol: symbol.cloned(), when: solve::when(&left), parts }
+}

@@ -1,0 +1,227 @@
+//! Are open bank angles, pin splits and lengths solved rightly, and completely?
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crankstar::exact::Turn;
+use crankstar::family::{self, Left, OpenVerdict, When};
+use crankstar::layout::{self, DELTA, Engine, Family, PHI};
+use crankstar::numbers::Form;
+use crankstar::proof::Quantity;
+use crankstar::{phasor, report};
+use num_rational::BigRational;
+
+const V_TWIN: &str = "vee = { bank_angle = 'phi', throws = [0] }";
+const V4: &str = "vee = { bank_angle = 'phi', throws = [0, 180] }";
+const V6: &str = "cycle = 'four-stroke'\nvee = { bank_angle = 'phi', throws = [0, 120, 240] }";
+const V6_SPLIT: &str = "vee = { bank_angle = 'phi', throws = [0, 120, 240], pin_split = 'delta' }";
+const V8: &str = "vee = { bank_angle = 'phi', throws = [0, 270, 90, 180] }";
+const W: &str = "fan = { banks = ['-phi', 0, 'phi'], throws = [0, 180], positions = [0, 1] }";
+const UNEQUAL: &str = "
+    cylinder = [{ throw = 0, bank = '-phi/2', position = 0 },
+                { throw = 0, bank = 'phi/2', position = 1, reciprocating_mass = '3/2' }]";
+
+fn open(text: &str) -> Family {
+    match layout::parse_engine("test", text).expect("it reads") {
+        Engine::Open(family) => *family,
+        Engine::Known(..) => panic!("nothing is open in {text}"),
+    }
+}
+
+fn fraction(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+fn at(values: &[(&str, BigRational)]) -> BTreeMap<String, BigRational> {
+    values.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect()
+}
+
+/// Whether the verdict's sum vanishes when the unknowns have these values.
+fn vanishes_at(family: &Family, verdict: &OpenVerdict, values: &BTreeMap<String, BigRational>) -> bool {
+    let engine = family.with(values).only().expect("nothing else is open");
+    phasor::sum(&engine, verdict.quantity, verdict.order, Some(verdict.sense)).vanishes()
+}
+
+fn verdicts(family: &Family) -> Vec<OpenVerdict> {
+    let orders = family::classify(family, &[1, 2, 4, 6, 8]);
+    orders.into_iter().flat_map(|order| order.force.into_iter().chain(order.moment)).collect()
+}
+
+fn degrees(angles: &BTreeSet<Turn>) -> Vec<String> {
+    angles.iter().map(|angle| angle.degrees().to_string()).collect()
+}
+
+#[test]
+fn every_bank_angle_of_a_grid_vanishes_exactly_where_it_is_listed() {
+    for text in [V_TWIN, V4, V6, V8, W, UNEQUAL] {
+        let family = open(text);
+        for verdict in verdicts(&family) {
+            let listed = verdict.bank_angles();
+            let grid = (1..180).map(|step| Turn::fraction(step, 180));
+            let grid: BTreeSet<Turn> = grid.chain(listed.clone().unwrap_or_default()).collect();
+            for phi in grid {
+                let expected = verdict.always() || listed.as_ref().is_some_and(|listed| listed.contains(&phi));
+                let found = vanishes_at(&family, &verdict, &at(&[(PHI, phi.turns().clone())]));
+                assert_eq!(found, expected, "{text} order {} at {phi:?}", verdict.order);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_pair_of_angles_of_a_grid_vanishes_exactly_on_the_lines() {
+    let family = open(V6_SPLIT);
+    for verdict in verdicts(&family) {
+        for (phi, delta) in (0..24).flat_map(|phi| (0..24).map(move |delta| (fraction(phi, 24), fraction(delta, 24)))) {
+            let on_line = verdict.sums.iter().all(|sum| match &sum.when {
+                When::Always => true,
+                When::Where(angles) => angles.alternatives.iter().any(|together| {
+                    together.iter().all(|line| Turn::new(&line.phi * &phi + &line.delta * &delta) == line.turn)
+                }),
+                other => panic!("{other:?}"),
+            });
+            let found = vanishes_at(&family, &verdict, &at(&[(PHI, phi.clone()), (DELTA, delta.clone())]));
+            assert_eq!(found, on_line, "order {} at {phi}, {delta}", verdict.order);
+        }
+    }
+}
+
+#[test]
+fn v_twin_loses_its_reverse_first_order_at_90_and_its_reverse_second_order_at_60_degrees() {
+    let orders = family::classify(&open(V_TWIN), &[1, 2]);
+    let angles = |verdict: &OpenVerdict| degrees(&verdict.bank_angles().expect("solved"));
+    assert!(orders[0].force[0].never());
+    assert_eq!(angles(&orders[0].force[1]), ["90", "270"]);
+    assert_eq!(angles(&orders[1].force[0]), ["180"]);
+    assert_eq!(angles(&orders[1].force[1]), ["60", "180", "300"]);
+}
+
+#[test]
+fn banks_of_unequal_mass_never_cancel() {
+    let orders = family::classify(&open(UNEQUAL), &[1, 2]);
+    assert!(orders.iter().all(|order| order.force.iter().all(OpenVerdict::never)));
+}
+
+#[test]
+fn v6_on_three_shared_pins_fires_evenly_at_120_and_240_degrees() {
+    assert_eq!(degrees(&family::even_firing(&open(V6)).expect("the cycle is given")), ["120", "240"]);
+    assert_eq!(family::even_firing(&open(V_TWIN)), None);
+}
+
+#[test]
+fn even_firing_is_found_wherever_a_grid_finds_it() {
+    for (throws, cycle) in
+        [("0", "two-stroke"), ("0", "four-stroke"), ("0, 180", "four-stroke"), ("0, 270, 90, 180", "four-stroke")]
+    {
+        let family = open(&format!("cycle = '{cycle}'\nvee = {{ bank_angle = 'phi', throws = [{throws}] }}"));
+        let listed = family::even_firing(&family).expect("the cycle is given");
+        for phi in (1..720).map(|half_degrees| Turn::fraction(half_degrees, 720)) {
+            let engine = family.with(&at(&[(PHI, phi.turns().clone())])).only().expect("known");
+            let count = engine.cylinders.len() as i64;
+            let turns = if cycle == "four-stroke" { 2 } else { 1 };
+            let first = engine.cylinders[0].top_dead_centre();
+            let mut centres: Vec<Turn> = engine.cylinders.iter().map(|c| &c.top_dead_centre() - &first).collect();
+            let mut even: Vec<Turn> = (0..count).map(|j| Turn::fraction(j * turns, count)).collect();
+            centres.sort();
+            even.sort();
+            assert_eq!(listed.contains(&phi), centres == even, "{throws} at {phi:?}");
+        }
+    }
+}
+
+#[test]
+fn the_cross_plane_v8_of_the_thesis_leaves_root_ten_times_its_lengths() {
+    // Stabile 2019, section 5.4.2: √10 (2a + b + 2c) at −18.43°, direct; ½ · 2√10 here.
+    let family =
+        open("vee = { bank_angle = 90, throws = [0, 270, 90, 180], spacing = '2a + b + 2c', bank_offset = 'b' }");
+    let order = &family::classify(&family, &[1])[0];
+    let Left::Factored { factor, lengths, degrees, .. } = family::left(&order.moment[0]) else {
+        panic!("not factored")
+    };
+    assert_eq!((factor, lengths.to_string().as_str()), (Form::parse("2√10").expect("a number"), "2a + b + 2c"));
+    assert_eq!(format!("{degrees:.4}"), "-18.4349");
+    assert!(order.moment[1].always());
+}
+
+#[test]
+fn the_flat_plane_v8_of_the_thesis_keeps_second_order_moments_only_through_its_bank_offset() {
+    let text = "vee = { bank_angle = 90, throws = [0, 180, 180, 0], spacing = '2a + b + 2c', bank_offset = 'b' }";
+    let order = &family::classify(&open(text), &[2])[0];
+    for verdict in &order.moment {
+        let Left::Factored { factor, lengths, .. } = family::left(verdict) else { panic!("not factored") };
+        assert_eq!((factor, lengths.to_string().as_str()), (Form::parse("2√2").expect("a number"), "b"));
+    }
+    let without = text.replace(", bank_offset = 'b'", "");
+    assert!(family::classify(&open(&without), &[2])[0].moment.iter().all(OpenVerdict::always));
+}
+
+#[test]
+fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
+    let texts = [
+        "vee = { bank_angle = 90, throws = [0, 270, 90, 180], spacing = '2a + b + 2c', bank_offset = 'b' }",
+        "vee = { bank_angle = 60, throws = [0, 120, 240], spacing = 'a', bank_offset = 'b' }",
+        "vee = { bank_angle = 90, throws = [0, 180], spacing = 'a', bank_offset = 'b' }",
+        "inline = { throws = [0, 120, 240], positions = ['a', 0, '-b'] }",
+        "inline = { throws = [0, 180, 180, 0], positions = ['a', 'b', 'c', 'd'] }",
+    ];
+    for text in texts {
+        let family = open(text);
+        for verdict in verdicts(&family).iter().filter(|verdict| verdict.quantity == Quantity::Moment) {
+            let values =
+                at(&[("a", fraction(7, 3)), ("b", fraction(2, 5)), ("c", fraction(11, 7)), ("d", fraction(13, 9))]);
+            let engine = family.with(&values).only().expect("known");
+            let sum = phasor::sum(&engine, Quantity::Moment, verdict.order, Some(verdict.sense));
+            match family::left(verdict) {
+                Left::Nothing => assert!(sum.vanishes() && verdict.always()),
+                Left::Factored { factor, lengths, .. } => {
+                    let value = lengths.with(&values).as_known().expect("known").clone();
+                    let expected = factor.scaled(&num_traits::abs(value));
+                    assert_eq!(crankstar::numbers::modulus(&sum).expect("small"), expected, "{text}");
+                }
+                Left::Apart => assert!(!verdict.always()),
+                Left::Open => panic!("no angle is open"),
+            }
+        }
+    }
+}
+
+#[test]
+fn values_close_a_family_and_keep_it_beside() {
+    let text = "values = { a = '22 mm', b = '16 mm', c = '30 mm' }\n\
+                vee = { bank_angle = 90, throws = [0, 180, 180, 0], spacing = '2a + b + 2c', bank_offset = 'b' }";
+    let Engine::Known(engine, Some(family)) = layout::parse_engine("v8", text).expect("it reads") else {
+        panic!("open")
+    };
+    assert_eq!(engine.cylinders[0].position.to_string(), "47/250");
+    assert_eq!(family.unknowns().into_iter().collect::<Vec<_>>(), ["a", "b", "c"]);
+    assert_eq!(layout::parse("v8", text).expect("it is known").cylinders, engine.cylinders);
+}
+
+#[test]
+fn mistakes_about_unknowns_are_told() {
+    let message = |text: &str| layout::parse("test", text).expect_err(text).to_string();
+    assert!(message(V_TWIN).contains("leaves phi open"));
+    assert!(message("values = { d = 1 }\ninline.throws = [0]").contains("no unknown `d`"));
+    assert!(
+        message("values = { phi = 'x' }\nvee = { bank_angle = 'phi', throws = [0] }")
+            .contains("cannot read the angle `x`")
+    );
+    assert!(message("vee = { bank_angle = 'psi', throws = [0] }").contains("cannot read the angle `psi`"));
+    assert!(
+        message(&format!("cycle = 'four-stroke'\nfiring_order = '1-2'\n{V_TWIN}"))
+            .contains("while an angle or position is open")
+    );
+}
+
+#[test]
+fn reports_on_families_are_written_in_every_dialect() {
+    for text in [V_TWIN, V6_SPLIT, W, UNEQUAL] {
+        let family = open(text);
+        let orders = family::classify(&family, &family.orders);
+        for dialect in [report::Dialect::GithubMarkdown, report::Dialect::DollarMarkdown, report::Dialect::Latex] {
+            let files = report::open_report(&family, &orders, dialect);
+            assert!(
+                files[0].text.contains("Summary") && files[0].text.contains("opposite") || text == UNEQUAL || text == W
+            );
+        }
+    }
+}
