@@ -75,7 +75,10 @@ fn every_pair_of_angles_of_a_grid_vanishes_exactly_on_the_lines() {
             let on_line = verdict.sums.iter().all(|sum| match &sum.when {
                 When::Always => true,
                 When::Where(angles) => angles.alternatives.iter().any(|together| {
-                    together.iter().all(|line| Turn::new(&line.phi * &phi + &line.delta * &delta) == line.turn)
+                    together
+                        .conditions
+                        .iter()
+                        .all(|line| Turn::new(&line.phi * &phi + &line.delta * &delta) == line.turn)
                 }),
                 other => panic!("{other:?}"),
             });

@@ -33,16 +33,22 @@ impl Classify {
         if !self.json {
             return write::to_stdout(&terminal::summary(&layout, &balances));
         }
-        let document = report::document(&layout, &balances);
-        let json = serde_json::to_string_pretty(&document).map_err(Failure::new)?;
-        write::to_stdout(&format!("{json}\n"))
+        print_json(&report::document(&layout, &balances))
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
-        if self.json || self.torque {
-            let message = "--json and --torque need an engine without unknowns; give them values below [values]";
-            return Err(Failure::new(message));
+        if self.torque {
+            return Err(Failure::new("--torque needs an engine without unknowns; give them values below [values]"));
         }
-        write::to_stdout(&terminal::open_summary(family, &family::classify(family, orders)))
+        let verdicts = family::classify(family, orders);
+        match self.json {
+            true => print_json(&report::open_document(family, &verdicts)),
+            false => write::to_stdout(&terminal::open_summary(family, &verdicts)),
+        }
     }
+}
+
+fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    let json = serde_json::to_string_pretty(document).map_err(Failure::new)?;
+    write::to_stdout(&format!("{json}\n"))
 }

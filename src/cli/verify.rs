@@ -3,7 +3,9 @@
 use std::io::Read;
 use std::path::Path;
 
-use crankstar::proof::{Document, check_document};
+use crankstar::proof::{Document, OpenDocument, check_document, check_open_document};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use super::failure::Failure;
 use super::write;
@@ -18,8 +20,26 @@ pub fn run(file: &Path) -> Result<(), Failure> {
         std::fs::File::open(file).and_then(|mut file| file.read_to_end(&mut json))
     };
     read.map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
-    let document: Document = serde_json::from_slice(&json)
-        .map_err(|error| Failure::new(format!("{name} is no `classify --json` output: {error}")))?;
-    let count = check_document(&document).map_err(|fault| Failure::new(format!("{name}: {fault}")))?;
-    write::to_stdout(&format!("{}: all {count} certificates hold\n", document.title))
+    let no_output = |error| Failure::new(format!("{name} is no `classify --json` output: {error}"));
+    let fault = |fault| Failure::new(format!("{name}: {fault}"));
+    let (title, count) = if is_family(&json) {
+        let document: OpenDocument = serde_json::from_slice(&json).map_err(no_output)?;
+        let count = check_open_document(&document).map_err(fault)?;
+        (document.title, count)
+    } else {
+        let document: Document = serde_json::from_slice(&json).map_err(no_output)?;
+        let count = check_document(&document).map_err(fault)?;
+        (document.title, count)
+    };
+    write::to_stdout(&format!("{title}: all {count} certificates hold\n"))
+}
+
+/// The documents of families have a list of another name.
+fn is_family(json: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Names {
+        #[serde(rename = "open_verdicts")]
+        _open_verdicts: IgnoredAny,
+    }
+    serde_json::from_slice::<Names>(json).is_ok()
 }

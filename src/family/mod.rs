@@ -10,7 +10,7 @@ mod solve;
 
 pub use firing::even_firing;
 pub use left::{Left, left};
-pub use solve::{Angles, Condition, Never, When};
+pub use solve::{Alternative, Angles, Condition, Never, When};
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -31,6 +31,8 @@ pub enum When {
         delta: BigRational,
         /// The angle in degrees, approximately.
         degrees: f64,
+        /// Evidence that the two parts are equally long.
+        equal_lengths: Certificate,
     },
     /// This many parts are too many to solve for.
     NotSolved(usize),
@@ -45,11 +47,22 @@ pub enum Never {
     UnequalLengths(Certificate),
 }
 
-/// `phi·φ + delta·δ ≡ turn`: for φ alone a list of angles, else a line of solutions; several lines for three parts.
+/// The angles at which parts of equal length cancel: for φ alone a list, for φ and δ a line of solutions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Angles {
-    /// Each a set of conditions that hold together.
-    pub alternatives: Vec<Vec<Condition>>,
+    /// One for two parts, two for three.
+    pub alternatives: Vec<Alternative>,
+    /// For three parts: evidence that they are equally long, `|S_1|² − |S_j|² = 0`.
+    pub equal_lengths: Vec<Certificate>,
+}
+
+/// Conditions that hold together, one for each part after the first, on how it is turned against the first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Alternative {
+    /// `x_j − x_1 ≡ turn`, for j = 2 (and 3).
+    pub conditions: Vec<Condition>,
+    /// Evidence that the parts turned so cancel.
+    pub certificate: Certificate,
 }
 
 /// `phi·φ + delta·δ ≡ turn` modulo a turn.
@@ -93,8 +106,8 @@ impl Angles {
     /// The angles φ in (0°, 360°) at which a condition holds; `None` where δ enters.
     pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
         let mut all = BTreeSet::new();
-        for together in &self.alternatives {
-            let sets = together.iter().map(Condition::bank_angles).collect::<Option<Vec<_>>>()?;
+        for alternative in &self.alternatives {
+            let sets = alternative.conditions.iter().map(Condition::bank_angles).collect::<Option<Vec<_>>>()?;
             all.extend(sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())?);
         }
         Some(all)
@@ -122,25 +135,29 @@ fn two(first: &Part, second: &Part) -> When {
         return When::Never(Never::UnequalLengths(comparison));
     }
     let quotient = first.sum.times(&second.sum.conjugate());
-    let (phi, delta) = (&second.phi - &first.phi, &second.delta - &first.delta);
     match numbers::direction_of(&quotient) {
         Some(Direction::Turn(turn)) => {
-            When::Where(Angles { alternatives: vec![vec![condition(phi, delta, turn.opposite())]] })
+            let alternatives = vec![alternative(first, &[(second, turn.opposite())])];
+            When::Where(Angles { alternatives, equal_lengths: Vec::new() })
         }
-        _ => {
-            let degrees = numbers::evaluate(&quotient).arg().to_degrees() + 180.0;
-            When::Irrational { phi, delta, degrees }
-        }
+        _ => When::Irrational {
+            phi: &second.phi - &first.phi,
+            delta: &second.delta - &first.delta,
+            degrees: numbers::evaluate(&quotient).arg().to_degrees() + 180.0,
+            equal_lengths: comparison,
+        },
     }
 }
 
-/// The same condition with φ, or else δ, entering positively.
-fn condition(phi: BigRational, delta: BigRational, turn: Turn) -> Condition {
-    if phi.is_negative() || phi.is_zero() && delta.is_negative() {
-        Condition { phi: -phi, delta: -delta, turn: -&turn }
-    } else {
-        Condition { phi, delta, turn }
-    }
+/// The parts after the first, each turned against it by its angle.
+fn alternative(first: &Part, others: &[(&Part, Turn)]) -> Alternative {
+    let conditions = others.iter().map(|(part, turn)| Condition {
+        phi: &part.phi - &first.phi,
+        delta: &part.delta - &first.delta,
+        turn: turn.clone(),
+    });
+    let sum = others.iter().fold(first.sum.clone(), |sum, (part, turn)| sum.plus(&part.sum.turned(turn)));
+    Alternative { conditions: conditions.collect(), certificate: sum.certificate() }
 }
 
 /// Three vectors of equal length sum to zero iff they stand 120° apart, in either order.
@@ -155,9 +172,10 @@ fn three(first: &Part, second: &Part, third: &Part) -> When {
     else {
         return When::NotSolved(3);
     };
-    let apart = |part: &Part, relative: &Turn, thirds: i64| {
-        condition(&part.phi - &first.phi, &part.delta - &first.delta, relative + &Turn::fraction(thirds, 3))
-    };
-    let alternatives = [1, 2].map(|thirds| vec![apart(second, &to_second, thirds), apart(third, &to_third, -thirds)]);
-    When::Where(Angles { alternatives: alternatives.to_vec() })
+    let equal_lengths = [second, third].map(|part| length_difference(&first.sum, &part.sum)).to_vec();
+    let alternatives = [1, 2].map(|thirds| {
+        let turned = |relative: &Turn, thirds: i64| relative + &Turn::fraction(thirds, 3);
+        alternative(first, &[(second, turned(&to_second, thirds)), (third, turned(&to_third, -thirds))])
+    });
+    When::Where(Angles { alternatives: alternatives.to_vec(), equal_lengths })
 }

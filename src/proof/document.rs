@@ -304,7 +304,7 @@ fn check_shape(document: &Document, claim: &ShapeClaim) -> Result<(), String> {
 }
 
 /// `|S|² = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, not collected.
-fn squared_modulus(terms: &[Vector]) -> Vec<Vector> {
+pub(super) fn squared_modulus(terms: &[Vector]) -> Vec<Vector> {
     let terms: Vec<&Vector> = terms.iter().filter(|term| !term.weight.is_zero()).collect();
     let product = |a: &&Vector, b: &&Vector| Vector { angle: &a.angle - &b.angle, weight: &a.weight * &b.weight };
     terms.iter().flat_map(|a| terms.iter().map(move |b| product(a, b))).collect()

@@ -9,9 +9,14 @@ mod certificate;
 mod check;
 mod document;
 mod fraction;
+mod open;
 
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::{Refusal, check_certificate};
 pub use document::{
     Cylinder, Decimal, Document, Fault, Quantity, Sense, Shape, ShapeClaim, Vector, VerdictClaim, check_document,
+};
+pub use open::{
+    AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
+    SumClaim, WhenClaim, check_open_document,
 };

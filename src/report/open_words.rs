@@ -9,7 +9,7 @@ use super::argument;
 use super::left;
 use super::typeset::{self, Bearing};
 use crate::exact::Turn;
-use crate::family::{self, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
+use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
 use crate::layout::{DELTA, Linear, PHI};
 use crate::numbers::Form;
 
@@ -61,7 +61,7 @@ fn condition_of(sum: &OpenSum) -> Option<String> {
         When::Always => None,
         When::Never(_) => Some("never 0".to_owned()),
         When::Where(angles) => Some(format!("0 where {}", conditions(angles))),
-        When::Irrational { phi, delta, degrees } => {
+        When::Irrational { phi, delta, degrees, .. } => {
             let decimal = typeset::decimal(degrees.rem_euclid(360.0));
             Some(format!("0 where {} ≈ {decimal}°, no rational turn", unknowns(phi, delta)))
         }
@@ -71,8 +71,15 @@ fn condition_of(sum: &OpenSum) -> Option<String> {
 
 /// `2φ − δ ≡ 180°`, alternatives joined by "or".
 fn conditions(angles: &Angles) -> String {
-    let one = |c: &Condition| format!("{} ≡ {}", unknowns(&c.phi, &c.delta), typeset::angle(&c.turn));
-    let together = |conditions: &Vec<Condition>| conditions.iter().map(one).collect::<Vec<_>>().join(" and ");
+    let one = |condition: &Condition| {
+        // φ, or else δ, is shown entering positively.
+        let Condition { phi, delta, turn } = condition;
+        match phi.is_negative() || phi.is_zero() && delta.is_negative() {
+            true => format!("{} ≡ {}", unknowns(&-phi, &-delta), typeset::angle(&-turn)),
+            false => format!("{} ≡ {}", unknowns(phi, delta), typeset::angle(turn)),
+        }
+    };
+    let together = |alternative: &Alternative| alternative.conditions.iter().map(one).collect::<Vec<_>>().join(" and ");
     angles.alternatives.iter().map(together).collect::<Vec<_>>().join(", or ")
 }
 

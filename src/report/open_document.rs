@@ -1,0 +1,85 @@
+//! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
+
+use crate::exact::{PhasorSum, Term};
+use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
+use crate::layout::{Family, Linear, SymbolicCylinder};
+use crate::proof::{
+    AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
+    SumClaim, Vector, WhenClaim,
+};
+
+/// The verdicts on a family as data: what `verify` reads.
+pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
+    let cylinder = |cylinder: &SymbolicCylinder| OpenCylinder {
+        name: cylinder.name.clone(),
+        throw: linear(&cylinder.throw),
+        bank: linear(&cylinder.bank),
+        position: linear(&cylinder.position),
+        reciprocating_mass: cylinder.reciprocating_mass.clone(),
+    };
+    OpenDocument {
+        title: family.title.clone(),
+        reference_plane: linear(&family.reference_plane),
+        cylinders: family.cylinders.iter().map(cylinder).collect(),
+        open_verdicts: orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)).map(verdict).collect(),
+    }
+}
+
+fn linear(value: &Linear) -> LinearClaim {
+    let known = [("1".to_owned(), Exact(value.known().clone()))];
+    let symbols = value.symbols().iter().map(|(name, coefficient)| (name.clone(), Exact(coefficient.clone())));
+    symbols.chain(known).collect()
+}
+
+fn verdict(verdict: &OpenVerdict) -> OpenVerdictClaim {
+    OpenVerdictClaim {
+        quantity: verdict.quantity,
+        order: verdict.order,
+        sense: verdict.sense,
+        sums: verdict.sums.iter().map(sum).collect(),
+    }
+}
+
+fn sum(sum: &OpenSum) -> SumClaim {
+    SumClaim { symbol: sum.symbol.clone(), parts: sum.parts.iter().map(part).collect(), when: when(&sum.when) }
+}
+
+fn part(part: &Part) -> PartClaim {
+    PartClaim {
+        phi: part.phi.clone(),
+        delta: part.delta.clone(),
+        terms: vectors(&part.sum),
+        certificate: part.certificate.clone(),
+    }
+}
+
+fn vectors(sum: &PhasorSum) -> Vec<Vector> {
+    let vector = |term: &Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
+    sum.terms().iter().map(vector).collect()
+}
+
+fn when(when: &When) -> WhenClaim {
+    match when {
+        When::Always => WhenClaim::Always,
+        When::Never(crate::family::Never::OnePart) => WhenClaim::Never,
+        When::Never(crate::family::Never::UnequalLengths(certificate)) => {
+            WhenClaim::UnequalLengths { certificate: certificate.clone() }
+        }
+        When::Irrational { equal_lengths, .. } => WhenClaim::EqualLengths { certificate: equal_lengths.clone() },
+        When::NotSolved(_) => WhenClaim::NotSolved,
+        When::Where(angles) => {
+            let alternative = |alternative: &crate::family::Alternative| AlternativeClaim {
+                conditions: alternative.conditions.iter().map(condition).collect(),
+                certificate: alternative.certificate.clone(),
+            };
+            WhenClaim::Where {
+                alternatives: angles.alternatives.iter().map(alternative).collect(),
+                equal_lengths: angles.equal_lengths.clone(),
+            }
+        }
+    }
+}
+
+fn condition(condition: &crate::family::Condition) -> ConditionClaim {
+    ConditionClaim { phi: condition.phi.clone(), delta: condition.delta.clone(), turn: condition.turn.turns().clone() }
+}
