@@ -20,7 +20,7 @@ fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     let orders = verdict::classify(layout, &layout.orders, false);
-    for file in report::report(layout, &orders, dialect) {
+    for file in report::report(layout, &orders, None, dialect) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     folder
@@ -33,6 +33,24 @@ fn engines() -> Vec<(String, Layout)> {
         [("strange-masses", include_str!("pages/masses.toml")), ("strange-radial", include_str!("pages/radial.toml"))];
     let strange = strange.map(|(name, text)| (name.to_owned(), layout::parse(name, text).expect("it reads")));
     catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(strange).collect()
+}
+
+/// The stored reports on families, each in a folder of its own.
+fn families() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/families");
+    fs::read_dir(folder).expect("families").map(|entry| entry.expect("an entry").path()).collect()
+}
+
+/// Compiles a report and looks for complaints in the log.
+fn compile(name: &str, folder: &Path) {
+    for _ in 0..3 {
+        run(folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
+    }
+    let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
+    for complaint in ["Overfull", "Missing character", "undefined", "Rerun LaTeX", "Rerun to get", "LaTeX Font Warning"]
+    {
+        assert!(!log.contains(complaint), "{name}: {complaint} in {}/report.log", folder.display());
+    }
 }
 
 /// Runs a tool in a folder; standard input and output are text.
@@ -57,16 +75,14 @@ fn run(folder: &Path, program: &str, arguments: &[&str], input: &str) -> String 
 #[ignore = "needs pdflatex"]
 fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
     for (name, layout) in engines() {
-        let folder = write_report(&name, &layout, Dialect::Latex);
-        for _ in 0..3 {
-            run(&folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
-        }
-        let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
-        for complaint in
-            ["Overfull", "Missing character", "undefined", "Rerun LaTeX", "Rerun to get", "LaTeX Font Warning"]
-        {
-            assert!(!log.contains(complaint), "{name}: {complaint} in {}/report.log", folder.display());
-        }
+        compile(&name, &write_report(&name, &layout, Dialect::Latex));
+    }
+    for family in families() {
+        let name = family.file_name().expect("a name").to_string_lossy().into_owned();
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-families").join(&name);
+        fs::create_dir_all(&folder).expect("a folder");
+        fs::copy(family.join("report.tex"), folder.join("report.tex")).expect("a report");
+        compile(&name, &folder);
     }
 }
 
@@ -101,6 +117,12 @@ fn every_formula_is_found_by_pandoc_and_read_by_katex() {
             assert_eq!(found.len(), written, "{name} as {format}");
             all.extend(found);
         }
+    }
+    for family in families() {
+        let json = run(&family, "pandoc", &["-f", "gfm", "-t", "json", "report.md"], "");
+        let mut found = Vec::new();
+        formulas(&serde_json::from_str(&json).expect("JSON"), &mut found);
+        all.extend(found);
     }
     assert!(all.len() > 100);
     let list = serde_json::to_string(&all).expect("JSON");

@@ -93,10 +93,10 @@ pub(super) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
     }
 }
 
-/// An angle with unknowns, given in turns: `45° + φ/2`.
+/// An angle with unknowns, given in turns: `45° + φ/2`; the known part in `(−180°, 180°]`.
 pub(super) fn open_angle(angle: &Linear) -> String {
     let symbols = angle.minus(&Linear::constant(angle.known().clone()));
-    let known = typeset::angle(&Turn::new(angle.known().clone()));
+    let known = typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone())));
     match (symbols == Linear::default(), angle.known().is_zero()) {
         (true, _) => known,
         (false, true) => greek(&symbols),
