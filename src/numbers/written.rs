@@ -113,7 +113,7 @@ fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
     if coefficient.is_one() { root } else { format!("{coefficient}{root}") }
 }
 
-/// Brackets deeper than this are nobody's number.
+/// Brackets and roots nested deeper than this are nobody's number.
 const DEEPEST: usize = 32;
 
 struct Parser {
@@ -163,11 +163,23 @@ impl Parser {
     }
 
     fn factor(&mut self) -> Option<Form> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let factor = self.root_bracket_or_number();
+        self.depth -= 1;
+        factor
+    }
+
+    fn root_bracket_or_number(&mut self) -> Option<Form> {
         if self.takes('√') {
-            return self.root();
+            let inside = self.factor()?;
+            return (inside.to_float() >= 0.0).then(|| inside.square_root());
         }
         if self.takes('(') {
-            return self.bracket();
+            let inside = self.sum()?;
+            return self.takes(')').then_some(inside);
         }
         if self.letters[self.at..].starts_with(&['c', 'o', 's', '(']) {
             self.at += 4;
@@ -176,21 +188,6 @@ impl Parser {
             return Some(Form::cosine(BigRational::one(), Turn::from_degrees(&degrees)));
         }
         self.number().map(Form::rational)
-    }
-
-    fn root(&mut self) -> Option<Form> {
-        let inside = self.factor()?;
-        (inside.to_float() >= 0.0).then(|| inside.square_root())
-    }
-
-    fn bracket(&mut self) -> Option<Form> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return None;
-        }
-        let inside = self.sum()?;
-        self.depth -= 1;
-        self.takes(')').then_some(inside)
     }
 
     fn number(&mut self) -> Option<BigRational> {

@@ -7,6 +7,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::argument;
 use super::left;
+use super::page::capital;
 use super::typeset::{self, Bearing};
 use crate::exact::Turn;
 use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
@@ -123,7 +124,17 @@ pub(super) fn argument(sum: &OpenSum) -> String {
         None => String::new(),
     };
     let has_open_angles = sum.parts.iter().any(|part| !part.phi.is_zero() || !part.delta.is_zero());
-    let mut sentences: Vec<String> = sum.parts.iter().map(|part| part_words(part, has_open_angles)).collect();
+    let one = |part: &Part| {
+        let turned = format!("turned by {}: {}. ", unknowns(&part.phi, &part.delta), value(part));
+        let value = match (&sum.symbol, has_open_angles) {
+            (_, true) => capital(&turned),
+            (Some(_), false) => format!("{}. ", value(part)),
+            // The lead of the verdict says it already.
+            (None, false) => String::new(),
+        };
+        format!("{value}{}", argument::certificate_of(&part.sum, &part.certificate))
+    };
+    let mut sentences: Vec<String> = sum.parts.iter().map(one).collect();
     sentences.extend(has_open_angles.then(|| why(&sum.when)));
     format!("{before}{}", sentences.join(" "))
 }
@@ -148,17 +159,12 @@ fn why(when: &When) -> String {
     }
 }
 
-fn part_words(part: &Part, has_open_angles: bool) -> String {
-    let value = match part.certificate.claims_zero() {
-        true => "0".to_owned(),
-        false => {
-            let (length, bearing) = (left::modulus_of(&part.sum).prose(), left::bearing(&part.sum).prose());
-            format!("length {length}, angle {bearing}")
-        }
-    };
-    let turned =
-        if has_open_angles { format!("turned by {}: ", unknowns(&part.phi, &part.delta)) } else { String::new() };
-    format!("{turned}{value}. {}", argument::certificate_of(&part.sum, &part.certificate))
+fn value(part: &Part) -> String {
+    if part.certificate.claims_zero() {
+        return "0".to_owned();
+    }
+    let (length, bearing) = (left::modulus_of(&part.sum).prose(), left::bearing(&part.sum).prose());
+    format!("length {length}, angle {bearing}")
 }
 
 /// `2√10 (2a + b + 2c)`, `√2 b`, `3`.

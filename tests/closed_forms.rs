@@ -1,0 +1,131 @@
+//! Are lengths and directions in closed form the numbers that they stand for?
+
+#[path = "support/decimals.rs"]
+mod decimals;
+
+use crankstar::exact::{PhasorSum, Turn};
+use crankstar::layout::{self, Layout};
+use crankstar::numbers::{self, Direction, Form};
+use crankstar::phasor;
+use crankstar::proof::{Quantity, Sense};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// The catalogue, and in-line engines whose stars lead to cubic and quintic fields.
+fn engines() -> Vec<(String, Layout)> {
+    let catalogue = layout::catalogue().expect("the catalogue reads").into_iter();
+    let odd = [("I7", "1-3-5-7-6-4-2"), ("I9", "1-3-5-7-9-8-6-4-2"), ("I11", "1-3-5-7-9-11-10-8-6-4-2")];
+    let odd = odd.map(|(name, order)| {
+        let text = format!("cycle = 'four-stroke'\nfiring_order = '{order}'\n[inline]");
+        (name.to_owned(), layout::parse(name, &text).expect("it reads"))
+    });
+    catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(odd).collect()
+}
+
+/// Every sum of these engines that does not vanish.
+fn sums() -> Vec<(String, PhasorSum)> {
+    let mut sums = Vec::new();
+    for (name, layout) in engines() {
+        for order in [1, 2, 4, 6, 8, 10] {
+            for quantity in [Quantity::Force, Quantity::Moment] {
+                for sense in [Sense::Direct, Sense::Reverse] {
+                    let sum = phasor::sum(&layout, quantity, order, Some(sense));
+                    if !sum.vanishes() {
+                        sums.push((format!("{name}, {} {order} {}", quantity.name(), sense.name()), sum));
+                    }
+                }
+            }
+        }
+    }
+    sums
+}
+
+#[test]
+fn every_length_agrees_with_its_sum_to_fifty_digits_and_its_text_reads_back() {
+    let sums = sums();
+    assert!(sums.len() > 250);
+    for (name, sum) in sums {
+        let length = numbers::modulus(&sum).unwrap_or_else(|| panic!("{name} has no closed form"));
+        assert!(decimals::agree(&decimals::form(&length), &decimals::modulus(&sum)), "{name}: {length}");
+        assert_eq!(Form::parse(&length.to_string()).as_ref(), Some(&length), "{name}: {length}");
+    }
+}
+
+#[test]
+fn every_direction_agrees_with_its_sum_to_fifty_digits() {
+    let mut kinds = [0, 0, 0];
+    for (name, sum) in sums() {
+        let (re, im) = decimals::sum(&sum);
+        match numbers::direction_of(&sum) {
+            Some(Direction::Turn(turn)) => {
+                let (cos, sin) = decimals::cos_sin(&turn);
+                assert!(decimals::agree(&(&re * &sin / decimals::one()), &(&im * &cos / decimals::one())), "{name}");
+                assert!((&re * &cos + &im * &sin) > BigInt::from(0), "{name} points the other way");
+                kinds[0] += 1;
+            }
+            Some(Direction::Arctangent { tangent, opposite }) => {
+                let tangent = decimals::form(&tangent);
+                assert!(decimals::agree(&(&re * &tangent / decimals::one()), &im), "{name}");
+                assert_eq!(re < BigInt::from(0), opposite, "{name}");
+                kinds[1] += 1;
+            }
+            None => kinds[2] += 1,
+        }
+    }
+    assert!(kinds[0] > 200 && kinds[1] > 10, "{kinds:?}");
+}
+
+#[test]
+fn known_lengths_are_printed_as_a_book_would() {
+    let length = |engine: &str, quantity, order, sense| {
+        let layout = layout::find(engine).expect("in the catalogue").layout().expect("it reads");
+        numbers::modulus(&phasor::sum(&layout, quantity, order, Some(sense))).expect("small").to_string()
+    };
+    assert_eq!(length("I3", Quantity::Moment, 1, Sense::Direct), "√3");
+    assert_eq!(length("V8-crossplane", Quantity::Moment, 1, Sense::Direct), "2√10");
+    assert_eq!(length("V8-crossplane", Quantity::Force, 4, Sense::Direct), "4√2");
+    assert_eq!(length("I5-12453", Quantity::Moment, 1, Sense::Direct), "√(50 − 22√5)/2");
+    assert_eq!(length("V6-90-split", Quantity::Moment, 1, Sense::Direct), "(3√2 + √6)/2");
+    assert_eq!(length("I6-two-stroke", Quantity::Moment, 2, Sense::Direct), "2√3");
+}
+
+#[test]
+fn the_moment_plane_of_the_cross_plane_v8_is_minus_arctan_one_third() {
+    let v8 = layout::find("V8-crossplane").expect("in the catalogue").layout().expect("it reads");
+    let sum = phasor::sum(&v8, Quantity::Moment, 1, Some(Sense::Direct));
+    let third = Form::rational(BigRational::new((-1).into(), 3.into()));
+    assert_eq!(numbers::direction_of(&sum), Some(Direction::Arctangent { tangent: third, opposite: false }));
+}
+
+#[test]
+fn forms_are_read_as_a_person_writes_them() {
+    for (written, printed) in [
+        ("sqrt(12)", "2√3"),
+        ("√3/2", "√3/2"),
+        ("½√3(√3−1)", "(3 − √3)/2"),
+        ("√(5−2√5)", "√(5 − 2√5)"),
+        ("√(6+3√3)", "(3√2 + √6)/2"),
+        ("-√10", "−√10"),
+        ("2*3·√2", "6√2"),
+        ("1.5", "3/2"),
+        ("3·cos(40°)", "3·cos(40°)"),
+        ("√0", "0"),
+    ] {
+        assert_eq!(Form::parse(written).expect(written).to_string(), printed);
+    }
+    for wrong in ["", "√", "2√", "√-1", "√(1−√2)", "1/√2", "cos(40)", "(1", "1)", "1/0", "x", "cos(1°)cos(2°)"]
+    {
+        assert_eq!(Form::parse(wrong), None, "{wrong}");
+    }
+    let deep = "(".repeat(10_000) + "1" + &")".repeat(10_000);
+    assert_eq!(Form::parse(&deep), None);
+    assert_eq!(Form::parse(&"√".repeat(100_000)), None);
+}
+
+#[test]
+fn closed_forms_stop_at_conductor_1000() {
+    let unit = |turn: Turn| crankstar::exact::Term { angle: turn, weight: BigRational::from_integer(1.into()) };
+    let sum = |n: i64| PhasorSum::new(vec![unit(Turn::zero()), unit(Turn::fraction(1, n))]);
+    assert!(numbers::modulus(&sum(1000)).is_some());
+    assert!(numbers::modulus(&sum(1001)).is_none());
+}
