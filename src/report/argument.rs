@@ -152,6 +152,13 @@ fn fraction(value: &BigRational) -> String {
 
 fn residue_sentence(collected: &[Term], claim: &Residue) -> String {
     let Residue { conductor, prime, root, scale, residue } = claim;
+    if conductor.is_one() {
+        // Every vector lies at angle 0: the sum is a number.
+        return format!(
+            "Certificate: times {scale} the sum is a whole number that is {residue} modulo {prime}, so it is not zero."
+        )
+        .replace("times 1 the sum", "the sum");
+    }
     let map = format!("$e^{{2\\pi i/{conductor}}} \\mapsto {root}$");
     let times = if scale.is_one() { String::new() } else { format!(", {scale} times over,") };
     let sum = if collected.len() <= MOST_TERMS_WRITTEN { written_sum(collected, claim) } else { "S".to_owned() };
