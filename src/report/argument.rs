@@ -10,7 +10,7 @@ use super::typeset;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::Layout;
 use crate::proof::{Certificate, Polygon, Quantity, Residue, Step};
-use crate::verdict::{Reason, Verdict, mirror_partners, reason};
+use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason};
 
 /// Longer sums than this are not written out modulo the prime.
 const MOST_TERMS_WRITTEN: usize = 9;
@@ -25,6 +25,7 @@ pub(super) fn argument(layout: &Layout, verdict: &Verdict) -> String {
         Reason::NoWeight => "All masses are zero.".to_owned(),
         Reason::Mirror => format!("By symmetry: {}", mirror(layout)),
         Reason::Cancels => format!("Like directions cancel: {}.", cancelling(layout, verdict)),
+        Reason::OpposedPairs => opposed(layout, verdict),
         Reason::Rotation { fold } => {
             let turn = typeset::angle(&Turn::fraction(1, i64::from(fold)));
             format!(
@@ -52,17 +53,34 @@ pub(super) fn argument(layout: &Layout, verdict: &Verdict) -> String {
 }
 
 fn mirror(layout: &Layout) -> String {
-    let name = |index: usize| layout.cylinders[index].name.as_str();
-    let partners = mirror_partners(layout).unwrap_or_default();
-    let pairs: Vec<String> = (partners.iter().enumerate())
-        .filter(|(index, partner)| *index < **partner)
-        .map(|(index, &partner)| format!("{} and {}", name(index), name(partner)))
-        .collect();
+    let partners = mirror_partners(layout).unwrap_or_default().into_iter().enumerate();
     format!(
         "the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, and \
          opposite arms, so their vectors cancel in every order.",
-        pairs.join(", ")
+        pairs(layout, partners.filter(|(index, partner)| index < partner)).join(", ")
     )
+}
+
+fn opposed(layout: &Layout, verdict: &Verdict) -> String {
+    let partners = opposed_partners(&verdict.sum).unwrap_or_default();
+    let turned = match verdict.quantity {
+        Quantity::Moment => ", each multiplied by its arm,",
+        _ => "",
+    };
+    let pairs = pairs(layout, partners.into_iter());
+    match pairs.as_slice() {
+        [pair] => format!("By opposed pairs: the vectors of {pair}{turned} are equally long and opposite, and cancel."),
+        _ => format!(
+            "By opposed pairs: the vectors of {}{turned} are equally long and opposite, and cancel pair by pair.",
+            pairs.join(", of ")
+        ),
+    }
+}
+
+/// `1 and 4`, a pair of cylinders each.
+fn pairs(layout: &Layout, indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
+    let name = |index: usize| layout.cylinders[index].name.as_str();
+    indices.map(|(first, second)| format!("{} and {}", name(first), name(second))).collect()
 }
 
 /// Each direction with the weights that cancel on it.

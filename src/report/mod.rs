@@ -6,6 +6,7 @@ mod argument;
 mod dialect;
 mod document;
 mod figure;
+mod firmness;
 mod folder;
 mod left;
 mod open_document;

@@ -8,7 +8,7 @@ use super::open_page::OpenPage;
 use super::star::star_figure;
 use super::table::{self, Table};
 use super::views::{end_view, side_view};
-use super::{argument, left, tikz, typeset};
+use super::{argument, firmness, left, tikz, typeset};
 use crate::family::OpenOrder;
 use crate::layout::{Cycle, Family, Firing, Layout};
 use crate::proof::Sense;
@@ -26,6 +26,7 @@ pub struct Page {
     side_view: Drawing,
     cylinders: Table,
     firing: Vec<String>,
+    firmness: Option<firmness::Section>,
     conventions: Vec<String>,
     force_formula: String,
     phase_formulas: String,
@@ -110,12 +111,13 @@ impl Page {
             title: dialect.quoted(&layout.title),
             source: layout.source.as_ref().map(|source| dialect.quoted(source)),
             headline: headline(orders).iter().map(|line| dialect.prose(line)).collect(),
-            summary: table::summary(dialect, orders),
+            summary: table::summary(dialect, layout, orders),
             units: dialect.prose(&units(layout)),
             end_view,
             side_view,
             cylinders: table::cylinders(dialect, layout),
             firing: firing(layout).iter().map(|line| dialect.prose(line)).collect(),
+            firmness: firmness::Section::new(dialect, layout, orders),
             conventions: conventions(layout).iter().map(|line| dialect.prose(line)).collect(),
             force_formula: dialect.display(FORCE),
             phase_formulas: dialect.display(PHASES),

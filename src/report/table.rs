@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::dialect::Dialect;
+use super::firmness;
 use super::left;
 use super::open_words;
 use super::typeset;
@@ -24,7 +25,8 @@ pub struct Table {
 }
 
 impl Table {
-    fn new(dialect: Dialect, header: &[&str], rows: Vec<Vec<String>>) -> Self {
+    /// Sets a table; the cells are prose.
+    pub(super) fn new(dialect: Dialect, header: &[&str], rows: Vec<Vec<String>>) -> Self {
         let set = |cells: Vec<String>| cells.iter().map(|cell| dialect.prose(cell)).collect();
         Table {
             header: header.iter().map(|cell| dialect.prose(cell)).collect(),
@@ -62,14 +64,14 @@ fn size(width: usize) -> &'static str {
     }
 }
 
-/// Orders × (force, moment): what is left, and whether the moment is a couple.
-pub(super) fn summary(dialect: Dialect, orders: &[OrderBalance]) -> Table {
+/// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros are.
+pub(super) fn summary(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
     let row = |order: &OrderBalance| {
         let [force, moment] = left::summary_prose(order);
-        vec![order.order.to_string(), bold(force), bold(moment)]
+        vec![order.order.to_string(), bold(force), bold(moment), firmness::summary(layout, order)]
     };
-    Table::new(dialect, &["Order", "Force", "Moment"], orders.iter().map(row).collect())
+    Table::new(dialect, &["Order", "Force", "Moment", "How firm"], orders.iter().map(row).collect())
 }
 
 /// One row a cylinder: throw, bank, position, and mass where they differ from 1.

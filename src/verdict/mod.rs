@@ -1,8 +1,10 @@
 //! How does the engine balance? For each order a verdict with its evidence, and the shape of what is left.
 
+mod firmness;
 mod reason;
 
-pub use reason::{Reason, mirror_partners, reason};
+pub use firmness::{Disturbance, Firmness, Outcome, firmness};
+pub use reason::{Reason, mirror_partners, opposed_partners, reason};
 
 use crate::exact::PhasorSum;
 use crate::layout::Layout;

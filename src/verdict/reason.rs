@@ -1,6 +1,6 @@
 //! Why does it vanish, or not? The reason that a person would give first.
 
-use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::Verdict;
 use crate::exact::{PhasorSum, Term, Turn};
@@ -16,6 +16,8 @@ pub enum Reason {
     Mirror,
     /// Zero: like directions collect to nothing.
     Cancels,
+    /// Zero: every vector has a partner, equally long and opposite.
+    OpposedPairs,
     /// Zero: the collected star maps to itself when turned by `1/fold` of a turn.
     Rotation {
         /// How many such turns make a whole one.
@@ -34,13 +36,14 @@ pub enum Reason {
 /// The plainest reason for a verdict on this engine.
 pub fn reason(layout: &Layout, verdict: &Verdict) -> Reason {
     let collected = verdict.sum.collected();
-    let no_weight = verdict.sum.terms().iter().all(|term| term.weight == BigRational::from_integer(0.into()));
+    let no_weight = verdict.sum.terms().iter().all(|term| term.weight.is_zero());
     match (&verdict.certificate, collected.as_slice()) {
         (Certificate::Polygons { .. }, _) if no_weight => Reason::NoWeight,
         (Certificate::Polygons { .. }, _) if verdict.quantity == Quantity::Moment && has_mirror(layout) => {
             Reason::Mirror
         }
         (Certificate::Polygons { .. }, []) => Reason::Cancels,
+        (Certificate::Polygons { .. }, _) if opposed_partners(&verdict.sum).is_some() => Reason::OpposedPairs,
         (Certificate::Polygons { .. }, terms) => match fold(terms) {
             Some(fold) => Reason::Rotation { fold },
             None => Reason::Polygons,
@@ -72,6 +75,27 @@ pub fn mirror_partners(layout: &Layout) -> Option<Vec<usize>> {
         partners[image] = Some(index);
     }
     partners.into_iter().collect()
+}
+
+/// The vectors of a sum in pairs that are equally long and opposite, by index; those of length zero are left out.
+///
+/// `None` where some vector has no partner.
+pub fn opposed_partners(sum: &PhasorSum) -> Option<Vec<(usize, usize)>> {
+    let mut alone: Vec<(usize, Term)> = Vec::new();
+    let mut pairs = Vec::new();
+    for (index, term) in sum.terms().iter().enumerate().filter(|(_, term)| !term.weight.is_zero()) {
+        match alone.iter().position(|(_, other)| cancel(term, other)) {
+            Some(place) => pairs.push((alone.remove(place).0, index)),
+            None => alone.push((index, term.clone())),
+        }
+    }
+    pairs.sort_unstable();
+    alone.is_empty().then_some(pairs)
+}
+
+fn cancel(a: &Term, b: &Term) -> bool {
+    let turn = &a.angle - &b.angle;
+    (turn == Turn::zero() && a.weight == -&b.weight) || (turn == Turn::fraction(1, 2) && a.weight == b.weight)
 }
 
 fn has_mirror(layout: &Layout) -> bool {

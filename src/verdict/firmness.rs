@@ -1,0 +1,147 @@
+//! Is a zero firm or accidental: which disturbances of the engine does it survive?
+//!
+//! What is disturbed becomes independent symbols: one a position, a bank, a cylinder. The order stays zero for all
+//! their values iff the coefficient of every symbol, again a phasor sum, is zero; that is decided exactly.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::{Signed, Zero};
+
+use super::{Balance, Verdict};
+use crate::exact::{PhasorSum, Term};
+use crate::layout::{Cylinder, Layout};
+use crate::phasor;
+use crate::proof::Quantity;
+
+/// What is changed on the engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Disturbance {
+    /// Uneven spacing, symmetric about the reference plane: positions at equal distances from it move alike.
+    SymmetricSpacing,
+    /// Any spacing: each position moves by itself.
+    AnySpacing,
+    /// Each bank moves along the shaft as a whole, about their common middle.
+    BankOffset,
+    /// Masses that differ from bank to bank.
+    BankMasses,
+    /// Masses that differ from cylinder to cylinder.
+    CylinderMasses,
+}
+
+impl Disturbance {
+    /// All of them, spacing first.
+    pub const ALL: [Disturbance; 5] = [
+        Disturbance::SymmetricSpacing,
+        Disturbance::AnySpacing,
+        Disturbance::BankOffset,
+        Disturbance::BankMasses,
+        Disturbance::CylinderMasses,
+    ];
+}
+
+/// What becomes of a zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It stays zero, however large the disturbance.
+    Survives,
+    /// It is zero no longer, but for special values of the disturbance.
+    Breaks,
+    /// The engine or the quantity leaves nothing to disturb.
+    DoesNotApply,
+}
+
+/// What becomes of one zero under every disturbance.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Firmness {
+    outcomes: [Outcome; 5],
+}
+
+impl Firmness {
+    /// What becomes of the zero under this disturbance.
+    pub fn outcome(&self, disturbance: Disturbance) -> Outcome {
+        self.outcomes[disturbance as usize]
+    }
+
+    /// Whether the zero breaks under this disturbance.
+    pub fn breaks(&self, disturbance: Disturbance) -> bool {
+        self.outcome(disturbance) == Outcome::Breaks
+    }
+
+    /// Whether only masses that differ from cylinder to cylinder can break the zero.
+    pub fn is_firm(&self) -> bool {
+        Disturbance::ALL.into_iter().all(|one| one == Disturbance::CylinderMasses || !self.breaks(one))
+    }
+}
+
+/// How firm the zero of a balance is; `None` where something is left.
+pub fn firmness(layout: &Layout, balance: &Balance) -> Option<Firmness> {
+    let outcome = |disturbance| {
+        let coefficients = balance.verdicts().map(|verdict| coefficients(layout, verdict, disturbance));
+        match coefficients.into_iter().collect::<Option<Vec<_>>>() {
+            None => Outcome::DoesNotApply,
+            Some(sums) if sums.iter().flatten().all(PhasorSum::vanishes) => Outcome::Survives,
+            Some(_) => Outcome::Breaks,
+        }
+    };
+    balance.is_balanced().then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
+}
+
+/// The coefficient of every symbol of a disturbance; `None` where it does not apply.
+fn coefficients(layout: &Layout, verdict: &Verdict, disturbance: Disturbance) -> Option<Vec<PhasorSum>> {
+    let moves_cylinders = !matches!(disturbance, Disturbance::BankMasses | Disturbance::CylinderMasses);
+    if moves_cylinders && verdict.quantity != Quantity::Moment {
+        return None;
+    }
+    let banks = distinct(layout, |cylinder| cylinder.bank.clone()).len();
+    let force = || phasor::sum(layout, Quantity::Force, verdict.order, verdict.sense);
+    let bank = |cylinder: &Cylinder| cylinder.bank.clone();
+    match disturbance {
+        Disturbance::SymmetricSpacing => {
+            let arms = distinct(layout, |cylinder| layout.arm(cylinder));
+            let is_symmetric = arms.iter().all(|arm| arms.contains(&-arm));
+            let sums = || grouped(layout, &either_side(layout, &force()), |cylinder| layout.arm(cylinder).abs());
+            (is_symmetric && arms.iter().any(|arm| !arm.is_zero())).then(sums)
+        }
+        Disturbance::AnySpacing => {
+            let positions = distinct(layout, |cylinder| cylinder.position.clone()).len();
+            (positions > 1).then(|| grouped(layout, &force(), |cylinder| cylinder.position.clone()))
+        }
+        Disturbance::BankOffset => (banks > 1).then(|| differences(&grouped(layout, &force(), bank))),
+        // Where every bank is one cylinder, this is no disturbance of its own.
+        Disturbance::BankMasses => {
+            (banks > 1 && banks < layout.cylinders.len()).then(|| grouped(layout, &verdict.sum, bank))
+        }
+        Disturbance::CylinderMasses => {
+            Some(verdict.sum.terms().iter().map(|term| PhasorSum::new(vec![term.clone()])).collect())
+        }
+    }
+}
+
+/// The sum with the terms below the reference plane reversed, and those in it left out.
+fn either_side(layout: &Layout, sum: &PhasorSum) -> PhasorSum {
+    let terms = layout.cylinders.iter().zip(sum.terms());
+    let signed = |(cylinder, term): (&Cylinder, &Term)| Term {
+        angle: term.angle.clone(),
+        weight: &term.weight * layout.arm(cylinder).signum(),
+    };
+    PhasorSum::new(terms.map(signed).collect())
+}
+
+/// Offsets `b` of the banks add `Σ b_j S_j` to the moment. Moving all banks alike is a change of the reference plane, so
+/// `Σ b_j = 0`: then it is zero for all offsets iff all `S_j` are equal (and all zero, where the force vanishes).
+fn differences(sums: &[PhasorSum]) -> Vec<PhasorSum> {
+    sums.windows(2).map(|pair| pair[1].minus(&pair[0])).collect()
+}
+
+fn distinct<K: Ord>(layout: &Layout, key: impl Fn(&Cylinder) -> K) -> BTreeSet<K> {
+    layout.cylinders.iter().map(key).collect()
+}
+
+/// The sums over the cylinders that share something.
+fn grouped<K: Ord>(layout: &Layout, sum: &PhasorSum, key: impl Fn(&Cylinder) -> K) -> Vec<PhasorSum> {
+    let mut groups: BTreeMap<K, Vec<Term>> = BTreeMap::new();
+    for (cylinder, term) in layout.cylinders.iter().zip(sum.terms()) {
+        groups.entry(key(cylinder)).or_default().push(term.clone());
+    }
+    groups.into_values().map(PhasorSum::new).collect()
+}
