@@ -9,9 +9,11 @@ mod certificate;
 mod check;
 mod document;
 mod fraction;
+mod theorem;
 
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::{Refusal, check_certificate};
 pub use document::{
     Cylinder, Decimal, Document, Fault, Quantity, Sense, Shape, ShapeClaim, Vector, VerdictClaim, check_document,
 };
+pub use theorem::{OrderClaim, Survivors, TheoremClaim};

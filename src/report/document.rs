@@ -26,6 +26,7 @@ pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
         cylinders: layout.cylinders.iter().map(cylinder).collect(),
         verdicts: verdicts.map(verdict_claim).collect(),
         shapes: balances().map(shape_claim).collect(),
+        theorems: Vec::new(),
     }
 }
 

@@ -1,8 +1,10 @@
 //! How does the engine balance? For each order a verdict with its evidence, and the shape of what is left.
 
 mod reason;
+mod theorem;
 
 pub use reason::{Reason, mirror_partners, reason};
+pub use theorem::{EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem, survivors, theorem};
 
 use crate::exact::PhasorSum;
 use crate::layout::Layout;
