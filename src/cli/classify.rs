@@ -14,6 +14,9 @@ pub struct Classify {
     /// Print the verdicts with their certificates as JSON
     #[arg(long)]
     json: bool,
+    /// Prove what vanishes at every order: adds the statements with one period of verdicts to the JSON
+    #[arg(long, requires = "json")]
+    all_orders: bool,
     /// Judge the inertia torque too
     #[arg(long)]
     torque: bool,
@@ -27,7 +30,11 @@ impl Classify {
         if !self.json {
             return write::to_stdout(&terminal::summary(&layout, &balances));
         }
-        let document = report::document(&layout, &balances);
+        let mut document = report::document(&layout, &balances);
+        if self.all_orders {
+            let theorem = verdict::theorem(&layout).map_err(Failure::new)?;
+            document.theorems = report::theorem_claims(&theorem);
+        }
         let json = serde_json::to_string_pretty(&document).map_err(Failure::new)?;
         write::to_stdout(&format!("{json}\n"))
     }
