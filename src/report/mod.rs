@@ -19,7 +19,6 @@ mod typeset;
 mod views;
 
 pub use dialect::Dialect;
-pub use document::document;
+pub use document::{document, theorem_claims};
 pub use folder::{File, index, report, text};
 pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
-pub use theorem::theorem_claims;

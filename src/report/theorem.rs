@@ -6,8 +6,8 @@ use super::dialect::Dialect;
 use super::left;
 use super::table::{self, Table};
 use crate::layout::Layout;
-use crate::proof::{OrderClaim, Survivors, TheoremClaim};
-use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem, Verdict};
+use crate::proof::Survivors;
+use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem};
 
 /// Longer tables of one period are left out.
 const MOST_ROWS: usize = 24;
@@ -182,25 +182,4 @@ pub(super) fn first_survivors(theorem: &Theorem) -> String {
             one("moment", &theorem.moment)
         ),
     }
-}
-
-/// The statements as data, with the verdicts that prove them: what `verify` reads.
-pub fn theorem_claims(theorem: &Theorem) -> Vec<TheoremClaim> {
-    let claim = |verdicts: &Vec<Verdict>| {
-        let first = verdicts.first()?;
-        let order = |verdict: &Verdict| OrderClaim {
-            order: verdict.order,
-            vanishes: verdict.vanishes(),
-            certificate: verdict.certificate.clone(),
-        };
-        Some(TheoremClaim {
-            quantity: first.quantity,
-            sense: first.sense?,
-            period: theorem.period.into(),
-            survivors: verdict::survivors(verdicts),
-            verdicts: verdicts.iter().map(order).collect(),
-        })
-    };
-    let quantities = [&theorem.force, &theorem.moment];
-    quantities.into_iter().flat_map(|every| [&every.direct, &every.reverse]).filter_map(claim).collect()
 }
