@@ -325,6 +325,7 @@ fn document() -> Document {
         cylinders: cylinders(&engine),
         verdicts: orders.iter().flat_map(verdicts).collect(),
         shapes: orders.iter().flat_map(|order| [shape(&order.force), shape(&order.moment)]).collect(),
+        theorems: Vec::new(),
     }
 }
 

@@ -16,6 +16,9 @@ pub struct Classify {
     /// Print the verdicts with their certificates as JSON
     #[arg(long)]
     json: bool,
+    /// Prove what vanishes at every order: adds the statements with one period of verdicts to the JSON
+    #[arg(long, requires = "json")]
+    all_orders: bool,
     /// Judge the inertia torque too
     #[arg(long)]
     torque: bool,
@@ -33,12 +36,19 @@ impl Classify {
         if !self.json {
             return write::to_stdout(&terminal::summary(&layout, &balances));
         }
-        print_json(&report::document(&layout, &balances))
+        let mut document = report::document(&layout, &balances);
+        if self.all_orders {
+            let theorem = verdict::theorem(&layout).map_err(Failure::new)?;
+            document.theorems = report::theorem_claims(&theorem);
+        }
+        print_json(&document)
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
-        if self.torque {
-            return Err(Failure::new("--torque needs an engine without unknowns; give them values below [values]"));
+        if self.torque || self.all_orders {
+            return Err(Failure::new(
+                "--torque and --all-orders need an engine without unknowns; give them values below [values]",
+            ));
         }
         let verdicts = family::classify(family, orders);
         match self.json {

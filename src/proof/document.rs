@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::certificate::Certificate;
 use super::check::check_certificate;
 use super::fraction;
+use super::theorem::{TheoremClaim, check_theorem};
 
 /// The verdicts on one engine, each with its certificate: the JSON document of `classify --json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -28,6 +29,9 @@ pub struct Document {
     /// The shape of what is left, one a quantity and order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub shapes: Vec<ShapeClaim>,
+    /// The statements on every order, one a quantity and sense, where they were asked for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub theorems: Vec<TheoremClaim>,
 }
 
 /// A cylinder as the phasors see it.
@@ -178,7 +182,37 @@ pub fn check_document(document: &Document) -> Result<usize, Fault> {
         check_shape(document, claim).map_err(|reason| Fault { place: place(), reason })?;
         checked += usize::from(claim.certificate.is_some());
     }
+    let mut subjects = BTreeSet::new();
+    for (index, claim) in document.theorems.iter().enumerate() {
+        let place = || format!("theorems[{index}] ({}, {})", claim.quantity.name(), claim.sense.name());
+        check_theorem(document, claim).map_err(|reason| Fault { place: place(), reason })?;
+        if !subjects.insert((claim.quantity, claim.sense)) {
+            return Err(Fault { place: place(), reason: "this theorem is in the list twice".into() });
+        }
+        checked += claim.verdicts.len();
+    }
     Ok(checked)
+}
+
+impl Document {
+    /// Theory, section 3: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, torque `k(β − α)`; the moment weighs by the arm.
+    pub(super) fn terms(&self, quantity: Quantity, order: u32, sense: Option<Sense>) -> Vec<Vector> {
+        let k = BigRational::from_integer(BigInt::from(order));
+        let one = BigRational::from_integer(1.into());
+        let term = |cylinder: &Cylinder| {
+            let angle = match sense {
+                None => &k * (&cylinder.throw - &cylinder.bank),
+                Some(Sense::Direct) => &k * &cylinder.throw - (&k - &one) * &cylinder.bank,
+                Some(Sense::Reverse) => (&k + &one) * &cylinder.bank - &k * &cylinder.throw,
+            };
+            let arm = match quantity {
+                Quantity::Moment => &cylinder.position - &self.reference_plane,
+                Quantity::Force | Quantity::Torque => one.clone(),
+            };
+            Vector { angle, weight: &cylinder.reciprocating_mass * arm }
+        };
+        self.cylinders.iter().map(term).collect()
+    }
 }
 
 impl Quantity {
@@ -223,7 +257,6 @@ fn check_verdict(document: &Document, verdict: &VerdictClaim) -> Result<(), Stri
     check_decimals(verdict)
 }
 
-/// Theory, section 3: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, torque `k(β − α)`; the moment weighs by the arm.
 fn check_terms(document: &Document, verdict: &VerdictClaim) -> Result<(), String> {
     if document.cylinders.is_empty() {
         return Ok(());
@@ -231,19 +264,8 @@ fn check_terms(document: &Document, verdict: &VerdictClaim) -> Result<(), String
     if document.cylinders.len() != verdict.terms.len() {
         return Err(format!("{} terms for {} cylinders", verdict.terms.len(), document.cylinders.len()));
     }
-    let k = BigRational::from_integer(BigInt::from(verdict.order));
-    let one = BigRational::from_integer(1.into());
-    for (cylinder, term) in document.cylinders.iter().zip(&verdict.terms) {
-        let angle = match verdict.sense {
-            None => &k * (&cylinder.throw - &cylinder.bank),
-            Some(Sense::Direct) => &k * &cylinder.throw - (&k - &one) * &cylinder.bank,
-            Some(Sense::Reverse) => (&k + &one) * &cylinder.bank - &k * &cylinder.throw,
-        };
-        let arm = match verdict.quantity {
-            Quantity::Moment => &cylinder.position - &document.reference_plane,
-            Quantity::Force | Quantity::Torque => one.clone(),
-        };
-        let weight = &cylinder.reciprocating_mass * arm;
+    let right = document.terms(verdict.quantity, verdict.order, verdict.sense);
+    for ((cylinder, term), Vector { angle, weight }) in document.cylinders.iter().zip(&verdict.terms).zip(right) {
         if !(&term.angle - &angle).is_integer() {
             let right = &angle - angle.floor();
             return Err(format!("the angle of cylinder {} is {}, it should be {right}", cylinder.name, term.angle));

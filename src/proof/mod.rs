@@ -10,6 +10,7 @@ mod check;
 mod document;
 mod fraction;
 mod open;
+mod theorem;
 
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::{Refusal, check_certificate};
@@ -20,3 +21,4 @@ pub use open::{
     AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
     SumClaim, WhenClaim, check_open_document,
 };
+pub use theorem::{OrderClaim, Survivors, TheoremClaim};

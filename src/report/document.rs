@@ -4,8 +4,8 @@ use num_complex::Complex;
 
 use crate::layout::Layout;
 use crate::numbers;
-use crate::proof::{Cylinder, Document, ShapeClaim, Vector, VerdictClaim};
-use crate::verdict::{Balance, OrderBalance, Verdict};
+use crate::proof::{Cylinder, Document, OrderClaim, ShapeClaim, TheoremClaim, Vector, VerdictClaim};
+use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
 /// The verdicts on an engine as data: what `verify` reads.
 pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
@@ -26,6 +26,7 @@ pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
         cylinders: layout.cylinders.iter().map(cylinder).collect(),
         verdicts: verdicts.map(verdict_claim).collect(),
         shapes: balances().map(shape_claim).collect(),
+        theorems: Vec::new(),
     }
 }
 
@@ -52,4 +53,25 @@ fn shape_claim(balance: &Balance) -> ShapeClaim {
         shape: balance.shape,
         certificate: balance.comparison.clone(),
     }
+}
+
+/// The statements as data, with the verdicts that prove them: what `verify` reads.
+pub fn theorem_claims(theorem: &Theorem) -> Vec<TheoremClaim> {
+    let claim = |verdicts: &Vec<Verdict>| {
+        let first = verdicts.first()?;
+        let order = |verdict: &Verdict| OrderClaim {
+            order: verdict.order,
+            vanishes: verdict.vanishes(),
+            certificate: verdict.certificate.clone(),
+        };
+        Some(TheoremClaim {
+            quantity: first.quantity,
+            sense: first.sense?,
+            period: theorem.period.into(),
+            survivors: verdict::survivors(verdicts),
+            verdicts: verdicts.iter().map(order).collect(),
+        })
+    };
+    let quantities = [&theorem.force, &theorem.moment];
+    quantities.into_iter().flat_map(|every| [&every.direct, &every.reverse]).filter_map(claim).collect()
 }

@@ -17,12 +17,13 @@ mod render;
 mod star;
 mod svg;
 mod table;
+mod theorem;
 mod tikz;
 mod typeset;
 mod views;
 
 pub use dialect::Dialect;
-pub use document::document;
+pub use document::{document, theorem_claims};
 pub use folder::{File, index, open_report, report, text};
 pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
 pub use open_document::open_document;

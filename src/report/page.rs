@@ -7,12 +7,13 @@ use super::figure::Figure;
 use super::open_page::OpenPage;
 use super::star::star_figure;
 use super::table::{self, Table};
+use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
 use super::{argument, firmness, left, tikz, typeset};
 use crate::family::OpenOrder;
 use crate::layout::{Cycle, Family, Firing, Layout};
 use crate::proof::Sense;
-use crate::verdict::{Balance, OrderBalance, Verdict};
+use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
 /// Everything that the template of a report places.
 #[derive(Clone, Debug, Serialize)]
@@ -33,6 +34,7 @@ pub struct Page {
     bank_remark: Option<String>,
     orders: Vec<Section>,
     open: Option<OpenPage>,
+    every_order: theorem::Section,
 }
 
 /// One order.
@@ -106,11 +108,12 @@ impl Page {
         let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
+        let theorem = verdict::theorem(layout);
         let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
         Page {
             title: dialect.quoted(&layout.title),
             source: layout.source.as_ref().map(|source| dialect.quoted(source)),
-            headline: headline(orders).iter().map(|line| dialect.prose(line)).collect(),
+            headline: headline(orders, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
             summary: table::summary(dialect, layout, orders),
             units: dialect.prose(&units(layout)),
             end_view,
@@ -124,6 +127,7 @@ impl Page {
             bank_remark: has_banks.then(|| dialect.prose(BANKS)),
             orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
             open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
+            every_order: theorem::Section::new(layout, &theorem, dialect),
         }
     }
 }
@@ -203,8 +207,8 @@ pub(super) fn capital(word: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// What a designer reads first: which orders are balanced, and which are left.
-fn headline(orders: &[OrderBalance]) -> Vec<String> {
+/// What a designer reads first: which orders are balanced, which are left, and which of all orders is the first left.
+fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
     let line = |name: &str, balance: fn(&OrderBalance) -> &Balance| {
         let list = |balanced: bool| {
             let orders = orders.iter().filter(|order| balance(order).is_balanced() == balanced);
@@ -216,7 +220,8 @@ fn headline(orders: &[OrderBalance]) -> Vec<String> {
             (zero, rest) => format!("The {name} vanishes at {}, and not at {}.", plural(zero), plural(rest)),
         }
     };
-    vec![line("force", |order| &order.force), line("moment", |order| &order.moment)]
+    let judged = [line("force", |order| &order.force), line("moment", |order| &order.moment)];
+    judged.into_iter().chain(theorem.map(first_survivors)).collect()
 }
 
 fn plural(orders: &[String]) -> String {

@@ -11,7 +11,7 @@ use super::typeset;
 use crate::family::{self, OpenOrder};
 use crate::layout::{Cylinder, Family, Layout, LengthUnit, SymbolicCylinder};
 use crate::proof::Sense;
-use crate::verdict::{OrderBalance, Verdict};
+use crate::verdict::{OrderBalance, Theorem, Verdict};
 
 /// A table: every row has as many cells as the header.
 #[derive(Clone, Debug, Serialize)]
@@ -103,6 +103,19 @@ pub(super) fn position_unit(layout: &Layout) -> &'static str {
         LengthUnit::Metre => " (m)",
         LengthUnit::Spacing => "",
     }
+}
+
+/// One period of orders: 0 or not 0, direct and reverse.
+pub(super) fn period(dialect: Dialect, theorem: &Theorem) -> Table {
+    let header = ["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"];
+    let columns = [&theorem.force, &theorem.moment].map(|every| [&every.direct, &every.reverse]);
+    let cell = |verdict: &Verdict| if verdict.vanishes() { "**0**".to_owned() } else { "not 0".to_owned() };
+    let row = |index: usize| {
+        let order = theorem.force.direct[index].order;
+        let orders = if order == 1 { "1".to_owned() } else { format!("{order}, {}, …", order + theorem.period) };
+        std::iter::once(orders).chain(columns.iter().flatten().map(|verdicts| cell(&verdicts[index]))).collect()
+    };
+    Table::new(dialect, &header, (0..theorem.force.direct.len()).map(row).collect())
 }
 
 /// The vector-star table of order k: how each phase comes about, where there is room for it, and the sums.

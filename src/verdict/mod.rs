@@ -2,9 +2,11 @@
 
 mod firmness;
 mod reason;
+mod theorem;
 
 pub use firmness::{Disturbance, Firmness, Outcome, firmness};
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
+pub use theorem::{EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem, survivors, theorem};
 
 use crate::exact::PhasorSum;
 use crate::layout::Layout;

@@ -1,0 +1,108 @@
+//! Which of all orders vanish? One period of verdicts proves a statement on every order that exists.
+//!
+//! In each term the order k multiplies an angle, so where L times every throw and bank is whole the sums of order k
+//! depend on k only modulo L. A centric engine has order 1 and the even ones.
+
+use std::fmt;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
+
+use super::{Balance, Verdict};
+use crate::layout::Layout;
+use crate::proof::{Quantity, Sense, Survivors};
+
+/// Longer periods are not judged.
+pub const LONGEST_PERIOD: u32 = 720;
+
+/// The statements on every order of the force and the moment, with the verdicts that prove them.
+#[derive(Clone, Debug)]
+pub struct Theorem {
+    /// The sums of order k depend on k only modulo this even number.
+    pub period: u32,
+    /// The shaking force.
+    pub force: EveryOrder,
+    /// The moment about the reference plane.
+    pub moment: EveryOrder,
+}
+
+/// Force or moment at every order.
+#[derive(Clone, Debug)]
+pub struct EveryOrder {
+    /// The vectors that turn with the crank: orders 1, 2, 4, … up to the period.
+    pub direct: Vec<Verdict>,
+    /// The vectors that turn against it, at the same orders.
+    pub reverse: Vec<Verdict>,
+    /// The lowest order that is left.
+    pub first: Option<Balance>,
+}
+
+/// Why there is no statement on every order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PeriodTooLong {
+    /// After how many orders the pattern repeats.
+    pub period: BigInt,
+}
+
+impl fmt::Display for PeriodTooLong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the pattern repeats only after {} orders; at most {LONGEST_PERIOD} are judged", self.period)
+    }
+}
+
+impl std::error::Error for PeriodTooLong {}
+
+/// Judges one period of orders.
+///
+/// # Errors
+/// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders.
+pub fn theorem(layout: &Layout) -> Result<Theorem, PeriodTooLong> {
+    let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    let period = angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()));
+    let short = period.to_u32().filter(|&period| period <= LONGEST_PERIOD);
+    let period = short.ok_or(PeriodTooLong { period })?;
+    let judge = |quantity| EveryOrder::new(layout, quantity, period);
+    Ok(Theorem { period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
+}
+
+impl EveryOrder {
+    fn new(layout: &Layout, quantity: Quantity, period: u32) -> Self {
+        let orders = || std::iter::once(1).chain((2..=period).step_by(2));
+        let judge = |sense| orders().map(|order| Verdict::new(layout, quantity, order, Some(sense))).collect();
+        let mut every = EveryOrder { direct: judge(Sense::Direct), reverse: judge(Sense::Reverse), first: None };
+        let first = every.survivals().into_iter().find(|(_, survives)| *survives);
+        every.first = first.map(|(order, _)| Balance::new(layout, quantity, order));
+        every
+    }
+
+    /// The orders at which either vector is left.
+    pub fn survivors(&self) -> Survivors {
+        shortest(&self.survivals())
+    }
+
+    /// Each order of the period, and whether either vector is left.
+    fn survivals(&self) -> Vec<(u32, bool)> {
+        let pairs = self.direct.iter().zip(&self.reverse);
+        pairs.map(|(direct, reverse)| (direct.order, !direct.vanishes() || !reverse.vanishes())).collect()
+    }
+}
+
+/// The orders at which one vector is left, from its verdicts on one period: orders 1, 2, 4, …
+pub fn survivors(verdicts: &[Verdict]) -> Survivors {
+    let survivals: Vec<_> = verdicts.iter().map(|verdict| (verdict.order, !verdict.vanishes())).collect();
+    shortest(&survivals)
+}
+
+/// The statement with the smallest modulus, from order 1 and then the even orders of one period.
+fn shortest(survivals: &[(u32, bool)]) -> Survivors {
+    let order_one = survivals.first().is_some_and(|(_, survives)| *survives);
+    let even: Vec<bool> = survivals.iter().skip(1).map(|(_, survives)| *survives).collect();
+    let repeats = |length: &usize| even.len().is_multiple_of(*length) && even[*length..] == even[..even.len() - length];
+    let length = (1..=even.len()).find(repeats).unwrap_or(1);
+    let modulus = 2 * u32::try_from(length).unwrap_or(u32::MAX / 2);
+    let orders = survivals.iter().skip(1).take(length);
+    let mut residues: Vec<u32> = orders.filter(|(_, left)| *left).map(|(order, _)| order % modulus).collect();
+    residues.sort_unstable();
+    Survivors { order_one, modulus, residues }
+}

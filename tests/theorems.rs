@@ -1,0 +1,323 @@
+//! Is what is said about every order true, the shortest way to say it, and proved by its document?
+
+use std::collections::BTreeSet;
+
+use crankstar::layout::{self, Layout};
+use crankstar::phasor;
+use crankstar::proof::{Certificate, Document, Fault, Quantity, Sense, Survivors, check_document};
+use crankstar::report::{self, Dialect};
+use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, Theorem};
+
+fn named(name: &str) -> Layout {
+    layout::find(name).expect("a name of the catalogue").layout().expect("it reads")
+}
+
+fn written(form: &str) -> Layout {
+    layout::parse("layout.toml", &format!("title = 'engine'\n{form}")).expect("it reads")
+}
+
+fn proved(layout: &Layout) -> Theorem {
+    verdict::theorem(layout).expect("a short period")
+}
+
+fn survivors(order_one: bool, modulus: u32, residues: &[u32]) -> Survivors {
+    Survivors { order_one, modulus, residues: residues.to_vec() }
+}
+
+fn senses(every: &EveryOrder) -> [Survivors; 2] {
+    [&every.direct, &every.reverse].map(|verdicts| verdict::survivors(verdicts))
+}
+
+fn text(layout: &Layout, dialect: Dialect) -> String {
+    report::text(layout, &verdict::classify(layout, &layout.orders, false), dialect)
+}
+
+/// Each of these lines stands in the report.
+fn says(layout: &Layout, lines: &[&str]) {
+    let text = text(layout, Dialect::DollarMarkdown);
+    for line in lines {
+        assert!(text.lines().any(|found| found == *line), "{}: no line {line}", layout.title);
+    }
+}
+
+/// No order is left.
+const NO_ORDER: Survivors = Survivors { order_one: false, modulus: 2, residues: Vec::new() };
+
+#[test]
+fn the_in_line_six_keeps_the_orders_that_six_divides() {
+    let six = named("I6");
+    let theorem = proved(&six);
+    assert_eq!(senses(&theorem.force), [survivors(false, 6, &[0]), survivors(false, 6, &[0])]);
+    assert_eq!((theorem.force.survivors(), theorem.moment.survivors()), (survivors(false, 6, &[0]), NO_ORDER));
+    says(
+        &six,
+        &[
+            "The first order that survives: force 6, planar; no moment at any order.",
+            "- **Force.** The force of order $k$ vanishes iff $6 \\nmid k$. Direct and reverse vector alike.",
+            "- **Moment.** The moment vanishes at every order.",
+            "| 2, 8, … | **0** | **0** | **0** | **0** |",
+            "| 6, 12, … | not 0 | not 0 | **0** | **0** |",
+        ],
+    );
+}
+
+#[test]
+fn the_radial_nine_keeps_order_1_and_two_classes() {
+    let nine = named("radial-9");
+    let theorem = proved(&nine);
+    assert_eq!(senses(&theorem.force), [survivors(true, 18, &[10]), survivors(false, 18, &[8])]);
+    assert_eq!(theorem.force.survivors(), survivors(true, 18, &[8, 10]));
+    says(
+        &nine,
+        &[
+            "The first order that survives: force 1, rotating; no moment at any order.",
+            "- **Force.** Nothing is left of the force but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and 10, \
+             28, … = $18j - 8$ (direct).",
+        ],
+    );
+}
+
+#[test]
+fn the_flat_twelve_on_shared_pins_keeps_nothing() {
+    let twelve = written("[flat]\nthrows = [0, 240, 120, 120, 240, 0]");
+    let theorem = proved(&twelve);
+    assert_eq!((theorem.force.survivors(), theorem.moment.survivors()), (NO_ORDER, NO_ORDER));
+    assert!(theorem.force.first.is_none() && theorem.moment.first.is_none());
+    says(&twelve, &["No order survives: neither force nor moment, at any order."]);
+    let offset = proved(&written("[flat]\nthrows = [0, 240, 120, 120, 240, 0]\nbank_offset = 0.2"));
+    assert_eq!((offset.force.survivors(), offset.moment.survivors()), (NO_ORDER, survivors(false, 6, &[0])));
+}
+
+#[test]
+fn each_kind_of_statement_has_its_sentence() {
+    let alike = "Direct and reverse vector alike.";
+    for (name, line) in [
+        ("I1", format!("- **Force.** The force vanishes at no order. {alike}")),
+        ("I4", format!("- **Force.** The force vanishes at order 1 and at no other. {alike}")),
+        ("I2-270", format!("- **Force.** The force of order $k$ vanishes iff $k \\ne 1$ and $4 \\nmid k$. {alike}")),
+        ("I2-270", format!("- **Moment.** The moment of order $k$ vanishes iff $4 \\mid k$. {alike}")),
+        ("I6-two-stroke", format!("- **Moment.** The moment of order $k$ vanishes iff $k = 1$ or $6 \\mid k$. {alike}")),
+        ("I2-180", "- **Moment.** Nothing is left of the moment but order 1.".to_owned()),
+        ("V8-crossplane", "- **Moment.** Nothing is left of the moment but order 1 (direct).".to_owned()),
+        (
+            "V2-60",
+            "- **Force.** The force vanishes at no order. The direct vector vanishes at orders 4, 10, … = $6j - 2$ and at no \
+             other. The reverse vector vanishes at orders 2, 8, … = $6j - 4$ and at no other."
+                .to_owned(),
+        ),
+    ] {
+        says(&named(name), &[&line]);
+    }
+}
+
+/// Three pins in steps of 40°, and the three again 45° further: the sum is zero where 40°k is a third of a turn, or 45°k half a turn.
+#[test]
+fn many_classes_are_listed_by_their_residues() {
+    let engine = written("[inline]\nthrows = [0, 40, 80, 45, 85, 125]");
+    let theorem = proved(&engine);
+    agrees(&engine, &theorem);
+    let is_left = |k: &u32| k % 8 != 4 && ![3, 6].contains(&(k % 9));
+    let left: Vec<u32> = (0..72).step_by(2).filter(is_left).collect();
+    assert_eq!(theorem.force.survivors(), survivors(true, 72, &left));
+    let section = text(&engine, Dialect::DollarMarkdown);
+    let line = "The force vanishes at the orders that are 4, 6, 12, 20, 24, 28, 30, 36, 42, 44, 48, 52, 60, 66, 68 modulo 72 and \
+                at no other. Direct and reverse vector alike.";
+    assert!(section.contains(line) && !section.contains("Force, direct"), "no table of 37 rows");
+}
+
+#[test]
+fn the_formula_needs_no_bar_in_a_table_and_compiles_as_latex() {
+    let latex = text(&named("I6"), Dialect::Latex);
+    assert!(latex.contains("\\section{Every order}") && latex.contains("$6 \\nmid k$"));
+    assert!(latex.contains("amssymb"), "the sign for `does not divide` is there");
+}
+
+fn sum_vanishes(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> bool {
+    phasor::sum(layout, quantity, order, Some(sense)).vanishes()
+}
+
+/// Compares the statements with direct verdicts at order 1 and the even orders up to 200.
+fn agrees(layout: &Layout, theorem: &Theorem) {
+    for (quantity, every) in [(Quantity::Force, &theorem.force), (Quantity::Moment, &theorem.moment)] {
+        let ([direct, reverse], both) = (senses(every), every.survivors());
+        let mut lowest = None;
+        for order in std::iter::once(1).chain((2..=200).step_by(2)) {
+            let left = [Sense::Direct, Sense::Reverse].map(|sense| !sum_vanishes(layout, quantity, order, sense));
+            let said = [&direct, &reverse].map(|one| one.contains(order));
+            assert_eq!(said, left, "{}: {} {order}", layout.title, quantity.name());
+            assert_eq!(both.contains(order), left[0] || left[1]);
+            lowest = lowest.or((left[0] || left[1]).then_some(order));
+        }
+        assert_eq!(every.first.as_ref().map(|first| first.direct.order), lowest);
+    }
+}
+
+#[test]
+fn every_statement_on_the_catalogue_agrees_with_direct_verdicts_up_to_order_200() {
+    for (_, layout) in layout::catalogue().expect("it reads") {
+        agrees(&layout, &proved(&layout));
+    }
+}
+
+#[test]
+fn no_statement_on_the_catalogue_holds_with_a_smaller_modulus() {
+    for (_, layout) in layout::catalogue().expect("it reads") {
+        let theorem = proved(&layout);
+        for every in [&theorem.force, &theorem.moment] {
+            for found in senses(every).into_iter().chain([every.survivors()]) {
+                assert!(theorem.period.is_multiple_of(found.modulus) && found.modulus.is_multiple_of(2));
+                for smaller in (2..found.modulus).step_by(2) {
+                    let mut classes = (2..=theorem.period * smaller).step_by(2);
+                    assert!(
+                        classes.any(|order| found.contains(order) != found.contains(order + smaller)),
+                        "{}: {found:?} repeats after {smaller}",
+                        layout.title
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_period_too_long_is_named() {
+    let longest = written("[inline]\nthrows = [0, 0.5]");
+    assert_eq!((proved(&longest).period, LONGEST_PERIOD), (720, 720));
+    let longer = written("[inline]\nthrows = ['360/361']");
+    let reason = verdict::theorem(&longer).expect_err("a long period");
+    assert_eq!(reason.to_string(), "the pattern repeats only after 722 orders; at most 720 are judged");
+    let line = "No statement is made on every order at once: the pattern repeats only after 722 orders, and at most 720 are \
+                judged one by one.";
+    says(&longer, &[line]);
+    assert!(!text(&longer, Dialect::Latex).contains("The first order that survives"));
+    let huge = written(&format!("[inline]\nthrows = ['360/1{}7']", "0".repeat(40)));
+    assert_eq!(verdict::theorem(&huge).expect_err("a long period").period.to_string().len(), 42);
+    let digits = "No statement is made on every order at once: the pattern repeats only after a number of orders that has 42 \
+                  digits, and at most 720 are judged one by one.";
+    says(&huge, &[digits]);
+}
+
+/// The verdicts on order 1 with the theorems: force direct, reverse, moment direct, reverse.
+fn document(layout: &Layout) -> Document {
+    let mut document = report::document(layout, &verdict::classify(layout, &[1], false));
+    document.theorems = report::theorem_claims(&proved(layout));
+    document
+}
+
+#[test]
+fn every_theorem_on_the_catalogue_passes_the_checker_as_json() {
+    for (_, layout) in layout::catalogue().expect("it reads") {
+        let document = document(&layout);
+        let subjects: BTreeSet<_> = document.theorems.iter().map(|claim| (claim.quantity, claim.sense)).collect();
+        assert_eq!((document.theorems.len(), subjects.len()), (4, 4));
+        let json = serde_json::to_string(&document).expect("JSON");
+        let read: Document = serde_json::from_str(&json).expect("a document");
+        assert_eq!(read.theorems, document.theorems);
+        let counted = check_document(&read).expect("it holds");
+        let proved: usize = document.theorems.iter().map(|claim| claim.verdicts.len()).sum();
+        assert!(counted >= proved + 4);
+    }
+}
+
+const PLACE: &str = "theorems[0] (force, direct)";
+
+/// Where a changed document on the 60° V-twin fails, and why.
+fn fault(change: impl FnOnce(&mut Document)) -> [String; 2] {
+    let mut document = document(&named("V2-60"));
+    change(&mut document);
+    let Fault { place, reason } = check_document(&document).expect_err("a cheat");
+    [place, reason]
+}
+
+#[test]
+fn a_theorem_without_cylinders_is_refused() {
+    let bare = fault(|document| document.cylinders.clear());
+    assert_eq!(bare, [PLACE, "a statement on every order needs the cylinders"]);
+}
+
+#[test]
+fn a_theorem_on_the_torque_or_listed_twice_is_refused() {
+    let torque = fault(|document| document.theorems[0].quantity = Quantity::Torque);
+    assert_eq!(torque[1], "a statement on every order is about force or moment");
+    let twice = fault(|document| document.theorems[1] = document.theorems[0].clone());
+    assert_eq!(twice, ["theorems[1] (force, direct)", "this theorem is in the list twice"]);
+}
+
+#[test]
+fn a_wrong_period_is_refused() {
+    let period = |period: i32| fault(|document| document.theorems[0].period = period.into());
+    for wrong in [0, -12, 9] {
+        assert_eq!(period(wrong), [PLACE, &format!("the period {wrong} is not a positive even number")]);
+    }
+    assert_eq!(period(6)[1], "the period 6 times the angle 11/12 of cylinder 1 is not whole");
+    assert_eq!(period(24)[1], "6 even classes modulo the period 24, which has more");
+}
+
+#[test]
+fn a_class_left_out_or_listed_twice_is_refused() {
+    let left_out = fault(|document| drop(document.theorems[0].verdicts.pop()));
+    assert_eq!(left_out, [PLACE, "5 even classes modulo the period 12, which has more"]);
+    let without_one = fault(|document| drop(document.theorems[0].verdicts.remove(0)));
+    assert_eq!(without_one, [PLACE, "order 1 is missing"]);
+    for (index, order, again) in [(1, 2, 2), (1, 2, 14), (0, 1, 1)] {
+        let twice = fault(|document| {
+            let mut copy = document.theorems[0].verdicts[index].clone();
+            assert_eq!(copy.order, order);
+            copy.order = again;
+            document.theorems[0].verdicts.push(copy);
+        });
+        assert_eq!(twice, [PLACE, &format!("order {again}: its class is in the list twice")]);
+    }
+}
+
+#[test]
+fn another_order_of_the_same_class_is_accepted() {
+    let mut document = document(&named("V2-60"));
+    document.theorems[0].verdicts[1].order = 26;
+    check_document(&document).expect("order 26 has the terms of order 2");
+}
+
+#[test]
+fn an_order_that_does_not_exist_is_refused() {
+    for order in [0, 3] {
+        let odd = fault(|document| document.theorems[0].verdicts[1].order = order);
+        assert_eq!(odd, [PLACE, &format!("there is no order {order}: 1 and the even ones")]);
+    }
+}
+
+#[test]
+fn a_certificate_of_another_order_or_engine_is_refused() {
+    let none = Certificate::Polygons { polygons: Vec::new() };
+    let forged = fault(|document| {
+        let verdict = &mut document.theorems[0].verdicts[1];
+        (verdict.vanishes, verdict.certificate) = (true, none);
+    });
+    assert_eq!(forged[0], PLACE);
+    assert!(forged[1].starts_with("order 2: at angle "), "{}", forged[1]);
+    let flipped = fault(|document| document.theorems[0].verdicts[1].vanishes = true);
+    assert_eq!(flipped[1], "order 2: `vanishes` and the kind of the certificate contradict each other");
+    let swapped = fault(|document| {
+        document.theorems[0].verdicts[1].order = 4;
+        document.theorems[0].verdicts[2].order = 2;
+    });
+    assert!(swapped[1].starts_with("order 4: "), "{}", swapped[1]);
+    let turned = fault(|document| document.theorems[0].sense = Sense::Reverse);
+    assert_eq!(turned[0], "theorems[0] (force, reverse)");
+}
+
+#[test]
+fn a_statement_that_the_verdicts_do_not_bear_out_is_refused() {
+    let stated = |survivors: Survivors| fault(|document| document.theorems[0].survivors = survivors)[1].clone();
+    let [direct, _] = senses(&proved(&named("V2-60")).force);
+    assert_eq!(direct, survivors(true, 6, &[0, 2]));
+    assert_eq!(stated(survivors(false, 6, &[0, 2])), "order 1: the statement contradicts the verdict");
+    assert_eq!(stated(survivors(true, 6, &[0])), "order 2: the statement contradicts the verdict");
+    assert_eq!(stated(survivors(true, 6, &[0, 2, 4])), "order 4: the statement contradicts the verdict");
+    for modulus in [0, 3, 8, 24] {
+        let reason = format!("the modulus {modulus} is not an even divisor of the period 12");
+        assert_eq!(stated(survivors(true, modulus, &[0, 2])), reason);
+    }
+    for residues in [&[2, 0][..], &[0, 0, 2], &[0, 2, 6], &[0, 1, 2]] {
+        assert_eq!(stated(survivors(true, 6, residues)), "the residues are not rising even numbers below 6");
+    }
+}
