@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 8] = ["proof", "exact", "layout", "phasor", "verdict", "numbers", "report", "cli"];
+const ROOMS: [&str; 9] = ["proof", "exact", "layout", "phasor", "verdict", "numbers", "claim", "report", "cli"];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder of a room").map(|entry| entry.expect("an entry").path());

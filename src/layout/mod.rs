@@ -7,14 +7,15 @@ mod engine;
 mod error;
 mod file;
 mod firing;
-mod forms;
+pub(crate) mod forms;
 mod number;
-mod units;
-mod written;
+pub(crate) mod units;
+pub(crate) mod written;
 
 pub use catalogue::{Entry, catalogue, find};
 pub use engine::{Cylinder, Form, Layout, LengthUnit};
 pub use error::LayoutError;
+pub(crate) use file::HIGHEST_ORDER;
 pub use file::parse;
 pub use firing::{Cycle, Firing, Shot};
 pub use number::{NumberError, parse_number};
