@@ -93,7 +93,7 @@ fn coefficient(order: u32, ratio: f64) -> (f64, f64) {
     let term = |j: u32| {
         let half_choose = (0..j).fold(1.0, |product, i| product * (0.5 - f64::from(i)) / f64::from(i + 1));
         let choose = (0..j - m).fold(1.0, |product, i| product * f64::from(2 * j - i) / f64::from(i + 1));
-        let sign = if (j + m) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (j + m).is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * half_choose * choose * 0.25_f64.powi(j as i32) * ratio.powi(2 * j as i32 - 1)
     };
     let factor = 2.0 * f64::from(order) * f64::from(order);
