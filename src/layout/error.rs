@@ -1,11 +1,11 @@
-//! What is wrong with a layout file? The place, what was written, what would be right.
+//! What is wrong with a file that a person wrote? The place, what was written, what would be right.
 
 use std::fmt;
 use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
-/// One mistake in a layout file, told with the place where it stands.
+/// One mistake in a layout file or a file of claims, told with the place where it stands.
 #[derive(Clone, Debug)]
 pub struct LayoutError {
     message: String,
@@ -17,12 +17,12 @@ pub struct LayoutError {
 
 impl LayoutError {
     /// A mistake with what would be right, at a byte range of the file.
-    pub(super) fn new(message: impl Into<String>, right: impl Into<String>, span: Option<Range<usize>>) -> Self {
+    pub(crate) fn new(message: impl Into<String>, right: impl Into<String>, span: Option<Range<usize>>) -> Self {
         LayoutError { message: message.into(), right: right.into(), span, file: String::new(), source: String::new() }
     }
 
     /// Names the file and keeps its text, so that the message can show the line.
-    pub(super) fn in_file(mut self, file: &str, source: &str) -> Self {
+    pub(crate) fn in_file(mut self, file: &str, source: &str) -> Self {
         self.file = file.to_owned();
         self.source = source.to_owned();
         self

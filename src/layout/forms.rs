@@ -355,7 +355,7 @@ fn is_length_symbol(name: &str) -> bool {
 }
 
 /// A value that cannot be taken as written.
-pub(super) fn misread(what: &str, written: &str, right: String, text: &Text) -> LayoutError {
+pub(crate) fn misread(what: &str, written: &str, right: String, text: &Text) -> LayoutError {
     let shown: String = written.chars().take(40).collect();
     let dots = if shown.len() < written.len() { "…" } else { "" };
     LayoutError::new(format!("cannot read the {what} `{shown}{dots}`"), right, place(text))

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::number::parse_number;
 
 /// A length as written: its value, and whether it has a unit.
-pub(super) struct Length {
+pub(crate) struct Length {
     /// In metres, or in multiples of the spacing where no unit stands.
     pub value: BigRational,
     /// Whether a unit stands behind it.
@@ -28,20 +28,20 @@ const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)
 const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
-pub(super) fn angle(text: &str) -> Result<BigRational, String> {
+pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
     let size = unit.unwrap_or((1, 360));
     Ok(number * ratio(size))
 }
 
 /// A length; without a unit, metres or multiples of the spacing.
-pub(super) fn length(text: &str) -> Result<Length, String> {
+pub(crate) fn length(text: &str) -> Result<Length, String> {
     let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\" or \"4.4 in\"")?;
     Ok(Length { value: number * ratio(unit.unwrap_or((1, 1))), has_unit: unit.is_some() })
 }
 
 /// A mass; kilograms where no unit stands.
-pub(super) fn mass(text: &str) -> Result<BigRational, String> {
+pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")?;
     Ok(number * ratio(unit.unwrap_or((1, 1))))
 }

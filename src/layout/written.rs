@@ -1,4 +1,4 @@
-//! How is a layout file read without losing a digit? Numbers stay the text that was written.
+//! How is a file read without losing a digit? Numbers stay the text that was written.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -13,10 +13,10 @@ use super::error::LayoutError;
 
 /// A number or a text, as written.
 #[derive(Clone, Debug)]
-pub(super) struct Written(pub String);
+pub(crate) struct Written(pub String);
 
 /// A number or a text with its place in the file.
-pub(super) type Text = Spanned<Written>;
+pub(crate) type Text = Spanned<Written>;
 
 impl<'de> Deserialize<'de> for Written {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -36,7 +36,7 @@ impl<'de> Deserialize<'de> for Written {
 
 /// What `T` reads from the keys of a table; a list of values is no table, though serde would take it for one.
 #[derive(Clone, Debug)]
-pub(super) struct Table<T>(pub T);
+pub(crate) struct Table<T>(pub T);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -55,7 +55,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
 }
 
 /// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float.
-pub(super) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> {
+pub(crate) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> {
     let mut table = DeTable::parse(source).map_err(toml_error)?;
     let pairs = table.get_mut().iter_mut();
     for (_, value) in pairs {
@@ -113,6 +113,6 @@ fn value(kind: &str) -> String {
 }
 
 /// The place of a value in the file.
-pub(super) fn place<T>(value: &Spanned<T>) -> Option<Range<usize>> {
+pub(crate) fn place<T>(value: &Spanned<T>) -> Option<Range<usize>> {
     Some(value.span())
 }

@@ -1,0 +1,101 @@
+//! How large is it in newtons? Decimals only: the exact factor of the star times m r ω² c_k.
+
+use std::f64::consts::TAU;
+
+use num_rational::BigRational;
+
+use super::answer::{Answer, Evidence, Finding, Status};
+use super::compare::float;
+use super::order::half_of_lengths;
+use super::statement::{Subject, Tolerance, Value};
+use crate::layout::{Layout, LengthUnit};
+use crate::proof::{Quantity, Sense};
+use crate::verdict::OrderBalance;
+
+/// Terms of the series of c_k that are added up.
+const TERMS: u32 = 60;
+
+/// What an engine weighs and measures.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Numbers {
+    /// Reciprocating mass that the layout's masses are multiples of, in kilograms.
+    pub reciprocating_mass: BigRational,
+    /// Crank radius r in metres.
+    pub crank_radius: BigRational,
+    /// Rod length l in metres.
+    pub rod_length: BigRational,
+    /// Speed in revolutions a minute.
+    pub speed: BigRational,
+    /// Spacing in metres that the layout's positions are multiples of; none where they are in metres.
+    pub spacing: Option<BigRational>,
+}
+
+/// A largest value in newtons or newton-metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Absolute {
+    /// With the first term of the series of c_k alone, as textbooks take it: c_2 = r/l.
+    pub first_term: f64,
+    /// With the whole series.
+    pub whole: f64,
+    /// Of the two, whether the claim is compared with the first: it is so where that is the nearer one.
+    pub takes_first: bool,
+}
+
+/// Answers a claim in newtons or newton-metres.
+pub(super) fn answer(
+    layout: &Layout,
+    subject: Subject,
+    order: &OrderBalance,
+    value: &Value,
+    numbers: Option<&Numbers>,
+    evidence: Vec<Evidence>,
+) -> Answer {
+    let Some(numbers) = numbers else { return Answer::nothing("a value in N or N·m needs the table numbers") };
+    let balance = if subject.quantity == Quantity::Moment { &order.moment } else { &order.force };
+    let empty = crate::exact::PhasorSum::new(Vec::new());
+    let sums = match subject.sense {
+        None => [&balance.direct.sum, &balance.reverse.sum],
+        Some(Sense::Direct) => [&balance.direct.sum, &empty],
+        Some(Sense::Reverse) => [&balance.reverse.sum, &empty],
+    };
+    let star = half_of_lengths(sums).1;
+    let arm = match (subject.quantity, layout.length_unit, &numbers.spacing) {
+        (Quantity::Moment, LengthUnit::Spacing, None) => return Answer::nothing("a value in N·m needs the spacing"),
+        (Quantity::Moment, LengthUnit::Spacing, Some(spacing)) => float(spacing),
+        _ => 1.0,
+    };
+    let omega = float(&numbers.speed) / 60.0 * TAU;
+    let scale = star * float(&numbers.reciprocating_mass) * float(&numbers.crank_radius) * omega * omega * arm;
+    let ratio = float(&numbers.crank_radius) / float(&numbers.rod_length);
+    let (first, whole) = coefficient(subject.order, ratio);
+    let (first_term, whole) = (scale * first.abs(), scale * whole.abs());
+    let claimed = value.form.to_float();
+    let takes_first = (claimed - first_term).abs() <= (claimed - whole).abs();
+    let off = (claimed - if takes_first { first_term } else { whole }).abs();
+    let within = match &value.tolerance {
+        Tolerance::Within(within) => float(within),
+        Tolerance::Part(part) => float(part) * claimed,
+        Tolerance::Exact { rounding } => rounding.as_ref().map_or(0.5, float),
+    };
+    let status = if off <= within { Status::True } else { Status::False };
+    let absolute = Absolute { first_term, whole, takes_first };
+    Answer { status, finding: Finding::Absolute(Box::new(order.clone()), absolute), evidence }
+}
+
+/// c_k of a centric crank: the first term of its series, and the sum (theory, section 2). c_1 = 1; other odd orders have none.
+fn coefficient(order: u32, ratio: f64) -> (f64, f64) {
+    if order % 2 == 1 {
+        let only = if order == 1 { 1.0 } else { 0.0 };
+        return (only, only);
+    }
+    let m = order / 2;
+    // C(1/2, j) C(2j, j−m) 4^{−j}, j from m on; (−1)^{j+m} C(1/2, j) has one sign for all of them.
+    let term = |j: u32| {
+        let half_choose = (0..j).fold(1.0, |product, i| product * (0.5 - f64::from(i)) / f64::from(i + 1));
+        let choose = (0..j - m).fold(1.0, |product, i| product * f64::from(2 * j - i) / f64::from(i + 1));
+        let sign = if (j + m).is_multiple_of(2) { 1.0 } else { -1.0 };
+        sign * half_choose * choose * 0.25_f64.powi(j as i32) * ratio.powi(2 * j as i32 - 1)
+    };
+    let factor = 2.0 * f64::from(order) * f64::from(order);
+    (factor * term(m), factor * (m..m + TERMS).map(term).sum::<f64>())
+}

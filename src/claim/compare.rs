@@ -1,0 +1,126 @@
+//! Is the length, or the direction, the claimed one? Exactly where the claim is exact, in decimals where it has a tolerance.
+
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::answer::{Evidence, Status};
+use super::radicals::{as_sum, number, square_as_sum};
+use super::statement::{Angle, Bearing, Tolerance, Value};
+use crate::exact::{PhasorSum, Turn};
+use crate::numbers::{Form, evaluate};
+
+/// Decimals nearer than this to the edge of a tolerance decide nothing.
+const EDGE: f64 = 1e-9;
+
+/// Whether `½(|A| + |B|)` is the claimed value; `exact` is its closed form, `decimal` its decimals.
+pub(super) fn length(
+    value: &Value,
+    parts: [&PhasorSum; 2],
+    exact: Option<&Form>,
+    decimal: f64,
+) -> (Status, Vec<Evidence>) {
+    let claimed = value.form.to_float();
+    match &value.tolerance {
+        Tolerance::Within(within) => (nearness((decimal - claimed).abs(), float(within)), Vec::new()),
+        Tolerance::Part(part) => (nearness((decimal - claimed).abs(), float(part) * claimed), Vec::new()),
+        Tolerance::Exact { rounding } => {
+            let (equal, evidence) = equals(&value.form, parts, exact, decimal);
+            (exact_status(equal, (decimal - claimed).abs(), rounding.as_ref()), evidence.into_iter().collect())
+        }
+    }
+}
+
+/// Whether the sum, or where `is_line` the line that it is twice the angle of, points as claimed; `decimal` in degrees.
+pub(super) fn bearing(angle: &Angle, sum: &PhasorSum, is_line: bool, decimal: f64) -> (Status, Vec<Evidence>) {
+    let claimed = match &angle.bearing {
+        Bearing::Turns(turns) => float(turns) * 360.0,
+        Bearing::Arctangent(tangent) => tangent.to_float().atan().to_degrees(),
+    };
+    let period = if is_line { 180.0 } else { 360.0 };
+    let off = (decimal - claimed).rem_euclid(period);
+    let off = off.min(period - off);
+    match &angle.tolerance {
+        Tolerance::Within(within) | Tolerance::Part(within) => (nearness(off, float(within)), Vec::new()),
+        Tolerance::Exact { rounding } => {
+            let Some(upright) = upright(&angle.bearing, sum, is_line) else { return (Status::NotDecided, Vec::new()) };
+            let across = upright.minus(&upright.conjugate());
+            let evidence = Evidence::comparison("the part across the claimed direction", across);
+            let equal = evidence.vanishes() && evaluate(&upright).re > 0.0;
+            (exact_status(Some(equal), off, rounding.as_ref()), vec![evidence])
+        }
+    }
+}
+
+/// The sum turned back by the claimed direction (twice by that of a line): real and positive iff the claim is right.
+fn upright(bearing: &Bearing, sum: &PhasorSum, is_line: bool) -> Option<PhasorSum> {
+    let direction = match bearing {
+        Bearing::Turns(turns) => number(BigRational::one()).turned(&Turn::new(turns.clone())),
+        Bearing::Arctangent(tangent) => {
+            number(BigRational::one()).plus(&as_sum(tangent)?.turned(&Turn::fraction(1, 4)))
+        }
+    };
+    let back = direction.conjugate();
+    Some(if is_line { sum.times(&back).times(&back) } else { sum.times(&back) })
+}
+
+/// `v = ½(a + b)`: where one of a, b is zero or both are equal, `a² = (2v)²` or `a² = v²`; else squared twice,
+/// `(4v² − a² − b²)² = 4a²b²`, whose other solutions the decimals rule out.
+fn equals(
+    value: &Form,
+    parts: [&PhasorSum; 2],
+    exact: Option<&Form>,
+    decimal: f64,
+) -> (Option<bool>, Option<Evidence>) {
+    let Some(square) = square_as_sum(value) else {
+        let same = exact
+            .is_some_and(|exact| exact == value || exact.times(exact).is_some_and(|s| Some(s) == value.times(value)));
+        let differs = (decimal - value.to_float()).abs() > EDGE * (1.0 + decimal.abs());
+        return (
+            if same {
+                Some(true)
+            } else if differs {
+                Some(false)
+            } else {
+                None
+            },
+            None,
+        );
+    };
+    let four = BigRational::from_integer(4.into());
+    let [a, b] = parts.map(PhasorSum::squared_modulus);
+    let (a_empty, b_empty) = (a.vanishes(), b.vanishes());
+    let difference = match () {
+        () if a_empty && b_empty => square,
+        () if a_empty => b.minus(&square.scaled(&four)),
+        () if b_empty => a.minus(&square.scaled(&four)),
+        () if a.minus(&b).vanishes() => a.minus(&square),
+        () => {
+            let rest = square.scaled(&four).minus(&a).minus(&b);
+            rest.times(&rest).minus(&a.times(&b).scaled(&four))
+        }
+    };
+    let evidence = Evidence::comparison("the difference of the squares", difference);
+    let near = (decimal - value.to_float()).abs() < EDGE * (1.0 + decimal.abs());
+    (Some(evidence.vanishes() && near), Some(evidence))
+}
+
+fn exact_status(equal: Option<bool>, off: f64, rounding: Option<&BigRational>) -> Status {
+    match (equal, rounding) {
+        (Some(true), _) => Status::True,
+        (None, _) => Status::NotDecided,
+        (Some(false), Some(half)) if !half.is_zero() && off <= float(half) => Status::TrueAsRounded,
+        (Some(false), _) => Status::False,
+    }
+}
+
+fn nearness(off: f64, within: f64) -> Status {
+    match off - within {
+        edge if edge.abs() < EDGE * within && off > 0.0 => Status::NotDecided,
+        edge if edge <= 0.0 => Status::True,
+        _ => Status::False,
+    }
+}
+
+pub(super) fn float(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,71 @@
+//! Do all orders vanish? One period of them decides: a phase depends on the order only modulo the common denominator.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive};
+
+use super::answer::{Answer, Evidence, Finding, Status};
+use super::condition::{of_vanishing, senses};
+use super::statement::Orders;
+use crate::layout::Layout;
+use crate::proof::Quantity;
+use crate::verdict::{self, Balance, OrderBalance};
+
+/// Longer periods than this are not gone through.
+const LONGEST_PERIOD: u32 = 2000;
+
+/// Answers a claim that orders vanish. Without pin offset the orders that exist are 1 and the even ones.
+pub(super) fn answer(layout: &Layout, orders: &Orders, quantities: &[Quantity]) -> Answer {
+    let (judged, period) = match (orders, period(layout)) {
+        (Orders::Listed(list), _) => (list.clone(), None),
+        (_, None) => return Answer::nothing("the phases repeat only after more than 2000 orders"),
+        (Orders::Every, Some(period)) => ([1].into_iter().chain((2..=period).step_by(2)).collect(), Some(period)),
+        (Orders::Higher, Some(period)) => ((2..=period).step_by(2).collect(), Some(period)),
+    };
+    let balances: Vec<OrderBalance> =
+        judged.iter().filter_map(|order| verdict::classify(layout, &[*order], false).pop()).collect();
+    let (vanishing, surviving): (Vec<&OrderBalance>, Vec<&OrderBalance>) =
+        balances.iter().partition(|order| asked(order, quantities).all(Balance::is_balanced));
+    // A couple that is free of the reference plane is the plainest counterexample.
+    let counterexample = surviving.iter().find(|order| order.moment_is_couple()).or(surviving.first());
+    let status = match counterexample {
+        Some(_) => Status::False,
+        None => {
+            let with_moment = quantities.contains(&Quantity::Moment);
+            let mut conditions = Vec::new();
+            for order in vanishing.iter().filter(|_| with_moment) {
+                conditions.extend(of_vanishing(layout, order, &senses(None)));
+            }
+            conditions.dedup();
+            let mut once = Vec::new();
+            conditions.into_iter().for_each(|condition| {
+                if !once.contains(&condition) {
+                    once.push(condition)
+                }
+            });
+            if once.is_empty() { Status::True } else { Status::TrueOnlyIf { conditions: once, met: true } }
+        }
+    };
+    let shown: Vec<&OrderBalance> = counterexample.map_or(vanishing, |order| vec![order]);
+    let verdicts = shown.iter().flat_map(|order| asked(order, quantities).flat_map(Balance::verdicts));
+    let evidence = verdicts.map(|verdict| Evidence::Verdict(verdict.clone())).collect();
+    let first = counterexample.map(|order| Box::new((*order).clone()));
+    let surviving = surviving.iter().map(|order| order.order).collect();
+    Answer { status, finding: Finding::Orders { surviving, judged: judged.len(), period, first }, evidence }
+}
+
+fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Quantity]) -> impl Iterator<Item = &'a Balance> {
+    let of = |quantity: &Quantity| match quantity {
+        Quantity::Force => Some(&order.force),
+        Quantity::Moment => Some(&order.moment),
+        Quantity::Torque => None,
+    };
+    quantities.iter().filter_map(of)
+}
+
+/// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.
+fn period(layout: &Layout) -> Option<u32> {
+    let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    let common = angles.fold(BigInt::one(), |common, angle| common.lcm(angle.denominator()));
+    common.lcm(&BigInt::from(2)).to_u32().filter(|period| *period <= LONGEST_PERIOD)
+}

@@ -1,0 +1,37 @@
+//! Does it fire evenly?
+
+use num_rational::BigRational;
+
+use super::answer::{Answer, Condition, Finding, Status};
+use crate::exact::Turn;
+use crate::layout::Layout;
+
+/// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
+pub(super) fn answer(layout: &Layout, claimed: bool) -> Answer {
+    let (status, intervals) = match &layout.firing {
+        Some(firing) => {
+            let status = if firing.is_even() == claimed { Status::True } else { Status::False };
+            (status, Some(firing.intervals()))
+        }
+        None => match (can_fire_evenly(layout), claimed) {
+            (true, true) => (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None),
+            (true, false) => {
+                return Answer::nothing("the layout names no firing order, and its throws allow an even one");
+            }
+            (false, claimed) => (if claimed { Status::False } else { Status::True }, None),
+        },
+    };
+    Answer { status, finding: Finding::Firing(intervals), evidence: Vec::new() }
+}
+
+/// A four-stroke engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those
+/// of the firing angles 2j/n turns.
+fn can_fire_evenly(layout: &Layout) -> bool {
+    let Some(first) = layout.cylinders.first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
+    let mut centres: Vec<Turn> = layout.cylinders.iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
+    let count = centres.len();
+    let mut even: Vec<Turn> = (0..count).map(|j| Turn::new(BigRational::new((2 * j).into(), count.into()))).collect();
+    centres.sort();
+    even.sort();
+    centres == even
+}

@@ -1,0 +1,183 @@
+//! Which claim do these words make? A small grammar, described in the room's README.
+
+use super::statement::{Orders, Predicate, Statement, Subject};
+use super::written_value::{angle, value};
+use crate::layout::HIGHEST_ORDER;
+use crate::proof::{Quantity, Sense, Shape};
+
+/// Why words are no claim: what is wrong, and what would be right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// What cannot be read.
+    pub message: String,
+    /// What would be right.
+    pub right: String,
+}
+
+impl Mistake {
+    pub(super) fn new(message: impl Into<String>, right: impl Into<String>) -> Self {
+        Mistake { message: message.into(), right: right.into() }
+    }
+}
+
+const ORDINALS: [&str; 12] = [
+    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
+    "twelfth",
+];
+const SHAPES: [(&str, Shape); 5] = [
+    ("balanced", Shape::Balanced),
+    ("rotating", Shape::Rotating),
+    ("counter-rotating", Shape::CounterRotating),
+    ("planar", Shape::Planar),
+    ("elliptical", Shape::Elliptical),
+];
+
+/// Reads a claim.
+///
+/// ```
+/// use crankstar::claim::{parse_statement, Statement};
+/// assert!(parse_statement("second-order force vanishes").is_ok());
+/// assert_eq!(parse_statement("fires evenly"), Ok(Statement::FiresEvenly { evenly: true }));
+/// ```
+///
+/// # Errors
+/// The first word that fits nowhere, with what would fit.
+pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = words.trim_end_matches('.');
+    match words.to_lowercase().as_str() {
+        "fires evenly" => return Ok(Statement::FiresEvenly { evenly: true }),
+        "does not fire evenly" => return Ok(Statement::FiresEvenly { evenly: false }),
+        "no free moment" | "no free moments" => {
+            return Ok(Statement::Vanish { orders: Orders::Every, quantities: vec![Quantity::Moment] });
+        }
+        lower if lower.starts_with("every ") || lower.starts_with("orders ") => return many(lower),
+        _ => {}
+    }
+    let (subject, predicate) = subject(words)?;
+    Ok(Statement::Order { subject, predicate: self::predicate(predicate, subject)? })
+}
+
+/// `every order of the force vanishes`, `orders 1 and 2 vanish`.
+fn many(text: &str) -> Result<Statement, Mistake> {
+    let right = "such as \"every order of the force vanishes\", \"every higher order vanishes\" or \"orders 1 and 2 of the \
+                 moment vanish\"";
+    let no_claim = || Mistake::new(format!("`{text}` is no claim about many orders"), right);
+    let rest = text.strip_suffix(" vanishes").or_else(|| text.strip_suffix(" vanish")).ok_or_else(no_claim)?;
+    let (rest, quantities) = match rest.split_once(" of the ") {
+        None => (rest, vec![Quantity::Force, Quantity::Moment]),
+        Some((rest, word)) => (rest, vec![quantity(word).ok_or_else(no_claim)?]),
+    };
+    let orders = match rest {
+        "every order" => Orders::Every,
+        "every higher order" => Orders::Higher,
+        _ => {
+            let list = rest.strip_prefix("orders ").ok_or_else(no_claim)?.replace(" and ", ",");
+            Orders::Listed(list.split(',').map(|word| order_number(word.trim())).collect::<Result<_, _>>()?)
+        }
+    };
+    Ok(Statement::Vanish { orders, quantities })
+}
+
+/// The order, sense and quantity at the beginning, and the words behind them.
+fn subject(words: &str) -> Result<(Subject, &str), Mistake> {
+    let (first, rest) = next(words);
+    let lower = first.to_lowercase();
+    let (order, rest) = match lower.strip_suffix("-order").or(Some(lower.as_str())) {
+        Some("order") => {
+            let (number, rest) = next(rest);
+            (order_number(number)?, rest)
+        }
+        Some("primary") => (1, rest),
+        Some("secondary") => (2, rest),
+        Some(word) => {
+            let order = ordinal(word).ok_or_else(|| no_order(first))??;
+            let rest = if lower.ends_with("-order") { Some(rest) } else { rest.strip_prefix("order ") };
+            (order, rest.ok_or_else(|| no_order(first))?)
+        }
+        None => return Err(no_order(first)),
+    };
+    let (word, after) = next(rest);
+    let (sense, rest) = match word.to_lowercase().as_str() {
+        "direct" => (Some(Sense::Direct), after),
+        "reverse" => (Some(Sense::Reverse), after),
+        _ => (None, rest),
+    };
+    let (word, rest) = next(rest);
+    let quantity = quantity(&word.to_lowercase()).ok_or_else(|| {
+        Mistake::new(format!("`{word}` is nothing that a claim is about"), "force, moment, couple or torque")
+    })?;
+    if quantity == Quantity::Torque && sense.is_some() {
+        return Err(Mistake::new("a torque has no direct and reverse vector", "leave the word out"));
+    }
+    Ok((Subject { order, sense, quantity }, rest))
+}
+
+fn predicate(text: &str, subject: Subject) -> Result<Predicate, Mistake> {
+    let right = "vanishes, does not vanish, is planar, = VALUE, ≈ VALUE ± TOLERANCE, = VALUE at ANGLE, or plane ANGLE";
+    let is_plain = subject.sense.is_some() || subject.quantity == Quantity::Torque;
+    let (word, rest) = next(text);
+    match (word, rest) {
+        ("vanishes" | "vanish", "") => Ok(Predicate::Vanishes(true)),
+        ("does" | "do", "not vanish") => Ok(Predicate::Vanishes(false)),
+        ("is" | "are", shape) => match SHAPES.iter().find(|(name, _)| *name == shape) {
+            Some((_, Shape::Balanced)) => Ok(Predicate::Vanishes(true)),
+            Some((_, shape)) if !is_plain => Ok(Predicate::Is(*shape)),
+            Some((name, _)) => Err(Mistake::new(
+                format!("`{name}` is said of both vectors together"),
+                "leave out the word direct or reverse, and say it of a force or a moment",
+            )),
+            None => Err(Mistake::new(
+                format!("`{shape}` is no shape"),
+                "balanced, rotating, counter-rotating, planar or elliptical",
+            )),
+        },
+        ("plane", written) => Ok(Predicate::Plane(angle(written)?)),
+        ("=" | "≈", written) => {
+            let (number, direction) = match written.split_once(" at ") {
+                Some((number, direction)) => (number, Some(angle(direction)?)),
+                None => (written, None),
+            };
+            Ok(Predicate::Equals(value(number, word == "≈", subject.quantity)?, direction))
+        }
+        _ => Err(Mistake::new(format!("`{text}` says nothing that is understood"), right)),
+    }
+}
+
+fn next(text: &str) -> (&str, &str) {
+    text.split_once(' ').unwrap_or((text, ""))
+}
+
+fn quantity(word: &str) -> Option<Quantity> {
+    match word {
+        "force" | "forces" => Some(Quantity::Force),
+        "moment" | "moments" | "couple" | "couples" => Some(Quantity::Moment),
+        "torque" => Some(Quantity::Torque),
+        _ => None,
+    }
+}
+
+/// `second`, `2nd`; none for another word.
+fn ordinal(word: &str) -> Option<Result<u32, Mistake>> {
+    if let Some(index) = ORDINALS.iter().position(|name| *name == word) {
+        return Some(Ok(index as u32 + 1));
+    }
+    let number = ["st", "nd", "rd", "th"].iter().find_map(|ending| word.strip_suffix(ending))?;
+    Some(order_number(number))
+}
+
+fn order_number(word: &str) -> Result<u32, Mistake> {
+    match word.parse() {
+        Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => Ok(order),
+        _ => Err(Mistake::new(
+            format!("`{word}` is no order"),
+            format!("an order is a whole number, 1 to {HIGHEST_ORDER}"),
+        )),
+    }
+}
+
+fn no_order(word: &str) -> Mistake {
+    let right = "a claim begins with an order, such as first-order, 4th-order or order 4; or it is \"fires evenly\", \"no \
+                 free moment\", \"every order of the force vanishes\"";
+    Mistake::new(format!("`{word}` is no order"), right)
+}

@@ -1,0 +1,22 @@
+//! Is it true, what is said about an engine? Each claim of a file is answered with its evidence.
+//!
+//! `words → statement → answer`: the words of an answer are put down by the room of reports.
+//!
+#![doc = include_str!("README.md")]
+
+mod absolute;
+mod answer;
+mod compare;
+mod condition;
+mod every;
+mod firing;
+mod grammar;
+mod order;
+mod radicals;
+mod statement;
+mod written_value;
+
+pub use absolute::{Absolute, Numbers};
+pub use answer::{Answer, Condition, Evidence, Finding, Status, answer};
+pub use grammar::{Mistake, parse_statement};
+pub use statement::{Angle, Bearing, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};

@@ -1,0 +1,151 @@
+//! Is it true, what is said about one order?
+
+use num_rational::BigRational;
+
+use super::absolute::{self, Numbers};
+use super::answer::{Answer, Condition, Evidence, Finding, Status};
+use super::compare;
+use super::condition::{of_vanishing, plane_of_vanishing, senses};
+use super::statement::{Angle, Predicate, Subject, Value};
+use crate::exact::PhasorSum;
+use crate::layout::Layout;
+use crate::numbers::{self, Form};
+use crate::proof::{Quantity, Sense, Shape};
+use crate::verdict::{self, Balance, OrderBalance, Verdict};
+
+/// The vectors that a claim is about: both, or one and nothing.
+struct Vectors<'a> {
+    verdicts: Vec<&'a Verdict>,
+    shape: Option<Shape>,
+    comparison: Option<Evidence>,
+}
+
+impl<'a> Vectors<'a> {
+    fn new(order: &'a OrderBalance, subject: Subject) -> Option<Self> {
+        let of = |balance: &'a Balance| match subject.sense {
+            Some(Sense::Direct) => Vectors { verdicts: vec![&balance.direct], shape: None, comparison: None },
+            Some(Sense::Reverse) => Vectors { verdicts: vec![&balance.reverse], shape: None, comparison: None },
+            None => Vectors {
+                verdicts: balance.verdicts().to_vec(),
+                shape: Some(balance.shape),
+                comparison: balance.comparison.is_some().then(|| {
+                    let squares = [&balance.direct, &balance.reverse].map(|verdict| verdict.sum.squared_modulus());
+                    Evidence::comparison("the difference of the squared lengths", squares[0].minus(&squares[1]))
+                }),
+            },
+        };
+        match subject.quantity {
+            Quantity::Force => Some(of(&order.force)),
+            Quantity::Moment => Some(of(&order.moment)),
+            Quantity::Torque => {
+                order.torque.as_ref().map(|torque| Vectors { verdicts: vec![torque], shape: None, comparison: None })
+            }
+        }
+    }
+
+    fn vanish(&self) -> bool {
+        self.verdicts.iter().all(|verdict| verdict.vanishes())
+    }
+
+    fn evidence(&self) -> Vec<Evidence> {
+        let verdicts = self.verdicts.iter().map(|verdict| Evidence::Verdict((*verdict).clone()));
+        verdicts.chain(self.comparison.clone()).collect()
+    }
+}
+
+/// Answers a claim about one order.
+pub(super) fn answer(layout: &Layout, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
+    let with_torque = subject.quantity == Quantity::Torque;
+    let Some(order) = verdict::classify(layout, &[subject.order], with_torque).pop() else {
+        return Answer::nothing("no order");
+    };
+    let Some(vectors) = Vectors::new(&order, subject) else { return Answer::nothing("no vectors") };
+    let mut evidence = vectors.evidence();
+    let status = match predicate {
+        Predicate::Vanishes(claimed) => vanishing(layout, subject, &order, vectors.vanish(), *claimed),
+        Predicate::Is(shape) if vectors.shape == Some(*shape) => Status::True,
+        Predicate::Is(_) => Status::False,
+        Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
+        Predicate::Equals(value, angle) => {
+            if value.unit.is_some() {
+                return absolute::answer(layout, subject, &order, value, numbers, evidence);
+            }
+            let (status, more) = largest(&vectors, subject, value);
+            evidence.extend(more);
+            match angle {
+                Some(angle) if status.holds() => {
+                    let is_line = matches!(vectors.shape, Some(Shape::Planar | Shape::Elliptical));
+                    match (status, direction(&vectors, angle, is_line, &mut evidence)) {
+                        (Status::True, other) | (other, Status::True) => other,
+                        (_, other) => other,
+                    }
+                }
+                _ => status,
+            }
+        }
+    };
+    let finding = Finding::Order(Box::new(order.clone()));
+    Answer { status, finding, evidence }
+}
+
+/// Vanishing, with what it depends on.
+fn vanishing(layout: &Layout, subject: Subject, order: &OrderBalance, vanishes: bool, claimed: bool) -> Status {
+    let senses = senses(subject.sense);
+    let plane = || match subject.quantity {
+        Quantity::Moment => plane_of_vanishing(layout, order, &senses),
+        _ => None,
+    };
+    let conditions = match (vanishes, claimed) {
+        (true, true) if subject.quantity == Quantity::Moment => of_vanishing(layout, order, &senses),
+        (false, true) => plane().map(Condition::AboutPlane).into_iter().collect(),
+        (false, false) => plane().map(Condition::NotAboutPlane).into_iter().collect(),
+        _ => Vec::new(),
+    };
+    match (vanishes == claimed, conditions.is_empty()) {
+        (true, true) => Status::True,
+        (false, true) => Status::False,
+        (met, false) => Status::TrueOnlyIf { conditions, met },
+    }
+}
+
+/// The largest value, ½(|P⁺| + |P⁻|); half the length of one vector alone; the length of a torque.
+fn largest(vectors: &Vectors, subject: Subject, value: &Value) -> (Status, Vec<Evidence>) {
+    let empty = PhasorSum::new(Vec::new());
+    let sums: [&PhasorSum; 2] = match vectors.verdicts.as_slice() {
+        [direct, reverse] => [&direct.sum, &reverse.sum],
+        [only] if subject.quantity == Quantity::Torque => [&only.sum, &only.sum],
+        [only] => [&only.sum, &empty],
+        _ => [&empty, &empty],
+    };
+    let (exact, decimal) = half_of_lengths(sums);
+    compare::length(value, sums, exact.as_ref(), decimal)
+}
+
+/// `½(|A| + |B|)` in closed form and in decimals.
+pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
+    let half = BigRational::new(1.into(), 2.into());
+    let exact = match sums.map(length) {
+        [Some(a), Some(b)] => Some(a.plus(&b).scaled(&half)),
+        _ => None,
+    };
+    (exact, sums.map(|sum| numbers::evaluate(sum).norm()).iter().sum::<f64>() / 2.0)
+}
+
+fn length(sum: &PhasorSum) -> Option<Form> {
+    if sum.vanishes() { Some(Form::rational(BigRational::from_integer(0.into()))) } else { numbers::modulus(sum) }
+}
+
+/// The direction of the one vector that is left, or the line that two of them swing along.
+fn direction(vectors: &Vectors, angle: &Angle, is_line: bool, evidence: &mut Vec<Evidence>) -> Status {
+    let left: Vec<&PhasorSum> = vectors.verdicts.iter().filter(|v| !v.vanishes()).map(|v| &v.sum).collect();
+    let (sum, is_line) = match left.as_slice() {
+        [] => return Status::False,
+        [only] if is_line => (only.times(only), true),
+        [only] => ((*only).clone(), false),
+        [first, second, ..] => (first.times(second), true),
+    };
+    let decimal = numbers::evaluate(&sum).arg().to_degrees() / if is_line { 2.0 } else { 1.0 };
+    let (status, more) = compare::bearing(angle, &sum, is_line, decimal);
+    evidence.extend(more);
+    status
+}

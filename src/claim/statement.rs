@@ -1,0 +1,117 @@
+//! What can be claimed? One order of a quantity, many orders at once, the firing.
+
+use num_rational::BigRational;
+
+use crate::numbers::Form;
+use crate::proof::{Quantity, Sense, Shape};
+
+/// A claim about an engine, as the grammar reads it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Statement {
+    /// One order of the force, the moment or the torque.
+    Order {
+        /// What the claim is about.
+        subject: Subject,
+        /// What it says.
+        predicate: Predicate,
+    },
+    /// Orders that are all said to vanish.
+    Vanish {
+        /// Which orders.
+        orders: Orders,
+        /// Force, moment, or both where it is empty of a name.
+        quantities: Vec<Quantity>,
+    },
+    /// Whether the firing intervals are equal.
+    FiresEvenly {
+        /// False where the claim denies it.
+        evenly: bool,
+    },
+}
+
+/// One order of one quantity, or one of its two vectors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Subject {
+    /// The order k.
+    pub order: u32,
+    /// The direct or the reverse vector alone; none means both together.
+    pub sense: Option<Sense>,
+    /// Force, moment or torque.
+    pub quantity: Quantity,
+}
+
+/// Which orders a claim about many is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Orders {
+    /// 1 and all even ones.
+    Every,
+    /// All even ones.
+    Higher,
+    /// These.
+    Listed(Vec<u32>),
+}
+
+/// What is said about one order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Predicate {
+    /// It vanishes, or (false) it does not.
+    Vanishes(bool),
+    /// What is left has this shape.
+    Is(Shape),
+    /// Its largest value, and perhaps its direction.
+    Equals(Value, Option<Angle>),
+    /// The line it stands on, modulo 180°.
+    Plane(Angle),
+}
+
+/// A length as claimed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Value {
+    /// The number, exactly as written.
+    pub form: Form,
+    /// How near it has to be.
+    pub tolerance: Tolerance,
+    /// Newtons or newton-metres; none counts in m r ω² c_k and the unit of the positions.
+    pub unit: Option<Unit>,
+}
+
+/// A direction as claimed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Angle {
+    /// The direction, exactly as written.
+    pub bearing: Bearing,
+    /// How near it has to be, in degrees.
+    pub tolerance: Tolerance,
+}
+
+/// A direction in one of the two ways of writing it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Bearing {
+    /// In turns.
+    Turns(BigRational),
+    /// The angle in (−90°, 90°) of this tangent.
+    Arctangent(Form),
+}
+
+/// How near a number has to be to the true one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Tolerance {
+    /// It is the number; where decimals are written, half of the last place is told apart as rounding.
+    Exact {
+        /// Half a unit of the last decimal written, where there are decimals.
+        rounding: Option<BigRational>,
+    },
+    /// Within this much.
+    Within(BigRational),
+    /// Within this part of the claimed number.
+    Part(BigRational),
+}
+
+/// Units of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// N.
+    Newton,
+    /// N·m.
+    NewtonMetre,
+}

@@ -1,0 +1,93 @@
+//! Which number or direction is claimed, and how near does it have to be?
+
+use num_rational::BigRational;
+use num_traits::{Pow, Signed};
+
+use super::grammar::Mistake;
+use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
+use crate::layout::{parse_number, units};
+use crate::numbers::Form;
+use crate::proof::Quantity;
+
+/// Units with the quantity that is counted in them, longest first.
+const UNITS: [(&str, Unit); 4] =
+    [("N·m", Unit::NewtonMetre), ("N m", Unit::NewtonMetre), ("Nm", Unit::NewtonMetre), ("N", Unit::Newton)];
+
+/// `√3`, `0.449 ± 0.001`, `65.18 N·m ± 1 %`.
+pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value, Mistake> {
+    let (number, tolerance) = split_tolerance(text);
+    let unit = UNITS.iter().find(|(name, _)| number.ends_with(name));
+    let number = unit.map_or(number, |(name, _)| number[..number.len() - name.len()].trim_end());
+    let unit = unit.map(|(_, unit)| *unit);
+    let right = "a number such as 4, 2√3, √(5 − 2√5), 1.732 or 3·cos(40°), 0 or more";
+    let form = Form::parse(number).filter(|form| form.to_float() >= 0.0);
+    let form = form.ok_or_else(|| Mistake::new(format!("cannot read the value `{number}`"), right))?;
+    let fits = match unit {
+        None => true,
+        Some(Unit::Newton) => quantity == Quantity::Force,
+        Some(Unit::NewtonMetre) => quantity == Quantity::Moment,
+    };
+    if !fits {
+        return Err(Mistake::new("this unit belongs to another quantity", "a force has N, a moment N·m"));
+    }
+    let tolerance = match tolerance {
+        Some(text) => self::tolerance(text)?,
+        None => unstated(number, about),
+    };
+    Ok(Value { form, tolerance, unit })
+}
+
+/// `30°`, `-18.43° ± 0.01°`, `1/12 turn`, `-arctan(1/3)`.
+pub(super) fn angle(text: &str) -> Result<Angle, Mistake> {
+    let (number, tolerance) = split_tolerance(text);
+    let right = "an angle such as 30°, 22.5 deg, 1/12 turn or −arctan(1/3)";
+    let mistake = || Mistake::new(format!("cannot read the angle `{number}`"), right);
+    let plain = number.replace('−', "-");
+    let (sign, positive) = plain.strip_prefix('-').map_or((1, plain.as_str()), |rest| (-1, rest));
+    let tangent = positive.trim().strip_prefix("arctan(").and_then(|rest| rest.strip_suffix(')'));
+    let bearing = match tangent {
+        Some(tangent) => {
+            let form = Form::parse(tangent).ok_or_else(mistake)?;
+            Bearing::Arctangent(form.scaled(&BigRational::from_integer(sign.into())))
+        }
+        None => Bearing::Turns(units::angle(number).map_err(|_| mistake())?),
+    };
+    let tolerance = match tolerance {
+        Some(text) => self::tolerance(text.trim_end_matches("deg").trim_end_matches('°').trim_end())?,
+        None => unstated(number.trim_end_matches(|letter: char| !letter.is_ascii_digit()), false),
+    };
+    if matches!(tolerance, Tolerance::Part(_)) {
+        return Err(Mistake::new("an angle has no tolerance in percent", "a tolerance in degrees, such as ± 0.01°"));
+    }
+    Ok(Angle { bearing, tolerance })
+}
+
+fn split_tolerance(text: &str) -> (&str, Option<&str>) {
+    match text.split_once('±').or_else(|| text.split_once("+/-")) {
+        Some((number, tolerance)) => (number.trim(), Some(tolerance.trim())),
+        None => (text.trim(), None),
+    }
+}
+
+fn tolerance(text: &str) -> Result<Tolerance, Mistake> {
+    let (number, is_part) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
+    // The tolerance may repeat the unit of the value.
+    let unit = UNITS.iter().find_map(|(name, _)| number.strip_suffix(name));
+    match parse_number(unit.unwrap_or(number)) {
+        Ok(value) if value.is_negative() => Err(Mistake::new("a tolerance is 0 or more", "such as ± 0.01 or ± 1 %")),
+        Ok(value) if is_part => Ok(Tolerance::Part(value / BigRational::from_integer(100.into()))),
+        Ok(value) => Ok(Tolerance::Within(value)),
+        Err(_) => Err(Mistake::new(format!("cannot read the tolerance `{text}`"), "such as ± 0.01 or ± 1 %")),
+    }
+}
+
+/// Without ±: after ≈ the digits given; after = the number itself, its decimals told apart as rounding.
+fn unstated(number: &str, about: bool) -> Tolerance {
+    let is_decimal = parse_number(number).is_ok() && !number.contains('/');
+    let places = number.split_once('.').map(|(_, places)| places.len());
+    let half = |places: usize| BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(places);
+    match (about && is_decimal, places.filter(|_| is_decimal)) {
+        (true, places) => Tolerance::Within(half(places.unwrap_or(0))),
+        (false, places) => Tolerance::Exact { rounding: places.map(half) },
+    }
+}
