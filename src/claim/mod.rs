@@ -9,14 +9,18 @@ mod answer;
 mod compare;
 mod condition;
 mod every;
+mod file;
 mod firing;
 mod grammar;
 mod order;
 mod radicals;
 mod statement;
+mod student;
 mod written_value;
 
 pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status, answer};
+pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
 pub use statement::{Angle, Bearing, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
+pub use student::{StarTable, Verdict as TableVerdict};

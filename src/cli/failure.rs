@@ -13,6 +13,11 @@ impl Failure {
     pub fn new(message: impl fmt::Display) -> Self {
         Failure(format!("error: {message}"))
     }
+
+    /// The message without what marks it as an error.
+    pub fn message(&self) -> &str {
+        self.0.strip_prefix("error: ").unwrap_or(&self.0)
+    }
 }
 
 impl fmt::Display for Failure {

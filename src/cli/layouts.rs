@@ -14,20 +14,25 @@ pub fn read(layout: &str) -> Result<Engine, Failure> {
     if let Some(entry) = layout::find(layout) {
         return Ok(layout::parse_engine(entry.name, entry.text)?);
     }
-    let path = Path::new(layout);
-    let metadata = path.metadata().map_err(|error| not_found(layout, &error))?;
+    let text = read_text(layout)?;
+    Ok(layout::parse_engine(layout, &text)?)
+}
+
+/// The text of a layout or claims file.
+pub fn read_text(file: &str) -> Result<String, Failure> {
+    let path = Path::new(file);
+    let metadata = path.metadata().map_err(|error| not_found(file, &error))?;
     if !metadata.is_file() {
-        return Err(Failure::new(format!("`{layout}` is not a file; a layout file is a TOML text")));
+        return Err(Failure::new(format!("`{file}` is not a file; a TOML text is expected")));
     }
     if metadata.len() > LARGEST_FILE {
-        return Err(Failure::new(format!("`{layout}` is larger than 4 MiB, which no layout file is")));
+        return Err(Failure::new(format!("`{file}` is larger than 4 MiB, which no such file is")));
     }
-    let bytes = std::fs::read(path).map_err(|error| Failure::new(format!("cannot read `{layout}`: {error}")))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
+    let bytes = std::fs::read(path).map_err(|error| Failure::new(format!("cannot read `{file}`: {error}")))?;
+    String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
-        Failure::new(format!("`{layout}` is not a text: byte {place} is not UTF-8; a layout file is a TOML text"))
-    })?;
-    Ok(layout::parse_engine(layout, &text)?)
+        Failure::new(format!("`{file}` is not a text: byte {place} is not UTF-8; a TOML text is expected"))
+    })
 }
 
 fn not_found(layout: &str, error: &std::io::Error) -> Failure {

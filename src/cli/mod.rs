@@ -1,5 +1,6 @@
 //! What can be asked on the command line?
 
+mod check;
 mod classify;
 mod failure;
 mod layouts;
@@ -38,7 +39,7 @@ A layout file in its shortest form:
   [inline]
   throws = [0, 180, 180, 0]
 
-Exit status: 0 done, whatever the verdicts are; 1 the input is wrong or a certificate fails; 2 wrong usage.";
+Exit status: 0 done, whatever the verdicts are; 1 the input is wrong, a certificate fails or a claim does not hold; 2 wrong usage.";
 
 #[derive(Subcommand)]
 enum Command {
@@ -51,6 +52,11 @@ enum Command {
     /// Check every certificate in the output of `classify --json`
     Verify {
         /// The JSON file, or - for standard input
+        file: PathBuf,
+    },
+    /// Check claims about engines: statements of books, homework
+    Check {
+        /// The claims file (TOML)
         file: PathBuf,
     },
     /// Print a completion script for a shell
@@ -105,15 +111,17 @@ enum Math {
 
 /// Answers the command line.
 pub fn run() -> ExitCode {
+    let done = |()| ExitCode::SUCCESS;
     let answer = match Arguments::parse().command {
-        Command::List => list::run(),
-        Command::Classify(classify) => classify.run(),
-        Command::Report(report) => report.run(),
-        Command::Verify { file } => verify::run(&file),
-        Command::Completions { shell } => completions(shell),
+        Command::List => list::run().map(done),
+        Command::Classify(classify) => classify.run().map(done),
+        Command::Report(report) => report.run().map(done),
+        Command::Verify { file } => verify::run(&file).map(done),
+        Command::Check { file } => check::run(&file),
+        Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(status) => status,
         Err(failure) => {
             anstream::eprintln!("{failure}");
             ExitCode::from(1)

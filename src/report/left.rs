@@ -95,12 +95,12 @@ pub(super) fn sentence(balance: &Balance) -> String {
         Shape::Planar => format!(
             "What is left is **planar**: both vectors are equally long ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 = 0$, proved), so \
              ${symbol}_{{{k}}}$ swings along the line of angle {}; its largest value {largest}.",
-            line_direction(balance)
+            line_bearing(balance).prose()
         ),
         Shape::Elliptical => format!(
             "What is left is **elliptical**: the vectors differ in length ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 \\ne 0$, proved); the \
              largest value {largest}, along the line of angle {}.",
-            line_direction(balance)
+            line_bearing(balance).prose()
         ),
     }
     .replace("|P", "\\lvert P")
@@ -108,7 +108,7 @@ pub(super) fn sentence(balance: &Balance) -> String {
 }
 
 /// The major axis, `(arg P⁺ + arg P⁻)/2` (theory, section 3), as a line in `(−90°, 90°]`.
-fn line_direction(balance: &Balance) -> String {
+pub(super) fn line_bearing(balance: &Balance) -> Bearing {
     let product = bearing(&balance.direct.sum.times(&balance.reverse.sum));
     let half = |turn: &Turn| {
         let degrees = signed_degrees(turn) / BigRational::from_integer(2.into());
@@ -118,5 +118,5 @@ fn line_direction(balance: &Balance) -> String {
         Some(Direction::Turn(turn)) => Some(Direction::Turn(half(turn))),
         _ => None,
     };
-    Bearing { exact, decimal: product.decimal / 2.0 }.prose()
+    Bearing { exact, decimal: product.decimal / 2.0 }
 }

@@ -3,6 +3,8 @@
 //! `verdicts → page (finished strings, drawings) → template → files`
 
 mod argument;
+mod claim_page;
+mod claim_words;
 mod dialect;
 mod document;
 mod figure;
@@ -22,6 +24,8 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use claim_page::claims_page;
+pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use dialect::Dialect;
 pub use document::{document, theorem_claims};
 pub use folder::{File, index, open_report, report, text};

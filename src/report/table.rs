@@ -193,6 +193,15 @@ pub(super) fn phase_formula(k: i64, sense: Sense, has_banks: bool) -> String {
     }
 }
 
+/// The phase of a cylinder in the star of order k, worked out.
+pub(super) fn working(cylinder: &Cylinder, order: u32, sense: Sense) -> String {
+    let (k, throw, bank) = (i64::from(order), cylinder.throw.degrees(), typeset::signed_degrees(&cylinder.bank));
+    match sense {
+        Sense::Direct => phase(&[(k, &throw), (1 - k, &bank)]),
+        Sense::Reverse => phase(&[(-k, &throw), (k + 1, &bank)]),
+    }
+}
+
 /// A phase worked out: `2·270° + 45° = 585° ≡ 225°`.
 fn phase(parts: &Parts) -> String {
     let mut text = String::new();

@@ -123,8 +123,23 @@ pub(super) struct Bearing {
 }
 
 impl Bearing {
-    /// Prose: `= 45°`, `= $-\arctan\tfrac{1}{3}$ ≈ −18.4349°`, `≈ 12.3456°`.
+    /// Prose: `= 45°`, `= $-\arctan(\tfrac{1}{3})$ ≈ −18.4349°`, `≈ 12.3456°`.
     pub fn prose(&self) -> String {
+        self.set("180^\\circ", "-", |form| format!("\\arctan({})", form.tex()), |formula| format!("${formula}$"))
+    }
+
+    /// Plain text: `= −arctan(1/3) ≈ −18.4349°`.
+    pub fn plain(&self) -> String {
+        self.set("180°", "−", |form| format!("arctan({form})"), |formula| formula)
+    }
+
+    fn set(
+        &self,
+        half_turn: &str,
+        minus: &str,
+        arctangent: impl Fn(&Form) -> String,
+        formula: impl Fn(String) -> String,
+    ) -> String {
         let decimals = format!("≈ {}°", decimal(self.decimal));
         match &self.exact {
             None => decimals,
@@ -133,17 +148,16 @@ impl Bearing {
                 if text.starts_with('≈') { text } else { format!("= {text}") }
             }
             Some(Direction::Arctangent { tangent, opposite }) => {
-                let (positive, sign) = match tangent.to_float() < 0.0 {
-                    true => (tangent.scaled(&-BigRational::one()), "-"),
-                    false => (tangent.clone(), ""),
-                };
+                let negative = tangent.to_float() < 0.0;
+                let size = if negative { tangent.scaled(&-BigRational::one()) } else { tangent.clone() };
                 // An arctangent lies within 90° of 0°; the opposite direction is half a turn from it.
-                let half_turn = match (opposite, sign) {
-                    (false, _) => "",
-                    (true, "-") => "180^\\circ",
-                    (true, _) => "-180^\\circ + ",
+                let before = match (opposite, negative) {
+                    (false, false) => String::new(),
+                    (false, true) => minus.to_owned(),
+                    (true, true) => format!("{half_turn} {minus} "),
+                    (true, false) => format!("{minus}{half_turn} + "),
                 };
-                format!("= ${half_turn}{sign}\\arctan({})$ {decimals}", positive.tex())
+                format!("= {} {decimals}", formula(format!("{before}{}", arctangent(&size))))
             }
         }
     }

@@ -1,0 +1,192 @@
+//! What does a claims file hold? TOML: claims, published statements with the claims they rest on, students' tables.
+
+use num_rational::BigRational;
+use num_traits::Signed;
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::absolute::Numbers;
+use super::answer::{self, Answer};
+use super::grammar::parse_statement;
+use super::statement::Statement;
+use super::student::{self, StarTable, Verdict};
+use crate::layout::written::{Table, Text, place, read};
+use crate::layout::{Layout, LayoutError, units};
+
+/// A claims file, every claim read.
+#[derive(Clone, Debug)]
+pub struct Claims {
+    /// Title of the page.
+    pub title: String,
+    /// Statements with their claims; a plain `[[claim]]` is a statement of its own.
+    pub statements: Vec<Published>,
+    /// Students' vector-star tables.
+    pub tables: Vec<StarTable>,
+}
+
+/// A statement as it was published, and what has to hold for it.
+#[derive(Clone, Debug)]
+pub struct Published {
+    /// The statement in words; none for a claim by itself.
+    pub text: Option<String>,
+    /// Where it is said.
+    pub source: Option<String>,
+    /// What the author of the file concludes from the answers.
+    pub conclusion: Option<String>,
+    /// The claims.
+    pub claims: Vec<Claim>,
+}
+
+/// One claim about one engine.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The engine's name or path, as written.
+    pub engine: String,
+    /// The engine.
+    pub layout: Layout,
+    /// The claim, as written.
+    pub says: String,
+    /// The claim, as read.
+    pub statement: Statement,
+    /// What the engine weighs and measures, where a claim is in newtons.
+    pub numbers: Option<Numbers>,
+}
+
+impl Claim {
+    /// Answers the claim.
+    pub fn answer(&self) -> Answer {
+        answer::answer(&self.layout, &self.statement, self.numbers.as_ref())
+    }
+}
+
+impl Claims {
+    /// Answers to all students' tables, in their order.
+    pub fn judged_tables(&self) -> Vec<Verdict> {
+        self.tables.iter().map(student::judge).collect()
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: Option<Text>,
+    claim: Option<Vec<Spanned<Table<ClaimTable>>>>,
+    statement: Option<Vec<Spanned<Table<StatementTable>>>>,
+    table: Option<Vec<Spanned<Table<student::Written>>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StatementTable {
+    text: Text,
+    source: Option<Text>,
+    conclusion: Option<Text>,
+    claim: Vec<Spanned<Table<ClaimTable>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ClaimTable {
+    layout: Text,
+    says: Text,
+    source: Option<Text>,
+    numbers: Option<Table<NumbersTable>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct NumbersTable {
+    reciprocating_mass: Text,
+    crank_radius: Text,
+    rod_length: Text,
+    speed: Text,
+    spacing: Option<Text>,
+}
+
+/// Finds the engine of a name or path; the error says what is wrong with it.
+pub type Find<'a> = &'a dyn Fn(&str) -> Result<Layout, String>;
+
+/// Reads a claims file; `name` is the path that messages show, `find` looks up engines.
+///
+/// # Errors
+/// The first mistake, with its place and what would be right.
+pub fn parse_claims(name: &str, source: &str, find: Find) -> Result<Claims, LayoutError> {
+    read::<File>(source).and_then(|file| claims(name, file, find)).map_err(|error| error.in_file(name, source))
+}
+
+fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {
+    let mut statements = Vec::new();
+    for table in file.claim.iter().flatten() {
+        let table = &table.get_ref().0;
+        let source = table.source.as_ref().map(text);
+        statements.push(Published { text: None, source, conclusion: None, claims: vec![claim(table, find)?] });
+    }
+    for table in file.statement.iter().flatten() {
+        let table = &table.get_ref().0;
+        let claims = table.claim.iter().map(|table| claim(&table.get_ref().0, find)).collect::<Result<_, _>>()?;
+        statements.push(Published {
+            text: Some(text(&table.text)),
+            source: table.source.as_ref().map(text),
+            conclusion: table.conclusion.as_ref().map(text),
+            claims,
+        });
+    }
+    let tables = file.table.iter().flatten().map(|table| student::read(&table.get_ref().0, find));
+    let tables = tables.collect::<Result<Vec<_>, _>>()?;
+    if statements.is_empty() && tables.is_empty() {
+        let right = "add a [[claim]] with layout and says, a [[statement]] or a [[table]]";
+        return Err(LayoutError::new("the file claims nothing", right, None));
+    }
+    Ok(Claims { title: file.title.as_ref().map_or_else(|| name.to_owned(), text), statements, tables })
+}
+
+fn text(text: &Text) -> String {
+    text.get_ref().0.clone()
+}
+
+/// The engine that a text names.
+pub(super) fn engine(name: &Text, find: Find) -> Result<Layout, LayoutError> {
+    find(&name.get_ref().0).map_err(|reason| LayoutError::new(reason, "this engine is not found", place(name)))
+}
+
+fn claim(table: &ClaimTable, find: Find) -> Result<Claim, LayoutError> {
+    let says = text(&table.says);
+    let mistake = |mistake: super::Mistake| LayoutError::new(mistake.message, mistake.right, place(&table.says));
+    Ok(Claim {
+        engine: text(&table.layout),
+        layout: engine(&table.layout, find)?,
+        statement: parse_statement(&says).map_err(mistake)?,
+        says,
+        numbers: table.numbers.as_ref().map(|table| numbers(&table.0)).transpose()?,
+    })
+}
+
+fn numbers(table: &NumbersTable) -> Result<Numbers, LayoutError> {
+    let length = |text: &str| units::length(text).map(|length| length.value);
+    Ok(Numbers {
+        reciprocating_mass: positive(&table.reciprocating_mass, "mass", units::mass)?,
+        crank_radius: positive(&table.crank_radius, "crank radius", length)?,
+        rod_length: positive(&table.rod_length, "rod length", length)?,
+        speed: positive(&table.speed, "speed", revolutions)?,
+        spacing: table.spacing.as_ref().map(|text| positive(text, "spacing", length)).transpose()?,
+    })
+}
+
+fn positive(
+    text: &Text,
+    what: &str,
+    read: impl Fn(&str) -> Result<BigRational, String>,
+) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let value = read(written).and_then(|value| match value.is_positive() {
+        true => Ok(value),
+        false => Err("a number above 0".to_owned()),
+    });
+    value.map_err(|right| LayoutError::new(format!("cannot read the {what} `{written}`"), right, place(text)))
+}
+
+/// Revolutions a minute.
+fn revolutions(text: &str) -> Result<BigRational, String> {
+    let number = text.trim().trim_end_matches("rpm").trim_end();
+    crate::layout::parse_number(number).map_err(|error| format!("{error}; revolutions a minute, as in \"600 rpm\""))
+}

@@ -1,0 +1,203 @@
+//! How is the answer to a claim put in words?
+
+use super::left;
+use super::typeset::{self, Amount};
+use crate::claim::{
+    Absolute, Answer, Condition, Evidence, Finding, StarTable, Statement, Status, Subject, TableVerdict,
+};
+use crate::layout::Layout;
+use crate::phasor;
+use crate::proof::{Quantity, Sense};
+use crate::verdict::{Balance, OrderBalance, Verdict};
+
+/// `true`, `false`, `true only if …`.
+pub fn claim_status(answer: &Answer) -> String {
+    match &answer.status {
+        Status::True => "true".to_owned(),
+        Status::TrueAsRounded => "true, rounded".to_owned(),
+        Status::False => "false".to_owned(),
+        Status::NotDecided => "not decided".to_owned(),
+        Status::TrueOnlyIf { conditions, met } => {
+            let conditions: Vec<String> = conditions.iter().map(condition).collect();
+            let here = if *met { "as it is here" } else { "which it is not here" };
+            format!("true only if {}, {here}", conditions.join(" and "))
+        }
+    }
+}
+
+fn condition(condition: &Condition) -> String {
+    match condition {
+        Condition::AboutPlane(plane) => format!("moments are taken about the plane z = {}", typeset::number(plane)),
+        Condition::NotAboutPlane(plane) => {
+            format!("moments are not taken about the plane z = {}", typeset::number(plane))
+        }
+        Condition::NoBankOffset => "the cylinders of a crankpin stand in one plane".to_owned(),
+        Condition::FiringOrder => "the firing order is one of the even ones".to_owned(),
+    }
+}
+
+/// What is the case, in plain text.
+pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
+    match (&answer.finding, statement) {
+        (Finding::Order(order), Statement::Order { subject, .. }) => about_order(*subject, order),
+        (Finding::Order(order), _) => left::force_summary(order),
+        (Finding::Absolute(order, absolute), Statement::Order { subject, .. }) => {
+            format!("{}; {}", about_order(*subject, order), in_newtons(*subject, absolute))
+        }
+        (Finding::Absolute(order, _), _) => left::force_summary(order),
+        (Finding::Orders { surviving, judged, period, first }, _) => {
+            orders(surviving, *judged, *period, first.as_deref(), statement)
+        }
+        (Finding::Firing(None), _) => "The layout names no firing order.".to_owned(),
+        (Finding::Firing(Some(intervals)), _) => {
+            let degrees = intervals
+                .iter()
+                .map(|turns| typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into()))));
+            format!("The intervals are {}.", degrees.collect::<Vec<_>>().join(", "))
+        }
+        (Finding::Nothing(reason), _) => format!("{reason}."),
+    }
+}
+
+fn about_order(subject: Subject, order: &OrderBalance) -> String {
+    if subject.quantity == Quantity::Torque {
+        return order.torque.as_ref().map_or_else(String::new, |torque| {
+            format!("Order {} of the torque is {}.", subject.order, left::torque_summary(torque))
+        });
+    }
+    let is_force = subject.quantity == Quantity::Force;
+    let balance: &Balance = if is_force { &order.force } else { &order.moment };
+    let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {
+        Sense::Direct => &balance.direct,
+        Sense::Reverse => &balance.reverse,
+    });
+    let name = if is_force { "force" } else { left::moment_name(order) };
+    match verdict {
+        Some(verdict) if verdict.vanishes() => {
+            format!("The {} vector of the {name} of order {} is 0.", verdict_sense(verdict), subject.order)
+        }
+        Some(verdict) => {
+            let half = left::modulus(verdict).mean(&Amount::zero());
+            let bearing = left::bearing(&verdict.sum).plain();
+            format!(
+                "The {} vector of the {name} of order {} is {} long, angle {bearing}.",
+                verdict_sense(verdict),
+                subject.order,
+                half.plain()
+            )
+        }
+        None if balance.is_balanced() => format!("The {name} of order {} is 0.", subject.order),
+        None => {
+            let shape = left::shape_name(balance.shape);
+            let largest = left::largest(balance).plain();
+            format!("The {name} of order {} is {shape}, its largest value {largest}{}.", subject.order, line(balance))
+        }
+    }
+}
+
+fn verdict_sense(verdict: &Verdict) -> &'static str {
+    verdict.sense.map_or("", Sense::name)
+}
+
+/// `, at angle −18.4°` for a rotating vector, the line for one that swings.
+fn line(balance: &Balance) -> String {
+    use crate::proof::Shape;
+    match balance.shape {
+        Shape::Balanced => String::new(),
+        Shape::Rotating => format!(", at angle {}", left::bearing(&balance.direct.sum).plain()),
+        Shape::CounterRotating => format!(", at angle {}", left::bearing(&balance.reverse.sum).plain()),
+        Shape::Planar | Shape::Elliptical => {
+            format!(", along the line of angle {}", left::line_bearing(balance).plain())
+        }
+    }
+}
+
+fn in_newtons(subject: Subject, absolute: &Absolute) -> String {
+    let unit = if subject.quantity == Quantity::Moment { "N·m" } else { "N" };
+    let value = |value: f64| format!("≈ {} {unit}", typeset::decimal(value));
+    match subject.order {
+        1 => format!("that is {}", value(absolute.whole)),
+        _ => format!(
+            "that is {} with the first term of c_k alone, {} with the whole series",
+            value(absolute.first_term),
+            value(absolute.whole)
+        ),
+    }
+}
+
+fn orders(
+    surviving: &[u32],
+    judged: usize,
+    period: Option<u32>,
+    first: Option<&OrderBalance>,
+    statement: &Statement,
+) -> String {
+    let over = match period {
+        Some(period) => format!("Over one period (orders 1 and even ones, repeating after {period})"),
+        None => format!("Of the {judged} orders asked"),
+    };
+    let Some(first) = first else { return format!("{over} all vanish.") };
+    let shown: Vec<String> = surviving.iter().take(6).map(u32::to_string).collect();
+    let more = if surviving.len() > 6 { ", …" } else { "" };
+    let with_moment =
+        matches!(statement, Statement::Vanish { quantities, .. } if quantities.contains(&Quantity::Moment));
+    let force = (!first.force.is_balanced()).then(|| format!("force {}", left::force_summary(first)));
+    let moment = (with_moment && !first.moment.is_balanced()).then(|| left::moment_summary(first));
+    let what: Vec<String> = [force, moment].into_iter().flatten().collect();
+    format!(
+        "{over} these are left: {}{more}; the first is order {}: {}.",
+        shown.join(", "),
+        first.order,
+        what.join(", ")
+    )
+}
+
+/// The certificates that an answer rests on, as prose.
+pub(super) fn evidence(answer: &Answer) -> Vec<String> {
+    answer.evidence.iter().map(one).collect()
+}
+
+fn one(evidence: &Evidence) -> String {
+    let about = match evidence {
+        Evidence::Verdict(verdict) => {
+            let sense = verdict.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
+            format!("{}, order {}{sense}", super::page::capital(verdict.quantity.name()), verdict.order)
+        }
+        Evidence::Comparison { about, .. } => super::page::capital(about),
+    };
+    let zero = if evidence.vanishes() { "is 0" } else { "is not 0" };
+    format!("{about}: {zero}. {}", super::argument::certificate_of(evidence.sum(), evidence.certificate()))
+}
+
+/// The answer to a student's table, in plain text.
+pub fn table_finding(table: &StarTable, verdict: &TableVerdict) -> String {
+    let k = i64::from(table.order);
+    match verdict {
+        TableVerdict::Right(entries) => format!("true: all {entries} entries are right"),
+        TableVerdict::WrongPhase { cylinder, sense, written, right } => {
+            let layout: &Layout = &table.layout;
+            let cylinder = &layout.cylinders[*cylinder];
+            debug_assert_eq!(phasor::phase(cylinder, table.order, Some(*sense)), *right);
+            format!(
+                "false: the first wrong row is that of cylinder {}: its {} phase is {}, not {}: {} with β = {} and α = {} is {}",
+                cylinder.name,
+                sense.name(),
+                typeset::angle(right),
+                typeset::angle(written),
+                super::table::phase_formula(k, *sense, true),
+                typeset::angle(&cylinder.throw),
+                typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
+                super::table::working(cylinder, table.order, *sense),
+            )
+        }
+        TableVerdict::WrongSum { quantity, sense, written, right } => {
+            let amount = Amount { exact: right.0.clone(), decimal: right.1 };
+            format!(
+                "false: all phases given are right, but the {} sum of the {} is {written} here; it should be {}",
+                sense.name(),
+                quantity.name(),
+                amount.plain()
+            )
+        }
+    }
+}
