@@ -42,7 +42,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
         (Finding::Order(order), Statement::Order { subject, .. }) => about_order(*subject, order),
         (Finding::Order(order), _) => left::force_summary(order),
         (Finding::Absolute(order, absolute), Statement::Order { subject, .. }) => {
-            format!("{}; {}", about_order(*subject, order), in_newtons(*subject, absolute))
+            format!("{} That is {}.", about_order(*subject, order), in_newtons(*subject, absolute))
         }
         (Finding::Absolute(order, _), _) => left::force_summary(order),
         (Finding::Orders { surviving, judged, period, first }, _) => {
@@ -116,9 +116,9 @@ fn in_newtons(subject: Subject, absolute: &Absolute) -> String {
     let unit = if subject.quantity == Quantity::Moment { "N·m" } else { "N" };
     let value = |value: f64| format!("≈ {} {unit}", typeset::decimal(value));
     match subject.order {
-        1 => format!("that is {}", value(absolute.whole)),
+        1 => value(absolute.whole),
         _ => format!(
-            "that is {} with the first term of c_k alone, {} with the whole series",
+            "{} with the first term of c_k alone, {} with the whole series",
             value(absolute.first_term),
             value(absolute.whole)
         ),
@@ -193,10 +193,10 @@ pub fn table_finding(table: &StarTable, verdict: &TableVerdict) -> String {
         TableVerdict::WrongSum { quantity, sense, written, right } => {
             let amount = Amount { exact: right.0.clone(), decimal: right.1 };
             format!(
-                "false: all phases given are right, but the {} sum of the {} is {written} here; it should be {}",
+                "false: all phases given are right, but the {} sum of the {} is not {written}: its length is {}",
                 sense.name(),
                 quantity.name(),
-                amount.plain()
+                amount.plain().trim_start_matches("= ")
             )
         }
     }

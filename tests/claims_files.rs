@@ -1,0 +1,158 @@
+//! Are claims files and students' tables read rightly, answered, and told with the right exit status?
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crankstar::claim::{Claims, Status, TableVerdict, parse_claims};
+use crankstar::layout::{self, LayoutError};
+use crankstar::proof::{Vector, check_certificate};
+use crankstar::report;
+
+fn claims(text: &str) -> Result<Claims, LayoutError> {
+    parse_claims("claims.toml", text, &|name| match layout::find(name) {
+        Some(entry) => entry.layout().map_err(|error| error.to_string()),
+        None => Err(format!("there is no engine `{name}`")),
+    })
+}
+
+fn claim(layout: &str, says: &str) -> String {
+    format!("[[claim]]\nlayout = \"{layout}\"\nsays = \"{says}\"\n")
+}
+
+fn table(rest: &str) -> TableVerdict {
+    let text = format!("[[table]]\nlayout = \"V8-crossplane\"\n{rest}\n");
+    claims(&text).expect("it reads").judged_tables().remove(0)
+}
+
+fn check(name: &str, text: &str) -> (Option<i32>, String, String) {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("claims-files");
+    fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join(name);
+    fs::write(&file, text).expect("a file");
+    let output = Command::new(env!("CARGO_BIN_EXE_crankstar")).arg("check").arg(&file).output().expect("it starts");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("a text");
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn check_ends_with_status_zero_where_all_claims_hold_and_one_where_one_fails() {
+    let right = claim("I3", "first-order couple = √3") + &claim("I6", "orders 1 and 2 vanish");
+    let (status, answers, _) = check("right.toml", &right);
+    assert_eq!((status, answers.matches("  true").count()), (Some(0), 2));
+    let (status, answers, _) = check("wrong.toml", &(right + &claim("I4", "4th-order force vanishes")));
+    assert_eq!(status, Some(1));
+    assert!(answers.contains("false. The force of order 4 is planar, its largest value = 4"), "{answers}");
+}
+
+#[test]
+fn a_claims_file_that_is_wrong_is_told_with_its_place() {
+    for (text, place, keyword) in [
+        ("", "", "claims nothing"),
+        ("[[claim]]\nlayout = \"I4\"\n", "claims.toml:1", "says"),
+        (&claim("I4", "second-order farce vanishes"), "claims.toml:3", "farce"),
+        (&claim("I99", "second-order force vanishes"), "claims.toml:2", "I99"),
+        ("[[claim]]\nlayout = \"I4\"\nsays = \"fires evenly\"\ncolour = 1\n", "claims.toml:4", "colour"),
+        ("[[table]]\nlayout = \"I4\"\norder = 0\n", "claims.toml:3", "order"),
+        ("[[table]]\nlayout = \"I4\"\norder = 2\nrows = [{ cylinder = 9, direct = 0 }]\n", "claims.toml:4", "cylinder"),
+        (
+            "[[table]]\nlayout = \"I4\"\norder = 2\nrows = [{ cylinder = 1, direct = \"x\" }]\n",
+            "claims.toml:4",
+            "phase",
+        ),
+        ("[[table]]\nlayout = \"I4\"\norder = 2\nsums = { force_direct = \"√\" }\n", "claims.toml:4", "length"),
+        (
+            "[[claim]]\nlayout = \"I4\"\nsays = \"second-order force = 3 N\"\nnumbers = { reciprocating_mass = 0, crank_radius = 1, rod_length = 4, speed = 100 }\n",
+            "claims.toml:4",
+            "mass",
+        ),
+    ] {
+        let message = claims(text).map(|_| ()).expect_err(text).to_string();
+        assert!(message.contains(place) && message.contains(keyword), "{text}\n{message}");
+    }
+    let (status, answers, message) = check("broken.toml", "[[claim]");
+    assert!(status == Some(1) && answers.is_empty() && !message.is_empty());
+}
+
+#[test]
+fn a_right_table_is_right_and_the_first_wrong_entry_of_a_wrong_one_is_told() {
+    let rows = "order = 2\nrows = [{ cylinder = 1, direct = 45, reverse = 225 }, { cylinder = 2, direct = \"585 deg\", reverse = 45 }]";
+    assert!(matches!(table(rows), TableVerdict::Right(4)));
+    let wrong = rows.replace("reverse = 45 ", "reverse = 44 ");
+    let TableVerdict::WrongPhase { cylinder: 1, right, .. } = table(&wrong) else { panic!("not the second row") };
+    assert_eq!(right.degrees().to_string(), "45");
+    let both = wrong.replace("direct = 45", "direct = 46");
+    assert!(matches!(table(&both), TableVerdict::WrongPhase { cylinder: 0, .. }));
+}
+
+#[test]
+fn sums_of_a_table_are_lengths_exact_or_rounded() {
+    let sums = |sums: &str| table(&format!("order = 1\nsums = {{ {sums} }}"));
+    assert!(matches!(sums("force_direct = 0, moment_direct = \"2√10\", moment_reverse = 0"), TableVerdict::Right(3)));
+    assert!(matches!(sums("moment_direct = 6.32"), TableVerdict::Right(1)));
+    for wrong in [
+        "moment_direct = 6.33",
+        "moment_direct = 6",
+        "moment_direct = 0",
+        "force_direct = 0.001",
+        "moment_reverse = \"√2\"",
+    ] {
+        assert!(matches!(sums(wrong), TableVerdict::WrongSum { .. }), "{wrong}");
+    }
+}
+
+#[test]
+fn newtons_of_the_worked_in_line_five_are_answered_with_the_exact_ones() {
+    let numbers = "numbers = { reciprocating_mass = \"1.5 kg\", crank_radius = \"50 mm\", rod_length = \"175 mm\", speed = \"600 rpm\", spacing = \"0.15 m\" }\n";
+    let at = |says: &str| {
+        let text = claim("I5-14532", says) + numbers;
+        claims(&text).expect("it reads").statements[0].claims[0].answer().status
+    };
+    assert_eq!(at("first-order couple = 65.18 N·m ± 1 %"), Status::False);
+    assert_eq!(at("first-order couple = 69.34 N·m ± 0.01"), Status::True);
+    assert_eq!(at("second-order couple = 58.3 N·m ± 1 %"), Status::False);
+    assert!(matches!(at("orders 1 and 2 of the force vanish"), Status::True));
+}
+
+/// The published page's file, its engines found beside it.
+fn published() -> Claims {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/claims");
+    let text = fs::read_to_string(folder.join("claims.toml")).expect("the claims");
+    let find = |name: &str| match layout::find(name) {
+        Some(entry) => entry.layout().map_err(|error| error.to_string()),
+        None => {
+            let text = fs::read_to_string(folder.join(name)).map_err(|error| error.to_string())?;
+            layout::parse(name, &text).map_err(|error| error.to_string())
+        }
+    };
+    parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_page_of_published_claims_is_as_stored() {
+    let page = report::claims_page(&published());
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/claims").join(&page.name);
+    if std::env::var_os("CRANKSTAR_RENEW").is_some() {
+        fs::write(&path, &page.text).expect("the page");
+    }
+    assert!(fs::read_to_string(&path).expect("the page") == page.text, "{} differs", path.display());
+}
+
+#[test]
+fn every_answer_to_a_published_claim_is_decided_and_its_certificates_hold() {
+    let claims = published();
+    let all: Vec<_> = claims.statements.iter().flat_map(|statement| &statement.claims).collect();
+    assert!(all.len() >= 40);
+    for claim in all {
+        let answer = claim.answer();
+        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine, claim.says);
+        for evidence in &answer.evidence {
+            let vector = |term: &crankstar::exact::Term| Vector {
+                angle: term.angle.turns().clone(),
+                weight: term.weight.clone(),
+            };
+            let terms: Vec<Vector> = evidence.sum().terms().iter().map(vector).collect();
+            check_certificate(&terms, evidence.vanishes(), evidence.certificate()).expect("the certificate holds");
+        }
+    }
+}
