@@ -47,7 +47,7 @@ impl Section {
     pub fn new(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]) -> Option<Self> {
         let mut header = vec!["Zero"];
         header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
-        header.push("So it is");
+        header.push("Verdict");
         let balances = orders.iter().flat_map(|order| [("force", &order.force), ("moment", &order.moment)]);
         let rows: Vec<Vec<String>> =
             balances.filter_map(|(name, balance)| Some(row(name, balance, &firmness(layout, balance)?))).collect();
