@@ -21,6 +21,9 @@ const LARGEST_CONDUCTOR: u64 = 1000;
 /// Quadratic steps are taken up to this degree; nested roots of a higher one are no help to a reader.
 const LARGEST_DEGREE: usize = 8;
 
+/// Longer sums of cosines tell a reader nothing; decimals do.
+const MOST_COSINES: usize = 6;
+
 /// Direction of a sum that is not zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Direction {
@@ -35,7 +38,7 @@ pub enum Direction {
     },
 }
 
-/// `|S|` in closed form; `None` for conductors above 1000.
+/// `|S|` in closed form; `None` for conductors above 1000, and where more than six cosines would be needed.
 pub fn modulus(sum: &PhasorSum) -> Option<Form> {
     if let [only] = sum.collected().as_slice() {
         return Some(Form::rational(num_traits::abs(only.weight.clone())));
@@ -79,7 +82,7 @@ fn rational_direction(sum: &PhasorSum) -> Option<Turn> {
     upright.minus(&upright.conjugate()).vanishes().then_some(candidate)
 }
 
-/// A real sum in closed form; `None` for conductors above 1000.
+/// A real sum in closed form; `None` for conductors above 1000, and where more than six cosines would be needed.
 pub fn real(sum: &PhasorSum) -> Option<Form> {
     let conjugates = Conjugates::of(sum)?;
     match conjugates.images.len() {
@@ -88,7 +91,7 @@ pub fn real(sum: &PhasorSum) -> Option<Form> {
             let steps = conjugates.involutions(sum).into_iter().filter_map(|unit| quadratic_step(sum, unit));
             steps.min_by_key(|form| (format!("{form:?}").len(), form.clone()))
         }
-        _ => Some(cosines(sum)),
+        _ => Some(cosines(sum)).filter(|form| form.terms().len() <= MOST_COSINES),
     }
 }
 
@@ -106,7 +109,7 @@ fn quadratic_step(sum: &PhasorSum, unit: i64) -> Option<Form> {
 struct Conjugates {
     /// All a prime to the conductor.
     units: Vec<i64>,
-    /// One a for each different image; the first is 1.
+    /// One a for each different image, the first being 1; no more than one above the largest degree.
     images: Vec<i64>,
 }
 
@@ -120,6 +123,9 @@ impl Conjugates {
             let image = sum.galois(unit);
             if !images.iter().any(|(_, known)| known.minus(&image).vanishes()) {
                 images.push((unit, image));
+            }
+            if images.len() > LARGEST_DEGREE {
+                break;
             }
         }
         Some(Conjugates { units, images: images.into_iter().map(|(unit, _)| unit).collect() })
