@@ -5,7 +5,7 @@
 //! steps, `Q = (Q + σQ)/2 + (Q − σQ)/2`, whose second part has its square in a smaller field; what remains is a sum of
 //! cosines.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -88,7 +88,9 @@ pub fn real(sum: &PhasorSum) -> Option<Form> {
     match conjugates.images.len() {
         1 => Some(Form::rational(trace(sum))),
         degree if degree.is_power_of_two() && degree <= LARGEST_DEGREE => {
-            let steps = conjugates.involutions(sum).into_iter().filter_map(|unit| quadratic_step(sum, unit));
+            // Every way down is tried where they are few, for the shortest form.
+            let ways = if degree > 4 { 1 } else { degree };
+            let steps = conjugates.involutions(sum).into_iter().take(ways).filter_map(|unit| quadratic_step(sum, unit));
             steps.min_by_key(|form| (format!("{form:?}").len(), form.clone()))
         }
         _ => Some(cosines(sum)).filter(|form| form.terms().len() <= MOST_COSINES),
@@ -118,11 +120,21 @@ impl Conjugates {
         let conductor = conductor(sum)?;
         let units = (1..=conductor.max(1)).filter(|a| a.gcd(&conductor) == 1).filter_map(|a| i64::try_from(a).ok());
         let units: Vec<i64> = units.collect();
+        let modulus = i64::try_from(conductor.max(1)).ok()?;
         let mut images: Vec<(i64, PhasorSum)> = Vec::new();
+        // The maps that leave the sum as it is form a group; maps that differ by one of them have the same image.
+        let mut fixing = BTreeSet::from([1 % modulus]);
         for &unit in &units {
+            if images.iter().any(|(known, _)| fixing.iter().any(|fixed| known * fixed % modulus == unit % modulus)) {
+                continue;
+            }
             let image = sum.galois(unit);
-            if !images.iter().any(|(_, known)| known.minus(&image).vanishes()) {
-                images.push((unit, image));
+            match images.iter().find(|(_, known)| known.minus(&image).vanishes()) {
+                Some((known, _)) => {
+                    let inverse = units.iter().find(|inverse| *inverse * known % modulus == 1 % modulus)?;
+                    extend(&mut fixing, unit * inverse % modulus, modulus);
+                }
+                None => images.push((unit, image)),
             }
             if images.len() > LARGEST_DEGREE {
                 break;
@@ -136,6 +148,16 @@ impl Conjugates {
         debug_assert!(self.units.contains(&self.images[0]));
         let returns = |unit: &i64| sum.galois(*unit).galois(*unit).minus(sum).vanishes();
         self.images[1..].iter().copied().filter(returns).collect()
+    }
+}
+
+/// The group that a group of units and one more unit generate.
+fn extend(group: &mut BTreeSet<i64>, unit: i64, modulus: i64) {
+    let mut power = unit;
+    while !group.contains(&power) {
+        let coset: Vec<i64> = group.iter().map(|element| element * power % modulus).collect();
+        group.extend(coset);
+        power = power * unit % modulus;
     }
 }
 
