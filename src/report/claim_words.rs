@@ -133,10 +133,15 @@ fn orders(
     statement: &Statement,
 ) -> String {
     let over = match period {
-        Some(period) => format!("Over one period (orders 1 and even ones, repeating after {period})"),
-        None => format!("Of the {judged} orders asked"),
+        Some(period) => format!("Of all orders that exist (1 and the even ones, repeating after {period})"),
+        None => format!("Of the {judged} orders"),
     };
-    let Some(first) = first else { return format!("{over} all vanish.") };
+    let Some(first) = first else {
+        return match period {
+            Some(period) => format!("All of them vanish: one period of {period} orders shows it."),
+            None => format!("All {judged} of them vanish."),
+        };
+    };
     let shown: Vec<String> = surviving.iter().take(6).map(u32::to_string).collect();
     let more = if surviving.len() > 6 { ", …" } else { "" };
     let with_moment =
