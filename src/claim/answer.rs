@@ -2,11 +2,8 @@
 
 use num_rational::BigRational;
 
-use super::absolute::{Absolute, Numbers};
-use super::statement::Statement;
-use super::{every, firing, order};
+use super::absolute::Absolute;
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
 use crate::proof::Certificate;
 use crate::verdict::{OrderBalance, Verdict};
 
@@ -132,14 +129,5 @@ pub struct Answer {
 impl Answer {
     pub(super) fn nothing(reason: &str) -> Self {
         Answer { status: Status::NotDecided, finding: Finding::Nothing(reason.to_owned()), evidence: Vec::new() }
-    }
-}
-
-/// Answers a claim about an engine.
-pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
-    match statement {
-        Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
-        Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),
-        Statement::FiresEvenly { evenly } => firing::answer(layout, *evenly),
     }
 }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::absolute::Numbers;
-use super::answer::{self, Answer};
+use super::answer::Answer;
 use super::grammar::parse_statement;
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
@@ -55,7 +55,7 @@ pub struct Claim {
 impl Claim {
     /// Answers the claim.
     pub fn answer(&self) -> Answer {
-        answer::answer(&self.layout, &self.statement, self.numbers.as_ref())
+        super::answer(&self.layout, &self.statement, self.numbers.as_ref())
     }
 }
 

@@ -18,9 +18,20 @@ mod statement;
 mod student;
 mod written_value;
 
+use crate::layout::Layout;
+
 pub use absolute::{Absolute, Numbers};
-pub use answer::{Answer, Condition, Evidence, Finding, Status, answer};
+pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
 pub use statement::{Angle, Bearing, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
 pub use student::{StarTable, Verdict as TableVerdict};
+
+/// Answers a claim about an engine.
+pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
+    match statement {
+        Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
+        Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),
+        Statement::FiresEvenly { evenly } => firing::answer(layout, *evenly),
+    }
+}

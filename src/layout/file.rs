@@ -14,6 +14,7 @@ use super::family::{DELTA, Family, PHI, SymbolicCylinder};
 use super::firing::{self, Cycle, Firing};
 use super::forms::{self, Expanded, MOST_CYLINDERS};
 use super::linear::Linear;
+use super::quantities;
 use super::units;
 use super::written::{Table, Text, place, read};
 
@@ -97,7 +98,8 @@ fn engine(name: &str, file: File) -> Result<Engine, LayoutError> {
     let expanded = expand(&file, cycle)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
-    let given_plane = file.reference_plane.as_ref().map(|text| forms::length(text, &mut length_unit)).transpose()?;
+    let given_plane =
+        file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
     let family = Family {
         title: file.title.as_ref().map_or_else(|| name.to_owned(), |title| title.get_ref().0.clone()),
         source: file.source.as_ref().map(|source| source.get_ref().0.clone()),
@@ -132,11 +134,11 @@ fn values(
 ) -> Result<BTreeMap<String, BigRational>, LayoutError> {
     let value = |(name, text): (&String, &Text)| {
         let value = if name == PHI || name == DELTA {
-            forms::known_angle(text)?
+            quantities::known_angle(text)?
         } else {
-            let length = forms::length(text, unit)?;
+            let length = quantities::length(text, unit)?;
             let known = length.as_known().cloned();
-            known.ok_or_else(|| forms::misread("value", &text.get_ref().0, "a known length".to_owned(), text))?
+            known.ok_or_else(|| quantities::misread("value", &text.get_ref().0, "a known length".to_owned(), text))?
         };
         Ok((name.clone(), value))
     };
@@ -189,9 +191,9 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
         let table = &table.get_ref().0;
         Ok(SymbolicCylinder {
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
-            throw: forms::angle(&table.throw)?,
-            bank: forms::angle(&table.bank)?,
-            position: forms::length(&table.position, &mut length_unit)?,
+            throw: quantities::angle(&table.throw)?,
+            bank: quantities::angle(&table.bank)?,
+            position: quantities::length(&table.position, &mut length_unit)?,
             reciprocating_mass: table
                 .reciprocating_mass
                 .as_ref()
@@ -205,9 +207,9 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
 
 fn mass(text: &Text) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
-    let mass = units::mass(written).map_err(|right| forms::misread("mass", written, right, text))?;
+    let mass = units::mass(written).map_err(|right| quantities::misread("mass", written, right, text))?;
     if mass.is_negative() {
-        return Err(forms::misread("mass", written, "a mass is 0 or more".to_owned(), text));
+        return Err(quantities::misread("mass", written, "a mass is 0 or more".to_owned(), text));
     }
     Ok(mass)
 }
@@ -218,7 +220,7 @@ fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
     if fits {
         Ok(name.clone())
     } else {
-        Err(forms::misread("name", name, "one to six letters or digits, such as \"L2\"".to_owned(), text))
+        Err(quantities::misread("name", name, "one to six letters or digits, such as \"L2\"".to_owned(), text))
     }
 }
 
@@ -250,7 +252,7 @@ fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
     match text.get_ref().0.as_str() {
         "four-stroke" => Ok(Cycle::FourStroke),
         "two-stroke" => Ok(Cycle::TwoStroke),
-        other => Err(forms::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
+        other => Err(quantities::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
     }
 }
 
@@ -261,7 +263,7 @@ fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
         let written = &text.get_ref().0;
         match written.parse() {
             Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => orders.push(order),
-            _ => return Err(forms::misread("order", written, right(), text)),
+            _ => return Err(quantities::misread("order", written, right(), text)),
         }
     }
     if orders.is_empty() {
@@ -299,7 +301,7 @@ fn firing(
                 .map_err(|(message, right)| LayoutError::new(message, right, place(order)))
         }
         (None, Some(list)) => {
-            let angles = list.get_ref().iter().map(forms::known_angle).collect::<Result<Vec<_>, _>>()?;
+            let angles = list.get_ref().iter().map(quantities::known_angle).collect::<Result<Vec<_>, _>>()?;
             Firing::from_angles(&angles, cycle, cylinders)
                 .map(Some)
                 .map_err(|(message, right)| LayoutError::new(message, right, place(list)))

@@ -11,10 +11,10 @@ use serde_spanned::Spanned;
 
 use super::engine::{Form, LengthUnit};
 use super::error::LayoutError;
-use super::family::{DELTA, PHI, SymbolicCylinder};
+use super::family::SymbolicCylinder;
 use super::firing::{self, Cycle};
 use super::linear::Linear;
-use super::units;
+use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Text, place};
 
 /// More cylinders than this are refused by name.
@@ -26,9 +26,6 @@ pub(super) struct Expanded {
     pub cylinders: Vec<SymbolicCylinder>,
     pub length_unit: LengthUnit,
 }
-
-/// A list with its place in the file.
-type List = Spanned<Vec<Text>>;
 
 /// `[inline]`: all cylinder axes at angle 0.
 #[derive(Deserialize)]
@@ -317,72 +314,6 @@ fn pins(
         }
     };
     Ok(Pins(throws.into_iter().zip(positions).collect()))
-}
-
-/// An angle in turns, not yet modulo 1; `phi` and `delta` may stand in it.
-pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
-    let written = text.get_ref().0.replace('φ', PHI).replace('δ', DELTA);
-    Linear::parse(&written, units::angle, |name| name == PHI || name == DELTA)
-        .map_err(|right| misread("angle", &written, right, text))
-}
-
-/// An angle without unknowns, in turns.
-pub(super) fn known_angle(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    units::angle(written).map_err(|right| misread("angle", written, right, text))
-}
-
-/// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may stand in it.
-pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
-    let written = &text.get_ref().0;
-    let has_unit = std::cell::Cell::new(false);
-    let known = |text: &str| {
-        let length = units::length(text)?;
-        has_unit.set(has_unit.get() || length.has_unit);
-        Ok(length.value)
-    };
-    let length =
-        Linear::parse(written, known, is_length_symbol).map_err(|right| misread("length", written, right, text))?;
-    if has_unit.get() {
-        *unit = LengthUnit::Metre;
-    }
-    Ok(length)
-}
-
-/// One lower-case letter, but not that of the metre or the gram.
-fn is_length_symbol(name: &str) -> bool {
-    !matches!(name, "m" | "g") && name.len() == 1 && name.bytes().all(|letter| letter.is_ascii_lowercase())
-}
-
-/// A value that cannot be taken as written.
-pub(crate) fn misread(what: &str, written: &str, right: String, text: &Text) -> LayoutError {
-    let shown: String = written.chars().take(40).collect();
-    let dots = if shown.len() < written.len() { "…" } else { "" };
-    LayoutError::new(format!("cannot read the {what} `{shown}{dots}`"), right, place(text))
-}
-
-fn angles(list: &List) -> Result<Vec<Linear>, LayoutError> {
-    list.get_ref().iter().map(angle).collect()
-}
-
-fn lengths(list: &List, unit: &mut LengthUnit) -> Result<Vec<Linear>, LayoutError> {
-    list.get_ref().iter().map(|text| length(text, unit)).collect()
-}
-
-fn optional_angle(text: &Option<Text>) -> Result<Linear, LayoutError> {
-    text.as_ref().map_or(Ok(Linear::default()), angle)
-}
-
-fn optional_length(text: &Option<Text>, usual: Linear, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
-    text.as_ref().map_or(Ok(usual), |text| length(text, unit))
-}
-
-fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
-    let written = &text.get_ref().0;
-    match written.parse() {
-        Ok(count) if (1..=MOST_CYLINDERS as i64).contains(&count) => Ok(count),
-        _ => Err(misread(what, written, format!("a whole number from 1 to {MOST_CYLINDERS}"), text)),
-    }
 }
 
 fn unit_length() -> Linear {

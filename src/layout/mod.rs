@@ -8,9 +8,10 @@ mod error;
 mod family;
 mod file;
 mod firing;
-pub(crate) mod forms;
+mod forms;
 mod linear;
 mod number;
+mod quantities;
 pub(crate) mod units;
 pub(crate) mod written;
 

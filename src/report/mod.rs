@@ -13,6 +13,7 @@ mod folder;
 mod left;
 mod open_document;
 mod open_page;
+mod open_table;
 mod open_words;
 mod page;
 mod render;

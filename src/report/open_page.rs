@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use super::dialect::Dialect;
+use super::open_table;
 use super::open_words;
-use super::table::{self, Table};
+use super::table::Table;
 use crate::family::{self, OpenOrder, OpenVerdict};
 use crate::layout::{Family, PHI};
 
@@ -50,11 +51,11 @@ impl OpenPage {
             title: dialect.quoted(&family.title),
             source: family.source.as_ref().map(|source| dialect.quoted(source)),
             unknowns: dialect.prose(&format!("Left open: {unknowns}.")),
-            summary: table::open_summary(dialect, orders),
+            summary: open_table::summary(dialect, orders),
             legend: dialect.prose(LEGEND),
             even_firing: family::even_firing(family)
                 .map(|angles| dialect.prose(&open_words::even_firing_words(&angles))),
-            cylinders: table::open_cylinders(dialect, family),
+            cylinders: open_table::cylinders(dialect, family),
             conventions: conventions(family).iter().map(|line| dialect.prose(line)).collect(),
             orders: orders.iter().map(|order| OpenSection::new(family, order, dialect)).collect(),
         }
@@ -74,7 +75,7 @@ impl OpenSection {
     pub fn new(family: &Family, order: &OpenOrder, dialect: Dialect) -> Self {
         OpenSection {
             heading: format!("Order {}", order.order),
-            table: table::open_phases(dialect, family, order.order),
+            table: open_table::phases(dialect, family, order.order),
             verdicts: order.force.iter().chain(&order.moment).map(|v| OpenParagraph::new(v, dialect)).collect(),
         }
     }

@@ -6,10 +6,8 @@ use serde::Serialize;
 use super::dialect::Dialect;
 use super::firmness;
 use super::left;
-use super::open_words;
 use super::typeset;
-use crate::family::{self, OpenOrder};
-use crate::layout::{Cylinder, Family, Layout, LengthUnit, SymbolicCylinder};
+use crate::layout::{Cylinder, Layout, LengthUnit};
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, Theorem, Verdict};
 
@@ -231,46 +229,4 @@ fn reduced_phase(parts: &Parts) -> String {
 
 fn phase_sum(parts: &Parts) -> BigRational {
     parts.iter().map(|(factor, degrees)| *degrees * BigRational::from_integer((*factor).into())).sum()
-}
-
-/// A family: orders × (force, moment) × (direct, reverse), for which angles each vanishes.
-pub(super) fn open_summary(dialect: Dialect, orders: &[OpenOrder]) -> Table {
-    let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
-    let row = |order: &OpenOrder| {
-        let cells =
-            order.force.iter().chain(&order.moment).map(|verdict| bold(open_words::open_summary_prose(verdict)));
-        [order.order.to_string()].into_iter().chain(cells).collect()
-    };
-    let header = ["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"];
-    Table::new(dialect, &header, orders.iter().map(row).collect())
-}
-
-/// A family: one row a cylinder.
-pub(super) fn open_cylinders(dialect: Dialect, family: &Family) -> Table {
-    let row = |cylinder: &SymbolicCylinder| {
-        vec![
-            cylinder.name.clone(),
-            open_words::open_angle(&cylinder.throw),
-            open_words::open_angle(&cylinder.bank),
-            open_words::open_length(&cylinder.position),
-        ]
-    };
-    Table::new(dialect, &["Cylinder", "Throw β", "Bank α", "Position z"], family.cylinders.iter().map(row).collect())
-}
-
-/// A family: the vector-star table of order k, the unknowns visible.
-pub(super) fn open_phases(dialect: Dialect, family: &Family, order: u32) -> Table {
-    let k = i64::from(order);
-    let row = |cylinder: &SymbolicCylinder| {
-        let phase = |sense| open_words::open_angle(&family::phase(cylinder, order, sense));
-        vec![
-            cylinder.name.clone(),
-            open_words::open_length(&family.arm(cylinder)),
-            phase(Sense::Direct),
-            phase(Sense::Reverse),
-        ]
-    };
-    let direct = format!("Direct phase {}", phase_formula(k, Sense::Direct, true));
-    let reverse = format!("Reverse phase {}", phase_formula(k, Sense::Reverse, true));
-    Table::new(dialect, &["Cylinder", "Arm z", &direct, &reverse], family.cylinders.iter().map(row).collect())
 }

@@ -1,0 +1,85 @@
+//! How are the quantities of a layout file read, and what is said of one that cannot be?
+
+use num_rational::BigRational;
+use serde_spanned::Spanned;
+
+use super::engine::LengthUnit;
+use super::error::LayoutError;
+use super::family::{DELTA, PHI};
+use super::forms::MOST_CYLINDERS;
+use super::linear::Linear;
+use super::units;
+use super::written::{Text, place};
+
+/// A list with its place in the file.
+pub(super) type List = Spanned<Vec<Text>>;
+
+/// An angle in turns, not yet modulo 1; `phi` and `delta` may stand in it.
+pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
+    let written = text.get_ref().0.replace('φ', PHI).replace('δ', DELTA);
+    Linear::parse(&written, units::angle, |name| name == PHI || name == DELTA)
+        .map_err(|right| misread("angle", &written, right, text))
+}
+
+/// An angle without unknowns, in turns.
+pub(super) fn known_angle(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    units::angle(written).map_err(|right| misread("angle", written, right, text))
+}
+
+/// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may stand in it.
+pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
+    let written = &text.get_ref().0;
+    let has_unit = std::cell::Cell::new(false);
+    let known = |text: &str| {
+        let length = units::length(text)?;
+        has_unit.set(has_unit.get() || length.has_unit);
+        Ok(length.value)
+    };
+    let length =
+        Linear::parse(written, known, is_length_symbol).map_err(|right| misread("length", written, right, text))?;
+    if has_unit.get() {
+        *unit = LengthUnit::Metre;
+    }
+    Ok(length)
+}
+
+/// One lower-case letter, but not that of the metre or the gram.
+fn is_length_symbol(name: &str) -> bool {
+    !matches!(name, "m" | "g") && name.len() == 1 && name.bytes().all(|letter| letter.is_ascii_lowercase())
+}
+
+/// A value that cannot be taken as written.
+pub(super) fn misread(what: &str, written: &str, right: String, text: &Text) -> LayoutError {
+    let shown: String = written.chars().take(40).collect();
+    let dots = if shown.len() < written.len() { "…" } else { "" };
+    LayoutError::new(format!("cannot read the {what} `{shown}{dots}`"), right, place(text))
+}
+
+pub(super) fn angles(list: &List) -> Result<Vec<Linear>, LayoutError> {
+    list.get_ref().iter().map(angle).collect()
+}
+
+pub(super) fn lengths(list: &List, unit: &mut LengthUnit) -> Result<Vec<Linear>, LayoutError> {
+    list.get_ref().iter().map(|text| length(text, unit)).collect()
+}
+
+pub(super) fn optional_angle(text: &Option<Text>) -> Result<Linear, LayoutError> {
+    text.as_ref().map_or(Ok(Linear::default()), angle)
+}
+
+pub(super) fn optional_length(
+    text: &Option<Text>,
+    usual: Linear,
+    unit: &mut LengthUnit,
+) -> Result<Linear, LayoutError> {
+    text.as_ref().map_or(Ok(usual), |text| length(text, unit))
+}
+
+pub(super) fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
+    let written = &text.get_ref().0;
+    match written.parse() {
+        Ok(count) if (1..=MOST_CYLINDERS as i64).contains(&count) => Ok(count),
+        _ => Err(misread(what, written, format!("a whole number from 1 to {MOST_CYLINDERS}"), text)),
+    }
+}
