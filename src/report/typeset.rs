@@ -10,6 +10,8 @@ use crate::numbers::{Direction, Form};
 const MOST_PLACES: usize = 4;
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
+/// Longer closed forms than this tell a reader nothing; their decimals do.
+const LONGEST_FORM: usize = 90;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(super) fn number(value: &BigRational) -> String {
@@ -103,6 +105,7 @@ impl Amount {
         let Some(form) = &self.exact else { return format!("≈ {}", decimal(self.decimal)) };
         match form.as_rational() {
             Some(value) => related(&value),
+            None if form.to_string().chars().count() > LONGEST_FORM => format!("≈ {}", decimal(self.decimal)),
             None => format!("= {} ≈ {}", irrational(form), decimal(self.decimal)),
         }
     }
