@@ -3,7 +3,7 @@
 //! An engine's inertia forces are sums of rotating vectors, one a cylinder and order. Whether such a sum vanishes is
 //! decided here in exact arithmetic, and every verdict carries a certificate that a separate checker accepts.
 //!
-//! ```
+//! ```standalone_crate
 //! use crankstar::proof::{Quantity, Sense};
 //! let v8 = crankstar::layout::find("V8-crossplane").unwrap().layout().unwrap();
 //! let order_1 = crankstar::phasor::sum(&v8, Quantity::Force, 1, Some(Sense::Direct));

@@ -34,7 +34,7 @@ const SHAPES: [(&str, Shape); 5] = [
 
 /// Reads a claim.
 ///
-/// ```
+/// ```standalone_crate
 /// use crankstar::claim::{parse_statement, Statement};
 /// assert!(parse_statement("second-order force vanishes").is_ok());
 /// assert_eq!(parse_statement("fires evenly"), Ok(Statement::FiresEvenly { evenly: true }));

@@ -34,7 +34,7 @@ type Terms<E, W> = SmallVec<[(E, W); 16]>;
 /// Exponents lie in `0..conductor`, in any order and as often as they like. In machine words the conductor and
 /// the sum of the moduli of all weights must stay below 2⁶³ ([`super::IntegerSum::in_words`] sees to it).
 ///
-/// ```
+/// ```standalone_crate
 /// use crankstar::exact::vanishes;
 /// assert!(vanishes(&6_u64, &[(0, 1_i64), (2, 1), (4, 1)])); // a regular triangle
 /// assert!(!vanishes(&6_u64, &[(0, 1_i64), (2, 1), (3, 1)]));

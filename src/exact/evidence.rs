@@ -8,7 +8,7 @@ use crate::proof::Certificate;
 impl PhasorSum {
     /// Decides whether the sum is zero and writes down the evidence.
     ///
-    /// ```
+    /// ```standalone_crate
     /// use crankstar::exact::{PhasorSum, Term, Turn};
     /// use num_rational::BigRational;
     /// let unit = |angle| Term { angle, weight: BigRational::from_integer(1.into()) };

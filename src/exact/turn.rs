@@ -21,7 +21,7 @@ impl Turn {
 
     /// Takes a number of turns modulo 1.
     ///
-    /// ```
+    /// ```standalone_crate
     /// use crankstar::exact::Turn;
     /// use num_rational::BigRational;
     /// let nine_eighths = BigRational::new(9.into(), 8.into());

@@ -38,7 +38,7 @@ pub fn catalogue() -> Result<Vec<(Entry, Layout)>, LayoutError> {
 
 /// The entry of this name, in upper or lower case.
 ///
-/// ```
+/// ```standalone_crate
 /// assert_eq!(crankstar::layout::find("v8-CROSSPLANE").unwrap().name, "V8-crossplane");
 /// ```
 pub fn find(name: &str) -> Option<Entry> {

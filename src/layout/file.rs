@@ -66,7 +66,7 @@ pub enum Engine {
 ///
 /// `name` is the path that messages show, and the title where the file has none.
 ///
-/// ```
+/// ```standalone_crate
 /// let i4 = crankstar::layout::parse("i4.toml", "inline.throws = [0, 180, 180, 0]").unwrap();
 /// assert_eq!(i4.cylinders.len(), 4);
 /// assert_eq!(i4.arm(&i4.cylinders[0]).to_string(), "3/2");

@@ -25,7 +25,7 @@ impl Form {
 
     /// Reads what is printed, and what a person would write: `sqrt(3)/2`, `1/2*√10`, `1.5`.
     ///
-    /// ```
+    /// ```standalone_crate
     /// use crankstar::numbers::Form;
     /// assert_eq!(Form::parse("sqrt(12)").unwrap().to_string(), "2√3");
     /// assert_eq!(Form::parse("½√(50 − 22√5)").unwrap().to_string(), "√(50 − 22√5)/2");
