@@ -99,6 +99,13 @@ fn v_twin_loses_its_reverse_first_order_at_90_and_its_reverse_second_order_at_60
 }
 
 #[test]
+fn throws_over_a_large_denominator_cancel_at_the_same_bank_angles() {
+    let family = open("vee = { bank_angle = 'phi', throws = [0, '1/2003 turn', '5/10007 turn'] }");
+    let reverse = &family::classify(&family, &[1])[0].force[1];
+    assert_eq!(degrees(&reverse.bank_angles().expect("solved")), ["90", "270"]);
+}
+
+#[test]
 fn banks_of_unequal_mass_never_cancel() {
     let orders = family::classify(&open(UNEQUAL), &[1, 2]);
     assert!(orders.iter().all(|order| order.force.iter().all(OpenVerdict::never)));

@@ -23,7 +23,7 @@ pub enum When {
     Never(Never),
     /// Exactly where one of these conditions holds.
     Where(Angles),
-    /// At no rational angle: exactly where `phi·φ + delta·δ` is an angle that is no rational turn, in degrees.
+    /// Exactly where `phi·φ + delta·δ` is an angle for which no rational turn was found, in degrees.
     Irrational {
         /// How many times φ enters.
         phi: BigRational,
@@ -162,17 +162,15 @@ fn alternative(first: &Part, others: &[(&Part, Turn)]) -> Alternative {
 
 /// Three vectors of equal length sum to zero iff they stand 120° apart, in either order.
 fn three(first: &Part, second: &Part, third: &Part) -> When {
-    let equal = |a: &Part, b: &Part| length_difference(&a.sum, &b.sum).claims_zero();
+    let equal_lengths = [second, third].map(|part| length_difference(&first.sum, &part.sum)).to_vec();
     let relative = |part: &Part| match numbers::direction_of(&first.sum.times(&part.sum.conjugate())) {
         Some(Direction::Turn(turn)) => Some(turn),
         _ => None,
     };
-    let (true, true, Some(to_second), Some(to_third)) =
-        (equal(first, second), equal(first, third), relative(second), relative(third))
-    else {
+    let equal = equal_lengths.iter().all(Certificate::claims_zero);
+    let (true, Some(to_second), Some(to_third)) = (equal, relative(second), relative(third)) else {
         return When::NotSolved(3);
     };
-    let equal_lengths = [second, third].map(|part| length_difference(&first.sum, &part.sum)).to_vec();
     let alternatives = [1, 2].map(|thirds| {
         let turned = |relative: &Turn, thirds: i64| relative + &Turn::fraction(thirds, 3);
         alternative(first, &[(second, turned(&to_second, thirds)), (third, turned(&to_third, -thirds))])

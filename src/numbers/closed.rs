@@ -20,7 +20,8 @@ use crate::exact::{PhasorSum, Term, Turn};
 const LARGEST_CONDUCTOR: u64 = 1000;
 /// Quadratic steps are taken up to this degree; nested roots of a higher one are no help to a reader.
 const LARGEST_DEGREE: usize = 8;
-
+/// Among more directions than this the decimals cannot name the one candidate.
+const MOST_DIRECTIONS: i64 = 1 << 40;
 /// Longer sums of cosines tell a reader nothing; decimals do.
 const MOST_COSINES: usize = 6;
 
@@ -75,7 +76,8 @@ fn rational_direction(sum: &PhasorSum) -> Option<Turn> {
         let angle = if only.weight < BigRational::zero() { only.angle.opposite() } else { only.angle.clone() };
         return Some(angle);
     }
-    let parts = i64::try_from(conductor(sum)?.lcm(&2) * 2).ok()?;
+    let parts: BigInt = common_denominator(sum).lcm(&BigInt::from(2)) * 2;
+    let parts = parts.to_i64().filter(|&parts| parts <= MOST_DIRECTIONS)?;
     let nearest = (evaluate(sum).arg() / std::f64::consts::TAU * parts as f64).round().to_i64()?;
     let candidate = Turn::fraction(nearest, parts);
     let upright = sum.turned(&-&candidate);
@@ -109,8 +111,6 @@ fn quadratic_step(sum: &PhasorSum, unit: i64) -> Option<Form> {
 
 /// The maps `t ↦ at` of a sum, and what they do to it.
 struct Conjugates {
-    /// All a prime to the conductor.
-    units: Vec<i64>,
     /// One a for each different image, the first being 1; no more than one above the largest degree.
     images: Vec<i64>,
 }
@@ -140,12 +140,11 @@ impl Conjugates {
                 break;
             }
         }
-        Some(Conjugates { units, images: images.into_iter().map(|(unit, _)| unit).collect() })
+        Some(Conjugates { images: images.into_iter().map(|(unit, _)| unit).collect() })
     }
 
     /// One a of each image with `σ_a ≠ 1` and `σ_a² = 1` on the sum.
     fn involutions(&self, sum: &PhasorSum) -> Vec<i64> {
-        debug_assert!(self.units.contains(&self.images[0]));
         let returns = |unit: &i64| sum.galois(*unit).galois(*unit).minus(sum).vanishes();
         self.images[1..].iter().copied().filter(returns).collect()
     }
@@ -163,9 +162,11 @@ fn extend(group: &mut BTreeSet<i64>, unit: i64, modulus: i64) {
 
 /// The common denominator of the angles, where closed forms are looked for.
 fn conductor(sum: &PhasorSum) -> Option<u64> {
-    let terms = sum.collected();
-    let conductor = terms.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
-    conductor.to_u64().filter(|&n| n <= LARGEST_CONDUCTOR)
+    common_denominator(sum).to_u64().filter(|&n| n <= LARGEST_CONDUCTOR)
+}
+
+fn common_denominator(sum: &PhasorSum) -> BigInt {
+    sum.collected().iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()))
 }
 
 /// The mean of all conjugates of a sum: rational, and the sum itself where that is rational; `None` for conductors

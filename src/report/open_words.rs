@@ -64,7 +64,7 @@ fn condition_of(sum: &OpenSum) -> Option<String> {
         When::Where(angles) => Some(format!("0 where {}", conditions(angles))),
         When::Irrational { phi, delta, degrees, .. } => {
             let decimal = typeset::decimal(degrees.rem_euclid(360.0));
-            Some(format!("0 where {} ≈ {decimal}°, no rational turn", unknowns(phi, delta)))
+            Some(format!("0 where {} ≈ {decimal}°", unknowns(phi, delta)))
         }
         When::NotSolved(parts) => Some(format!("not solved: {parts} parts")),
     }
@@ -152,7 +152,7 @@ fn why(when: &When) -> String {
             conditions(angles)
         ),
         When::Irrational { .. } => {
-            "The two parts are equally long (proved) and cancel where they are opposite, which is at no rational turn."
+            "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that."
                 .to_owned()
         }
         When::NotSolved(count) => format!("{count} parts are left; for which angles they cancel is not solved here."),
