@@ -1,8 +1,6 @@
 //! Do all orders vanish? One period of them decides: a phase depends on the order only modulo the common denominator.
 
-use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{One, ToPrimitive};
+use num_traits::ToPrimitive;
 
 use super::answer::{Answer, Evidence, Finding, Status};
 use super::condition::{of_vanishing, senses};
@@ -36,7 +34,6 @@ pub(super) fn answer(layout: &Layout, orders: &Orders, quantities: &[Quantity]) 
             for order in vanishing.iter().filter(|_| with_moment) {
                 conditions.extend(of_vanishing(layout, order, &senses(None)));
             }
-            conditions.dedup();
             let mut once = Vec::new();
             conditions.into_iter().for_each(|condition| {
                 if !once.contains(&condition) {
@@ -65,7 +62,5 @@ fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Quantity]) -> impl Iterat
 
 /// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.
 fn period(layout: &Layout) -> Option<u32> {
-    let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
-    let common = angles.fold(BigInt::one(), |common, angle| common.lcm(angle.denominator()));
-    common.lcm(&BigInt::from(2)).to_u32().filter(|period| *period <= LONGEST_PERIOD)
+    verdict::period(layout).to_u32().filter(|period| *period <= LONGEST_PERIOD)
 }

@@ -6,7 +6,7 @@ mod theorem;
 
 pub use firmness::{Disturbance, Firmness, Outcome, firmness};
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
-pub use theorem::{EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem, survivors, theorem};
+pub use theorem::{EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem, period, survivors, theorem};
 
 use crate::exact::PhasorSum;
 use crate::layout::Layout;

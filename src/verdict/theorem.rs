@@ -53,13 +53,18 @@ impl fmt::Display for PeriodTooLong {
 
 impl std::error::Error for PeriodTooLong {}
 
+/// The least even number that makes every throw and bank whole: the sums of order k depend on k only modulo it.
+pub fn period(layout: &Layout) -> BigInt {
+    let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
+}
+
 /// Judges one period of orders.
 ///
 /// # Errors
 /// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders.
 pub fn theorem(layout: &Layout) -> Result<Theorem, PeriodTooLong> {
-    let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
-    let period = angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()));
+    let period = period(layout);
     let short = period.to_u32().filter(|&period| period <= LONGEST_PERIOD);
     let period = short.ok_or(PeriodTooLong { period })?;
     let judge = |quantity| EveryOrder::new(layout, quantity, period);
