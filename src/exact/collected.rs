@@ -67,6 +67,6 @@ impl IntegerSum {
 }
 
 /// `ratio · multiple`, where the multiple clears the denominator.
-fn whole(ratio: &BigRational, multiple: &BigInt) -> BigInt {
+pub(super) fn whole(ratio: &BigRational, multiple: &BigInt) -> BigInt {
     ratio.numer() * (multiple / ratio.denom())
 }

@@ -144,7 +144,8 @@ fn split_squarefree(terms: &Terms, primes: &[u32], conductor: &BigUint) -> Found
     found
 }
 
-fn classes(terms: &Terms, modulus: &BigUint) -> BTreeMap<BigUint, Terms> {
+/// The terms by the remainder of their exponent.
+pub(super) fn classes(terms: &Terms, modulus: &BigUint) -> BTreeMap<BigUint, Terms> {
     let mut classes: BTreeMap<BigUint, Terms> = BTreeMap::new();
     for (exponent, weight) in terms {
         classes.entry(exponent % modulus).or_default().push((exponent.clone(), weight.clone()));

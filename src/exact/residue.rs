@@ -5,9 +5,9 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
+use super::collected::whole;
 use super::sum::Term;
 use crate::proof::Residue;
 
@@ -20,7 +20,6 @@ pub(super) fn find(terms: &[Term]) -> Option<Residue> {
     let scale = terms.iter().fold(BigInt::one(), |s, term| s.lcm(term.weight.denom()));
     let order = conductor.to_u64().filter(|&n| n < CONDUCTOR_LIMIT)?;
     let divisors = prime_divisors(order);
-    let whole = |ratio: &BigRational, multiple: &BigInt| ratio.numer() * (multiple / ratio.denom());
     // A sum that is not zero has a norm that is not zero, and only its divisors can fail: the search ends.
     let primes = (1..).map(|k| k * order + 1).filter(|&prime| is_prime(prime));
     primes.into_iter().find_map(|prime| {

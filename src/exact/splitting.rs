@@ -3,14 +3,13 @@
 //! Where a conductor is too large for a prime with a root of that order, the decision itself is the evidence: each
 //! step keeps a part that would be zero if the whole were (theory, section 4), until one vector is left.
 
-use std::collections::BTreeMap;
-
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::One;
 
 use super::collected::IntegerSum;
 use super::decide::{collect, corner_in_class, primes_up_to, vanishes};
+use super::polygons::classes;
 use crate::proof::Step;
 
 type Terms = Vec<(BigUint, BigInt)>;
@@ -36,11 +35,7 @@ pub(super) fn find(sum: &IntegerSum) -> Vec<Step> {
 /// The shortest class that is not zero among those that must vanish by themselves.
 fn keep_class(terms: &Terms, conductor: &BigUint, product: BigUint) -> (Step, BigUint, Terms) {
     let step = conductor / &product;
-    let mut classes: BTreeMap<BigUint, Terms> = BTreeMap::new();
-    for (exponent, weight) in terms {
-        classes.entry(exponent % &step).or_default().push((exponent.clone(), weight.clone()));
-    }
-    let reduced = classes.into_values().filter_map(|class| {
+    let reduced = classes(terms, &step).into_values().filter_map(|class| {
         let first = class[0].0.clone();
         let terms: Terms = class.into_iter().map(|(e, w)| ((e - &first) / &step, w)).collect();
         (!vanishes(&product, &terms)).then_some((first, terms))

@@ -50,9 +50,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
         }
         (Finding::Firing(None), _) => "The layout names no firing order.".to_owned(),
         (Finding::Firing(Some(intervals)), _) => {
-            let degrees = intervals
-                .iter()
-                .map(|turns| typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into()))));
+            let degrees = intervals.iter().map(typeset::turns);
             format!("The intervals are {}.", degrees.collect::<Vec<_>>().join(", "))
         }
         (Finding::Nothing(reason), _) => format!("{reason}."),

@@ -254,14 +254,11 @@ fn firing(layout: &Layout) -> Vec<String> {
 
 /// Even or uneven, and which.
 pub(super) fn intervals(firing: &Firing) -> String {
-    let degrees = |turns: &num_rational::BigRational| {
-        typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into())))
-    };
     let intervals = firing.intervals();
     match intervals.as_slice() {
-        [first, ..] if firing.is_even() => format!("It fires evenly, every {} of crank angle.", degrees(first)),
+        [first, ..] if firing.is_even() => format!("It fires evenly, every {} of crank angle.", typeset::turns(first)),
         uneven => {
-            let list: Vec<String> = uneven.iter().map(degrees).collect();
+            let list: Vec<String> = uneven.iter().map(typeset::turns).collect();
             format!("It fires unevenly, at intervals of {}.", list.join(", "))
         }
     }

@@ -49,6 +49,11 @@ pub(super) fn degrees(value: &BigRational) -> String {
     format!("{}({modulus})°", if value.is_negative() { "−" } else { "" })
 }
 
+/// A number of turns in degrees, not reduced: a firing interval of `720°`.
+pub(super) fn turns(value: &BigRational) -> String {
+    degrees(&(value * BigRational::from_integer(360.into())))
+}
+
 /// A direction in `[0°, 360°)`.
 pub(super) fn angle(turn: &Turn) -> String {
     degrees(&turn.degrees())
