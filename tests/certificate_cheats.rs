@@ -336,6 +336,7 @@ fn cylinders(engine: &Layout) -> Vec<Cylinder> {
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
         reciprocating_mass: cylinder.reciprocating_mass.clone(),
+        crank_radius: cylinder.crank_radius.clone(),
     };
     engine.cylinders.iter().map(cylinder).collect()
 }

@@ -116,8 +116,9 @@ pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
 
 fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {
     let weight = |cylinder: &SymbolicCylinder| match quantity {
-        Quantity::Moment => family.arm(cylinder).scaled(&cylinder.reciprocating_mass),
-        Quantity::Force | Quantity::Torque => Linear::constant(cylinder.reciprocating_mass.clone()),
+        Quantity::Moment => family.arm(cylinder).scaled(&family.weight(cylinder)),
+        Quantity::Force => Linear::constant(family.weight(cylinder)),
+        Quantity::Torque => Linear::constant(family.weight(cylinder) * &cylinder.crank_radius),
     };
     let terms: Vec<(Linear, Linear)> =
         family.cylinders.iter().map(|cylinder| (phase(cylinder, order, sense), weight(cylinder))).collect();

@@ -4,6 +4,8 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::firing::Firing;
+use super::mechanism::Mechanism;
+use super::title_block::TitleBlock;
 use crate::exact::Turn;
 
 /// One cylinder with its crank throw.
@@ -19,12 +21,19 @@ pub struct Cylinder {
     pub position: BigRational,
     /// Reciprocating mass, in kilograms, or in multiples of a common mass.
     pub reciprocating_mass: BigRational,
+    /// Crank radius, in multiples of that of the layout.
+    pub crank_radius: BigRational,
 }
 
 impl Cylinder {
     /// Crank angle `α − β` at which the piston stands at top dead centre.
     pub fn top_dead_centre(&self) -> Turn {
         &self.bank - &self.throw
+    }
+
+    /// Length of the cylinder's vector in a star of the force: reciprocating mass times crank radius.
+    pub fn weight(&self) -> BigRational {
+        &self.reciprocating_mass * &self.crank_radius
     }
 }
 
@@ -73,10 +82,27 @@ pub struct Layout {
     pub reference_plane_given: bool,
     /// What positions are counted in.
     pub length_unit: LengthUnit,
+    /// Whether the file says where the cylinders stand; else they stand one spacing apart.
+    pub positions_given: bool,
     /// The orders that the file asks for, rising.
     pub orders: Vec<u32>,
     /// When the cylinders fire, where the file says enough.
     pub firing: Option<Firing>,
+    /// What the engine measures and weighs.
+    pub mechanism: Mechanism,
+    /// What is asked for beyond force and moment.
+    pub effects: Effects,
+    /// What stands in the title block of a calculation report.
+    pub title_block: TitleBlock,
+    /// The layout file itself.
+    pub file: String,
+}
+
+/// What a layout file asks for beyond the forces and moments of its masses: `effects = ["torque"]`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effects {
+    /// The inertia torque.
+    pub torque: bool,
 }
 
 impl Layout {
@@ -85,8 +111,8 @@ impl Layout {
         &cylinder.position - &self.reference_plane
     }
 
-    /// Whether every reciprocating mass is 1, so that weights need not be shown.
+    /// Whether every reciprocating mass and crank radius is 1, so that weights need not be shown.
     pub fn has_unit_masses(&self) -> bool {
-        self.cylinders.iter().all(|cylinder| cylinder.reciprocating_mass.is_one())
+        self.cylinders.iter().all(|cylinder| cylinder.weight().is_one())
     }
 }

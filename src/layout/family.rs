@@ -4,9 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
 
-use super::engine::{Cylinder, Form, Layout, LengthUnit};
+use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::firing::Cycle;
 use super::linear::Linear;
+use super::mechanism::Mechanism;
+use super::title_block::TitleBlock;
 use crate::exact::Turn;
 
 /// The unknown bank angle.
@@ -27,6 +29,8 @@ pub struct SymbolicCylinder {
     pub position: Linear,
     /// Reciprocating mass.
     pub reciprocating_mass: BigRational,
+    /// Crank radius, in multiples of that of the layout.
+    pub crank_radius: BigRational,
 }
 
 impl SymbolicCylinder {
@@ -38,6 +42,7 @@ impl SymbolicCylinder {
             bank: Turn::new(self.bank.as_known()?.clone()),
             position: self.position.as_known()?.clone(),
             reciprocating_mass: self.reciprocating_mass.clone(),
+            crank_radius: self.crank_radius.clone(),
         })
     }
 
@@ -48,6 +53,7 @@ impl SymbolicCylinder {
             bank: self.bank.with(values),
             position: self.position.with(values),
             reciprocating_mass: self.reciprocating_mass.clone(),
+            crank_radius: self.crank_radius.clone(),
         }
     }
 }
@@ -72,9 +78,24 @@ pub struct Family {
     pub orders: Vec<u32>,
     /// Two-stroke or four-stroke, if the file says so.
     pub cycle: Option<Cycle>,
+    /// Whether the file says where the cylinders stand.
+    pub positions_given: bool,
+    /// What the engine measures and weighs.
+    pub mechanism: Mechanism,
+    /// What is asked for beyond force and moment.
+    pub effects: Effects,
+    /// What stands in the title block of a calculation report.
+    pub title_block: TitleBlock,
+    /// The layout file itself.
+    pub file: String,
 }
 
 impl Family {
+    /// Length of a cylinder's vector in a star of the force: reciprocating mass times crank radius.
+    pub fn weight(&self, cylinder: &SymbolicCylinder) -> BigRational {
+        &cylinder.reciprocating_mass * &cylinder.crank_radius
+    }
+
     /// The unknowns that are left, by name.
     pub fn unknowns(&self) -> BTreeSet<&str> {
         let parts = self.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank, &cylinder.position]);
@@ -106,6 +127,11 @@ impl Family {
             reference_plane_given: true,
             length_unit: self.length_unit,
             orders: self.orders.clone(),
+            positions_given: self.positions_given,
+            mechanism: self.mechanism.clone(),
+            effects: self.effects,
+            title_block: self.title_block.clone(),
+            file: self.file.clone(),
             firing: None,
         })
     }

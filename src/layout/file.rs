@@ -8,13 +8,15 @@ use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::engine::{Cylinder, Form, Layout, LengthUnit};
+use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::error::LayoutError;
 use super::family::{DELTA, Family, PHI, SymbolicCylinder};
 use super::firing::{self, Cycle, Firing};
 use super::forms::{self, Expanded, MOST_CYLINDERS};
 use super::linear::Linear;
+use super::mechanism::{self, Mechanism};
 use super::quantities;
+use super::title_block;
 use super::units;
 use super::written::{Table, Text, place, read};
 
@@ -33,6 +35,10 @@ struct File {
     cycle: Option<Text>,
     firing_order: Option<Spanned<firing::Order>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
+    speed: Option<Text>,
+    effects: Option<Vec<Text>>,
+    document: Option<Table<title_block::Keys>>,
+    mechanism: Option<Table<mechanism::Keys>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -90,12 +96,13 @@ pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_engine(name: &str, source: &str) -> Result<Engine, LayoutError> {
-    read::<File>(source).and_then(|file| engine(name, file)).map_err(|error| error.in_file(name, source))
+    read::<File>(source).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
 }
 
-fn engine(name: &str, file: File) -> Result<Engine, LayoutError> {
+fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
-    let expanded = expand(&file, cycle)?;
+    let mut expanded = expand(&file, cycle)?;
+    let mechanism = mechanism(&file, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
     let given_plane =
@@ -109,6 +116,11 @@ fn engine(name: &str, file: File) -> Result<Engine, LayoutError> {
         orders: file.orders.as_ref().map_or(Ok(USUAL_ORDERS.to_vec()), orders)?,
         cylinders: expanded.cylinders,
         cycle,
+        positions_given: expanded.positions_given,
+        mechanism,
+        effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
+        title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
+        file: source.to_owned(),
     };
     check_values(&file.values, &family)?;
     let Some(mut layout) = family.with(&values).only() else {
@@ -125,6 +137,33 @@ fn engine(name: &str, file: File) -> Result<Engine, LayoutError> {
     layout.reference_plane_given = given_plane.is_some();
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
     Ok(Engine::Known(Box::new(layout), symbolic))
+}
+
+/// What the file says of crank, rods, masses and speed.
+fn mechanism(file: &File, cylinders: &mut [SymbolicCylinder]) -> Result<Mechanism, LayoutError> {
+    let tables = file.cylinder.iter().flat_map(|tables| tables.get_ref());
+    let masses_given = tables.into_iter().any(|table| table.get_ref().0.reciprocating_mass.is_some());
+    let mut mechanism = match &file.mechanism {
+        Some(table) => table.0.read(cylinders, masses_given)?,
+        None => Mechanism::default(),
+    };
+    if let Some(text) = &file.speed {
+        let (speed, given) = mechanism::speed(text)?;
+        mechanism.speed = Some(speed);
+        mechanism.given.insert(0, given);
+    }
+    Ok(mechanism)
+}
+
+fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
+    let mut effects = Effects::default();
+    for text in list {
+        match text.get_ref().0.as_str() {
+            "torque" => effects.torque = true,
+            other => return Err(quantities::misread("effect", other, "\"torque\"".to_owned(), text)),
+        }
+    }
+    Ok(effects)
 }
 
 /// The values that the file gives to its unknowns.
@@ -198,11 +237,12 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
                 .reciprocating_mass
                 .as_ref()
                 .map_or(Ok(BigRational::from_integer(1.into())), mass)?,
+            crank_radius: BigRational::from_integer(1.into()),
         })
     });
     let cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
     check_names(&cylinders, tables)?;
-    Ok(Expanded { form: Form::General, cylinders, length_unit })
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
 }
 
 fn mass(text: &Text) -> Result<BigRational, LayoutError> {

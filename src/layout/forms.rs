@@ -25,6 +25,8 @@ pub(super) struct Expanded {
     pub form: Form,
     pub cylinders: Vec<SymbolicCylinder>,
     pub length_unit: LengthUnit,
+    /// Whether the positions are those of the file; else the cylinders stand one spacing apart.
+    pub positions_given: bool,
 }
 
 /// `[inline]`: all cylinder axes at angle 0.
@@ -103,7 +105,10 @@ struct Bank {
 }
 
 /// The pins along the crankshaft: throw and position.
-struct Pins(Vec<(Linear, Linear)>);
+struct Pins {
+    pins: Vec<(Linear, Linear)>,
+    positions_given: bool,
+}
 
 impl Inline {
     pub fn expand(
@@ -239,9 +244,11 @@ impl Radial {
                 bank: Linear::constant(BigRational::new(i.into(), count.into())).plus(&rotation),
                 position: position.clone(),
                 reciprocating_mass: one(),
+                crank_radius: one(),
             })
         });
-        Ok(Expanded { form: Form::Radial, cylinders: cylinders.collect(), length_unit: unit })
+        let positions_given = rows == 1 || self.row_spacing.is_some();
+        Ok(Expanded { form: Form::Radial, cylinders: cylinders.collect(), length_unit: unit, positions_given })
     }
 }
 
@@ -261,13 +268,13 @@ fn fan(
     numbering: Option<&Text>,
     unit: LengthUnit,
 ) -> Result<Expanded, LayoutError> {
-    if banks.len() * pins.0.len() > MOST_CYLINDERS {
-        let message = format!("{} cylinders", banks.len() * pins.0.len());
+    if banks.len() * pins.pins.len() > MOST_CYLINDERS {
+        let message = format!("{} cylinders", banks.len() * pins.pins.len());
         return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
     }
     let pairs: Vec<(&Bank, &(Linear, Linear))> = match numbering.map(|text| text.get_ref().0.as_str()) {
-        None | Some("by-bank") => banks.iter().flat_map(|bank| pins.0.iter().map(move |pin| (bank, pin))).collect(),
-        Some("by-pin") => pins.0.iter().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
+        None | Some("by-bank") => banks.iter().flat_map(|bank| pins.pins.iter().map(move |pin| (bank, pin))).collect(),
+        Some("by-pin") => pins.pins.iter().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
         Some(other) => {
             let place = numbering.and_then(place);
             let message = format!("cannot read the numbering `{other}`");
@@ -280,8 +287,10 @@ fn fan(
         bank: bank.angle.clone(),
         position: position.plus(&bank.offset),
         reciprocating_mass: one(),
+        crank_radius: one(),
     });
-    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit })
+    let positions_given = pins.positions_given;
+    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given })
 }
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.
@@ -297,6 +306,8 @@ fn pins(
         let right = format!("between 1 and {MOST_CYLINDERS} throws, such as [0, 180, 180, 0]");
         return Err(LayoutError::new(format!("a crankshaft with {} throws", throws.len()), right, Some(throws_place)));
     }
+    let positions_given =
+        spacing.is_some() || positions.is_some() || throws.len() == 1 || usual_spacing != unit_length();
     let positions = match (spacing, positions) {
         (Some(_), Some(list)) => {
             let message = "both a spacing and positions are given";
@@ -313,7 +324,7 @@ fn pins(
             (0..=last).map(|i| spacing.scaled(&BigRational::new((last - 2 * i).into(), 2.into()))).collect()
         }
     };
-    Ok(Pins(throws.into_iter().zip(positions).collect()))
+    Ok(Pins { pins: throws.into_iter().zip(positions).collect(), positions_given })
 }
 
 fn unit_length() -> Linear {

@@ -25,6 +25,7 @@ const ANGLES: Units = &[
     ("°", (1, 360)),
 ];
 const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("m", (1, 1))];
+const SPEEDS: Units = &[("rpm", (1, 1)), ("1/min", (1, 1)), ("rev/s", (60, 1)), ("Hz", (60, 1))];
 const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
@@ -43,6 +44,12 @@ pub(crate) fn length(text: &str) -> Result<Length, String> {
 /// A mass; kilograms where no unit stands.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")?;
+    Ok(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+/// A speed in revolutions a minute, which is also what a number without a unit means.
+pub(crate) fn speed(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, SPEEDS, "\"6000\", \"6000 rpm\" or \"100 Hz\"")?;
     Ok(number * ratio(unit.unwrap_or((1, 1))))
 }
 

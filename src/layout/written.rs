@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, Visitor};
+use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -31,6 +31,41 @@ impl<'de> Deserialize<'de> for Written {
             }
         }
         deserializer.deserialize_str(Text)
+    }
+}
+
+/// One value for all, or a list with one value for each.
+#[derive(Clone, Debug)]
+pub(crate) enum Values {
+    /// The value of all.
+    One(Written),
+    /// One for each.
+    Each(Vec<Text>),
+}
+
+/// [`Values`] with their place in the file.
+pub(crate) type Column = Spanned<Values>;
+
+impl<'de> Deserialize<'de> for Values {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OneOrEach;
+        impl<'de> Visitor<'de> for OneOrEach {
+            type Value = Values;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a number, a text in quotes, or a list of them")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Values, E> {
+                Ok(Values::One(Written(text.to_owned())))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Values, A::Error> {
+                let mut texts = Vec::new();
+                while let Some(text) = list.next_element()? {
+                    texts.push(text);
+                }
+                Ok(Values::Each(texts))
+            }
+        }
+        deserializer.deserialize_any(OneOrEach)
     }
 }
 

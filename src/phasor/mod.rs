@@ -2,9 +2,9 @@
 //!
 //! For order k, with throw β, bank α and arm z (theory, section 3):
 //!
-//! - direct: `P_k⁺ = Σ m e^{i(kβ − (k−1)α)}`,
-//! - reverse: `P_k⁻ = Σ m e^{i(−kβ + (k+1)α)}`,
-//! - inertia torque: `Σ m e^{ik(β − α)}`.
+//! - direct: `P_k⁺ = Σ m r e^{i(kβ − (k−1)α)}`,
+//! - reverse: `P_k⁻ = Σ m r e^{i(−kβ + (k+1)α)}`,
+//! - inertia torque: `Σ m r² e^{ik(β − α)}`.
 //!
 //! The moment weighs each term of the force by its arm z.
 
@@ -24,13 +24,14 @@ pub fn phase(cylinder: &Cylinder, order: u32, sense: Option<Sense>) -> Turn {
 
 /// The sum of one quantity, order and sense, one term a cylinder.
 ///
-/// The coefficient c_k, the factor ½ω² and the crank radius, common to all terms, are left out.
+/// Masses and crank radii are in multiples of the layout's; its coefficient c_k and the factor ½ω² are left out.
 pub fn sum(layout: &Layout, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
     let term = |cylinder: &Cylinder| Term {
         angle: phase(cylinder, order, sense),
         weight: match quantity {
-            Quantity::Moment => &cylinder.reciprocating_mass * layout.arm(cylinder),
-            Quantity::Force | Quantity::Torque => cylinder.reciprocating_mass.clone(),
+            Quantity::Force => cylinder.weight(),
+            Quantity::Moment => cylinder.weight() * layout.arm(cylinder),
+            Quantity::Torque => cylinder.weight() * &cylinder.crank_radius,
         },
     };
     PhasorSum::new(layout.cylinders.iter().map(term).collect())

@@ -5,7 +5,7 @@ use std::fmt;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use serde::{Deserialize, Serialize};
 
 use super::certificate::Certificate;
@@ -51,6 +51,14 @@ pub struct Cylinder {
     /// Reciprocating mass, in kilograms (or multiples of a common mass).
     #[serde(with = "fraction")]
     pub reciprocating_mass: BigRational,
+    /// Crank radius, in multiples of a common radius; 1 if left out.
+    #[serde(with = "fraction", default = "one", skip_serializing_if = "One::is_one")]
+    pub crank_radius: BigRational,
+}
+
+/// The crank radius of a document that names none.
+pub(super) fn one() -> BigRational {
+    BigRational::one()
 }
 
 /// What a verdict is about.
@@ -195,7 +203,8 @@ pub fn check_document(document: &Document) -> Result<usize, Fault> {
 }
 
 impl Document {
-    /// Theory, section 3: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, torque `k(β − α)`; the moment weighs by the arm.
+    /// Theory, section 3: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, torque `k(β − α)`; weights m r, the moment's
+    /// times the arm, the torque's times r.
     pub(super) fn terms(&self, quantity: Quantity, order: u32, sense: Option<Sense>) -> Vec<Vector> {
         let k = BigRational::from_integer(BigInt::from(order));
         let one = BigRational::from_integer(1.into());
@@ -207,9 +216,10 @@ impl Document {
             };
             let arm = match quantity {
                 Quantity::Moment => &cylinder.position - &self.reference_plane,
-                Quantity::Force | Quantity::Torque => one.clone(),
+                Quantity::Force => one.clone(),
+                Quantity::Torque => cylinder.crank_radius.clone(),
             };
-            Vector { angle, weight: &cylinder.reciprocating_mass * arm }
+            Vector { angle, weight: &cylinder.reciprocating_mass * &cylinder.crank_radius * arm }
         };
         self.cylinders.iter().map(term).collect()
     }

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::certificate::Certificate;
 use super::check::check_certificate;
-use super::document::{Fault, Quantity, Sense, Vector, squared_modulus};
+use super::document::{Fault, Quantity, Sense, Vector, one, squared_modulus};
 use super::fraction;
 
 /// The verdicts on a family: the JSON document of `classify --json` where an angle or a length is open.
@@ -50,6 +50,9 @@ pub struct OpenCylinder {
     /// Reciprocating mass.
     #[serde(with = "fraction")]
     pub reciprocating_mass: BigRational,
+    /// Crank radius, in multiples of a common radius; 1 if left out.
+    #[serde(with = "fraction", default = "one", skip_serializing_if = "One::is_one")]
+    pub crank_radius: BigRational,
 }
 
 /// When one quantity, order and sense vanishes.
@@ -201,14 +204,15 @@ fn expected_parts(document: &OpenDocument, verdict: &OpenVerdictClaim) -> Result
         }
         let phase = |name: &str| &of_throw * part(&cylinder.throw, name) + &of_bank * part(&cylinder.bank, name);
         let angle = phase("1");
+        let mass_radius = &cylinder.reciprocating_mass * &cylinder.crank_radius;
         let mut weights: BTreeMap<Option<String>, BigRational> = BTreeMap::new();
         if verdict.quantity == Quantity::Moment {
             for name in cylinder.position.keys().chain(document.reference_plane.keys()) {
                 let arm = part(&cylinder.position, name) - part(&document.reference_plane, name);
-                weights.insert((name != "1").then(|| name.clone()), &cylinder.reciprocating_mass * arm);
+                weights.insert((name != "1").then(|| name.clone()), &mass_radius * arm);
             }
         } else {
-            weights.insert(None, cylinder.reciprocating_mass.clone());
+            weights.insert(None, mass_radius);
         }
         for (symbol, weight) in weights {
             let terms = parts.entry((symbol, phase("phi"), phase("delta"))).or_default();

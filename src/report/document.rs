@@ -15,6 +15,7 @@ pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
         reciprocating_mass: cylinder.reciprocating_mass.clone(),
+        crank_radius: cylinder.crank_radius.clone(),
     };
     let balances = || orders.iter().flat_map(|order| [&order.force, &order.moment]);
     let verdicts = orders

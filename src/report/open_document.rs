@@ -16,6 +16,7 @@ pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
         bank: linear(&cylinder.bank),
         position: linear(&cylinder.position),
         reciprocating_mass: cylinder.reciprocating_mass.clone(),
+        crank_radius: cylinder.crank_radius.clone(),
     };
     OpenDocument {
         title: family.title.clone(),

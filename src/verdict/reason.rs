@@ -60,8 +60,7 @@ pub fn reason(layout: &Layout, verdict: &Verdict) -> Reason {
 pub fn mirror_partners(layout: &Layout) -> Option<Vec<usize>> {
     let mut partners: Vec<Option<usize>> = vec![None; layout.cylinders.len()];
     let is_image = |a: &Cylinder, b: &Cylinder| {
-        layout.arm(a) == -layout.arm(b)
-            && (&a.throw, &a.bank, &a.reciprocating_mass) == (&b.throw, &b.bank, &b.reciprocating_mass)
+        layout.arm(a) == -layout.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
     };
     for (index, cylinder) in layout.cylinders.iter().enumerate() {
         if partners[index].is_some() {

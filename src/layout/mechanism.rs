@@ -1,0 +1,374 @@
+//! What does an engine measure and weigh? Crank, rods, masses and speed: the tables `[mechanism]` and `speed`.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use serde::Deserialize;
+
+use super::error::LayoutError;
+use super::family::SymbolicCylinder;
+use super::quantities::misread;
+use super::units;
+use super::written::{self, Text, Values, place};
+
+/// What an engine measures and weighs, as far as its file says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mechanism {
+    /// Speed in revolutions a minute.
+    pub speed: Option<BigRational>,
+    /// Crank radius r in metres, that the cylinders' crank radii are multiples of.
+    pub crank_radius: Option<BigRational>,
+    /// Reciprocating mass m in kilograms, that the cylinders' masses are multiples of.
+    pub mass: Option<BigRational>,
+    /// Rods, one a cylinder; none where the file says nothing of them.
+    pub rods: Vec<Rod>,
+    /// Rotating mass at each crankpin in kilograms, one a cylinder; none where the file says nothing of them.
+    pub rotating_masses: Vec<BigRational>,
+    /// What the file says, as written.
+    pub given: Vec<Given>,
+    /// Where the numbers come from, if the file says so.
+    pub source: Option<String>,
+}
+
+/// A connecting rod and how its cylinder stands to the crankshaft.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Rod {
+    /// Rod ratio λ = r/l.
+    pub ratio: BigRational,
+    /// Offset δ = e/l: the cylinder axis passes the crankshaft at the distance e, on the side of ψ = 90°.
+    pub offset: BigRational,
+}
+
+/// A quantity that the file gives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// Which.
+    pub quantity: Measure,
+    /// The cylinder that it belongs to, by its index; none where it is that of all.
+    pub cylinder: Option<usize>,
+    /// In metres, kilograms, revolutions a minute, or a pure number.
+    pub value: BigRational,
+    /// As it was written.
+    pub written: String,
+}
+
+/// What can be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// Speed.
+    Speed,
+    /// Stroke, twice the crank radius.
+    Stroke,
+    /// Crank radius r.
+    CrankRadius,
+    /// Rod length l between the centres of its eyes.
+    RodLength,
+    /// Rod ratio λ.
+    RodRatio,
+    /// Offset e of the cylinder axis.
+    PinOffset,
+    /// Offset δ = e/l.
+    OffsetRatio,
+    /// Reciprocating mass of a cylinder.
+    ReciprocatingMass,
+    /// Mass of the piston with its rings.
+    PistonMass,
+    /// Mass of the piston pin.
+    PinMass,
+    /// Mass of the rod.
+    RodMass,
+    /// Distance of the rod's centre of gravity from its big end.
+    RodCentre,
+    /// Rotating mass at the crankpin.
+    RotatingMass,
+}
+
+/// `[mechanism]`: each key holds one value for all cylinders, or a list with one a cylinder.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    source: Option<Text>,
+    stroke: Option<written::Column>,
+    crank_radius: Option<written::Column>,
+    rod_length: Option<written::Column>,
+    rod_ratio: Option<written::Column>,
+    pin_offset: Option<written::Column>,
+    offset_ratio: Option<written::Column>,
+    reciprocating_mass: Option<written::Column>,
+    piston_mass: Option<written::Column>,
+    pin_mass: Option<written::Column>,
+    rod_mass: Option<written::Column>,
+    rod_centre: Option<written::Column>,
+    rotating_mass: Option<written::Column>,
+}
+
+/// One key, read: a value a cylinder, with the place of each.
+struct Column {
+    values: Vec<BigRational>,
+    places: Vec<Text>,
+}
+
+impl Keys {
+    /// Reads the table for these cylinders, whose masses and crank radii it sets.
+    pub fn read(&self, cylinders: &mut [SymbolicCylinder], masses_given: bool) -> Result<Mechanism, LayoutError> {
+        let mut table = Reading { count: cylinders.len(), given: Vec::new() };
+        let half = BigRational::new(1.into(), 2.into());
+        let radii = match (&self.stroke, &self.crank_radius) {
+            (Some(_), Some(radius)) => return Err(twice("stroke", "crank_radius", radius)),
+            (Some(_), None) => {
+                let strokes = table.column(&self.stroke, Measure::Stroke)?;
+                strokes.map(|strokes| strokes.values.iter().map(|stroke| stroke * &half).collect::<Vec<_>>())
+            }
+            (None, _) => table.column(&self.crank_radius, Measure::CrankRadius)?.map(|radii| radii.values),
+        };
+        let lengths = table.column(&self.rod_length, Measure::RodLength)?;
+        let rods = self.rods(&mut table, radii.as_deref(), lengths.as_ref())?;
+        let (masses, rotating) = self.masses(&mut table, lengths.as_ref(), masses_given)?;
+        let crank_radius = radii.as_ref().and_then(|radii| radii.first().cloned());
+        for (index, cylinder) in cylinders.iter_mut().enumerate() {
+            if let (Some(radii), Some(unit)) = (&radii, &crank_radius) {
+                cylinder.crank_radius = &radii[index] / unit;
+            }
+        }
+        let mut mass = masses_given.then(BigRational::one);
+        if let Some(masses) = masses {
+            // The first mass that is not zero is the unit; where all are zero, all are once nothing.
+            let unit = masses.iter().find(|mass| !mass.is_zero()).cloned();
+            for (cylinder, mass) in cylinders.iter_mut().zip(&masses) {
+                cylinder.reciprocating_mass = unit.as_ref().map_or_else(BigRational::one, |unit| mass / unit);
+            }
+            mass = Some(unit.unwrap_or_else(BigRational::zero));
+        }
+        Ok(Mechanism {
+            speed: None,
+            crank_radius,
+            mass,
+            rods,
+            rotating_masses: rotating.unwrap_or_default(),
+            given: table.given,
+            source: self.source.as_ref().map(|source| source.get_ref().0.clone()),
+        })
+    }
+
+    fn rods(
+        &self,
+        table: &mut Reading,
+        radii: Option<&[BigRational]>,
+        lengths: Option<&Column>,
+    ) -> Result<Vec<Rod>, LayoutError> {
+        let ratios = table.column(&self.rod_ratio, Measure::RodRatio)?;
+        let (ratios, places) = match (ratios, lengths, radii, &self.rod_length) {
+            (Some(_), Some(_), _, Some(length)) => return Err(twice("rod_ratio", "rod_length", length)),
+            (Some(ratios), ..) => (ratios.values, ratios.places),
+            (None, Some(lengths), Some(radii), _) => {
+                let ratios = radii.iter().zip(&lengths.values).map(|(radius, length)| radius / length);
+                (ratios.collect(), lengths.places.clone())
+            }
+            (None, Some(lengths), None, _) => {
+                let right = "add a stroke or crank_radius";
+                return Err(LayoutError::new("a rod length without a crank radius", right, place(&lengths.places[0])));
+            }
+            (None, None, ..) => {
+                let offset = self.pin_offset.as_ref().or(self.offset_ratio.as_ref());
+                return match offset {
+                    None => Ok(Vec::new()),
+                    Some(offset) => {
+                        let right = "add a rod_length or rod_ratio";
+                        Err(LayoutError::new("an offset without a rod", right, place(offset)))
+                    }
+                };
+            }
+        };
+        let offsets = self.offsets(table, radii, &ratios)?;
+        let rods: Vec<Rod> = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Rod { ratio, offset }).collect();
+        match rods.iter().position(|rod| !turns_round(rod)) {
+            None => Ok(rods),
+            Some(index) => {
+                let Rod { ratio, offset } = &rods[index];
+                let message = format!("cylinder {} cannot turn round: λ + |δ| = {}", index + 1, ratio + offset.abs());
+                let right = match offset.is_zero() {
+                    true => "the rod has to be longer than the crank radius: λ < 1",
+                    false => {
+                        "the rod has to be longer than crank radius and offset together, by a millionth: λ + |δ| ≤ 0.999999"
+                    }
+                };
+                Err(LayoutError::new(message, right, place(&places[index])))
+            }
+        }
+    }
+
+    /// Offsets δ = e/l; 0 where the file names none.
+    fn offsets(
+        &self,
+        table: &mut Reading,
+        radii: Option<&[BigRational]>,
+        ratios: &[BigRational],
+    ) -> Result<Vec<BigRational>, LayoutError> {
+        match (&self.pin_offset, &self.offset_ratio) {
+            (None, None) => Ok(vec![BigRational::zero(); ratios.len()]),
+            (Some(_), Some(ratio)) => Err(twice("pin_offset", "offset_ratio", ratio)),
+            (None, Some(_)) => {
+                let column = table.column(&self.offset_ratio, Measure::OffsetRatio)?;
+                Ok(column.map(|column| column.values).unwrap_or_default())
+            }
+            (Some(list), None) => {
+                let Some(radii) = radii.filter(|_| ratios.iter().all(Signed::is_positive)) else {
+                    let right = "add a stroke or crank_radius, or write offset_ratio = e/l";
+                    return Err(LayoutError::new("an offset in metres without a rod length", right, place(list)));
+                };
+                let column = table.column(&self.pin_offset, Measure::PinOffset)?;
+                let offsets = column.map(|column| column.values).unwrap_or_default();
+                Ok(offsets.iter().zip(radii).zip(ratios).map(|((offset, r), ratio)| offset * ratio / r).collect())
+            }
+        }
+    }
+
+    /// Reciprocating and rotating masses, given or from piston, pin and rod.
+    #[expect(clippy::type_complexity, reason = "two lists of masses, each of which may be missing")]
+    fn masses(
+        &self,
+        table: &mut Reading,
+        lengths: Option<&Column>,
+        masses_given: bool,
+    ) -> Result<(Option<Vec<BigRational>>, Option<Vec<BigRational>>), LayoutError> {
+        let whole = self.reciprocating_mass.as_ref().or(self.piston_mass.as_ref());
+        if let (Some(list), true) = (whole, masses_given) {
+            return Err(LayoutError::new(
+                "the reciprocating masses are given twice",
+                "the tables [[cylinder]] give them already",
+                place(list),
+            ));
+        }
+        if let (Some(_), Some(list)) = (&self.reciprocating_mass, &self.piston_mass) {
+            return Err(twice("reciprocating_mass", "piston_mass", list));
+        }
+        for (list, name) in
+            [(&self.pin_mass, "pin_mass"), (&self.rod_mass, "rod_mass"), (&self.rod_centre, "rod_centre")]
+        {
+            if let (Some(list), None) = (list, &self.piston_mass) {
+                let message = format!("{name} without a piston_mass");
+                return Err(LayoutError::new(message, "piston, pin and rod are given together", place(list)));
+            }
+        }
+        let given = table.column(&self.reciprocating_mass, Measure::ReciprocatingMass)?.map(|column| column.values);
+        let rotating = table.column(&self.rotating_mass, Measure::RotatingMass)?.map(|column| column.values);
+        let Some(pistons) = table.column(&self.piston_mass, Measure::PistonMass)? else {
+            return Ok((given, rotating));
+        };
+        let mut masses = pistons.values;
+        if let Some(pins) = table.column(&self.pin_mass, Measure::PinMass)? {
+            masses.iter_mut().zip(pins.values).for_each(|(mass, pin)| *mass += pin);
+        }
+        let Some(rods) = table.column(&self.rod_mass, Measure::RodMass)? else {
+            return match &self.rod_centre {
+                None => Ok((Some(masses), rotating)),
+                Some(list) => Err(LayoutError::new("rod_centre without a rod_mass", "add the rod's mass", place(list))),
+            };
+        };
+        if let Some(list) = &self.rotating_mass {
+            return Err(twice("rod_mass", "rotating_mass", list));
+        }
+        let (Some(lengths), Some(centres)) = (lengths, table.column(&self.rod_centre, Measure::RodCentre)?) else {
+            let right = "add rod_length and rod_centre, the distance of its centre of gravity from the big end";
+            let list = self.rod_mass.as_ref().and_then(place);
+            return Err(LayoutError::new("a rod mass that cannot be split in two masses", right, list));
+        };
+        let mut rotating = Vec::new();
+        for (index, rod) in rods.values.iter().enumerate() {
+            let part = &centres.values[index] / &lengths.values[index];
+            if part > BigRational::one() {
+                let text = &centres.places[index];
+                let right = "it lies between the eyes: from 0 to the rod length".to_owned();
+                return Err(misread("distance of the centre of gravity", &text.get_ref().0, right, text));
+            }
+            masses[index] += rod * &part;
+            rotating.push(rod * (BigRational::one() - part));
+        }
+        Ok((Some(masses), Some(rotating)))
+    }
+}
+
+/// An offset crank that is nearer to its end than a millionth would take too many points to integrate.
+fn turns_round(rod: &Rod) -> bool {
+    let sum = &rod.ratio + rod.offset.abs();
+    match rod.offset.is_zero() {
+        true => sum < BigRational::one(),
+        false => sum <= BigRational::new(999_999.into(), 1_000_000.into()),
+    }
+}
+
+fn twice(first: &str, second: &str, list: &written::Column) -> LayoutError {
+    LayoutError::new(format!("both {first} and {second} are given"), "one of them is enough", place(list))
+}
+
+/// Speed in revolutions a minute.
+pub(super) fn speed(text: &Text) -> Result<(BigRational, Given), LayoutError> {
+    let written = &text.get_ref().0;
+    let value = units::speed(written).map_err(|right| misread("speed", written, right, text))?;
+    if value.is_negative() {
+        return Err(misread("speed", written, "a speed is 0 or more".to_owned(), text));
+    }
+    let given = Given { quantity: Measure::Speed, cylinder: None, value: value.clone(), written: written.clone() };
+    Ok((value, given))
+}
+
+/// What has been read of the table.
+struct Reading {
+    count: usize,
+    given: Vec<Given>,
+}
+
+impl Reading {
+    fn column(&mut self, list: &Option<written::Column>, quantity: Measure) -> Result<Option<Column>, LayoutError> {
+        let Some(list) = list else { return Ok(None) };
+        let texts: Vec<Text> = match list.get_ref() {
+            Values::One(text) => vec![Text::new(list.span(), text.clone())],
+            Values::Each(texts) if texts.len() != self.count => {
+                let message = format!("{} values for {} cylinders", texts.len(), self.count);
+                return Err(LayoutError::new(message, "one value for all, or a list with one a cylinder", place(list)));
+            }
+            Values::Each(texts) => texts.clone(),
+        };
+        let values = texts.iter().map(|text| quantity.read(text)).collect::<Result<Vec<_>, _>>()?;
+        let of_all = matches!(list.get_ref(), Values::One(_));
+        for (index, (value, text)) in values.iter().zip(&texts).enumerate() {
+            let written = text.get_ref().0.clone();
+            let cylinder = (!of_all).then_some(index);
+            self.given.push(Given { quantity, cylinder, value: value.clone(), written });
+        }
+        let spread = |index: usize| if of_all { 0 } else { index };
+        Ok(Some(Column {
+            values: (0..self.count).map(|index| values[spread(index)].clone()).collect(),
+            places: (0..self.count).map(|index| texts[spread(index)].clone()).collect(),
+        }))
+    }
+}
+
+impl Measure {
+    /// Reads a value in the unit of this quantity.
+    fn read(self, text: &Text) -> Result<BigRational, LayoutError> {
+        let written = &text.get_ref().0;
+        let metres = |text: &str| units::length(text).map(|length| length.value);
+        let pure = |text: &str| super::parse_number(text).map_err(|error| error.to_string());
+        use Measure::*;
+        let (name, value, smallest) = match self {
+            Speed => ("speed", units::speed(written), "a speed is 0 or more"),
+            Stroke => ("stroke", metres(written), "a length above 0"),
+            CrankRadius => ("crank radius", metres(written), "a length above 0"),
+            RodLength => ("rod length", metres(written), "a length above 0"),
+            RodRatio => ("rod ratio", pure(written), "r/l, from 0 up to 1"),
+            PinOffset => ("pin offset", metres(written), ""),
+            OffsetRatio => ("offset ratio", pure(written), ""),
+            ReciprocatingMass | PistonMass | PinMass | RodMass | RotatingMass => {
+                ("mass", units::mass(written), "a mass is 0 or more")
+            }
+            RodCentre => ("distance of the centre of gravity", metres(written), "a length of 0 or more"),
+        };
+        let value = value.map_err(|right| misread(name, written, right, text))?;
+        let fits = match self {
+            Stroke | CrankRadius | RodLength => value.is_positive(),
+            PinOffset | OffsetRatio => true,
+            _ => !value.is_negative(),
+        };
+        if fits { Ok(value) } else { Err(misread(name, written, smallest.to_owned(), text)) }
+    }
+}
