@@ -17,13 +17,15 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← family ← claim ← report ← cli`
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← beam ← family ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
-//! compile left of `numbers`.
+//! compile left of `numbers`, nor in `beam`.
 
 #![warn(missing_docs)]
 
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod beam;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod exact;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]

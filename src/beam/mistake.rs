@@ -1,0 +1,62 @@
+//! What is wrong with a beam, and what would be right?
+
+use std::fmt;
+
+use num_rational::BigRational;
+
+/// Why supports, ends or a load make no beam. Supports are indices into the list as given; messages count from 1.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Mistake {
+    /// This many supports, 0 or 1, do not hold a beam.
+    FewerThanTwoSupports(usize),
+    /// Two supports at one position: the span between them has no length.
+    CoincidingSupports {
+        /// The one given first.
+        first: usize,
+        /// The one given later.
+        second: usize,
+        /// Where both stand.
+        at: BigRational,
+    },
+    /// A support that stands off the shaft.
+    SupportBeyondShaft {
+        /// Which one.
+        support: usize,
+        /// Where it stands.
+        at: BigRational,
+        /// Where the shaft begins and ends.
+        ends: Box<[BigRational; 2]>,
+    },
+    /// A load that stands off the shaft.
+    LoadBeyondShaft {
+        /// Where it stands.
+        at: BigRational,
+        /// Where the shaft begins and ends.
+        ends: Box<[BigRational; 2]>,
+    },
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mistake::FewerThanTwoSupports(0) => write!(f, "no support holds the beam: it needs two or more"),
+            Mistake::FewerThanTwoSupports(count) => {
+                write!(f, "{count} support does not hold the beam: it needs two or more")
+            }
+            Mistake::CoincidingSupports { first, second, at } => {
+                let (first, second) = (first + 1, second + 1);
+                write!(f, "supports {first} and {second} both stand at {at}: each needs a position of its own")
+            }
+            Mistake::SupportBeyondShaft { support, at, ends } => {
+                let [from, to] = ends.as_ref();
+                write!(f, "support {} stands at {at}, off the shaft: from {from} to {to} is right", support + 1)
+            }
+            Mistake::LoadBeyondShaft { at, ends } => {
+                let [from, to] = ends.as_ref();
+                write!(f, "the load stands at {at}, off the shaft: from {from} to {to} is right")
+            }
+        }
+    }
+}
+
+impl std::error::Error for Mistake {}
