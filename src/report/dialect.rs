@@ -75,10 +75,21 @@ fn markdown_escape(text: &str) -> String {
     out
 }
 
+/// The digits as exponents.
+pub(super) const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
 /// Plain text for pdflatex: its special characters, and the signs that the reports use.
 pub(super) fn latex_text(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {
+        if let Some(digit) = SUPERSCRIPTS.iter().position(|sign| *sign == letter) {
+            out.push_str(&format!("\\textsuperscript{{{digit}}}"));
+            continue;
+        }
+        if let Some(digit) = ('₀'..='₉').position(|sign| sign == letter) {
+            out.push_str(&format!("\\textsubscript{{{digit}}}"));
+            continue;
+        }
         let sign = match letter {
             '\\' => "\\textbackslash{}",
             '~' => "\\textasciitilde{}",
@@ -94,7 +105,9 @@ pub(super) fn latex_text(text: &str) -> String {
             '√' => "$\\surd$",
             '½' => "\\textonehalf{}",
             '⁺' => "\\textsuperscript{+}",
-            '²' => "\\textsuperscript{2}",
+            '\u{202f}' => "\\,",
+            '≤' => "$\\le$",
+            '≥' => "$\\ge$",
             '⁻' => "\\textsuperscript{--}",
             '→' => "$\\to$",
             '…' => "\\dots{}",
@@ -105,6 +118,9 @@ pub(super) fn latex_text(text: &str) -> String {
             'α' => "$\\alpha$",
             'β' => "$\\beta$",
             'δ' => "$\\delta$",
+            'γ' => "$\\gamma$",
+            'λ' => "$\\lambda$",
+            'ψ' => "$\\psi$",
             'θ' => "$\\theta$",
             'φ' => "$\\varphi$",
             'ω' => "$\\omega$",

@@ -22,6 +22,8 @@ pub enum Ink {
     Green,
     /// Resultants.
     Red,
+    /// A grey of so many per cent black, at most 100: grids and maps.
+    Shade(u8),
 }
 
 /// How a line is broken.
@@ -33,6 +35,8 @@ pub enum Dash {
     Dashed,
     /// In dots.
     Dotted,
+    /// In dashes with dots between them.
+    DashDotted,
 }
 
 /// A line: its colour, its width in millimetres, how it is broken.
@@ -98,6 +102,22 @@ pub enum Mark {
         /// Colour inside.
         fill: Option<Ink>,
     },
+    /// An open line through points.
+    Path {
+        /// The points in order.
+        points: Vec<Point>,
+        /// Line.
+        stroke: Stroke,
+    },
+    /// A filled rectangle without an outline, its sides along the page.
+    Rectangle {
+        /// Lower left corner.
+        low: Point,
+        /// Upper right corner.
+        high: Point,
+        /// Colour inside.
+        fill: Ink,
+    },
     /// A line of text, centred in height on its point.
     Text {
         /// Where.
@@ -148,6 +168,16 @@ impl Figure {
     /// Draws a closed polygon.
     pub fn polygon(&mut self, corners: Vec<Point>, stroke: Stroke, fill: Option<Ink>) {
         self.marks.push(Mark::Polygon { corners, stroke, fill });
+    }
+
+    /// Draws an open line through points.
+    pub fn path(&mut self, points: Vec<Point>, stroke: Stroke) {
+        self.marks.push(Mark::Path { points, stroke });
+    }
+
+    /// Fills a rectangle.
+    pub fn rectangle(&mut self, low: Point, high: Point, fill: Ink) {
+        self.marks.push(Mark::Rectangle { low, high, fill });
     }
 
     /// Writes a text.

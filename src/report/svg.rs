@@ -1,5 +1,6 @@
 //! How is a drawing written as SVG?
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
@@ -57,6 +58,19 @@ fn element(mark: &Mark, height: f64) -> String {
         Mark::Polygon { corners, stroke, fill } => {
             polygon(corners, height, &format!("{} {} stroke-linejoin=\"round\"", inside(fill), outline(stroke)))
         }
+        Mark::Path { points, stroke } => {
+            let attributes = format!("fill=\"none\" {} stroke-linejoin=\"round\"", outline(stroke));
+            format!("<polyline points=\"{}\" {attributes}/>", coordinates(points, height))
+        }
+        // Without crisp edges the cells of a map would show seams.
+        Mark::Rectangle { low, high, fill } => format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>",
+            x(low),
+            y(high),
+            coordinate(high.re - low.re),
+            coordinate(high.im - low.im),
+            colour(*fill)
+        ),
         Mark::Text { at, text, anchor, bold, .. } => {
             let anchor = match anchor {
                 Anchor::Start => "start",
@@ -72,9 +86,12 @@ fn element(mark: &Mark, height: f64) -> String {
 }
 
 fn polygon(corners: &[Point], height: f64, attributes: &str) -> String {
+    format!("<polygon points=\"{}\" {attributes}/>", coordinates(corners, height))
+}
+
+fn coordinates(points: &[Point], height: f64) -> String {
     let point = |p: &Point| format!("{},{}", coordinate(p.re), coordinate(height - p.im));
-    let points: Vec<String> = corners.iter().map(point).collect();
-    format!("<polygon points=\"{}\" {attributes}/>", points.join(" "))
+    points.iter().map(point).collect::<Vec<_>>().join(" ")
 }
 
 /// A slim triangle at the end of a line; none on a line of no length.
@@ -91,16 +108,17 @@ fn outline(stroke: &Stroke) -> String {
         Dash::Solid => "",
         Dash::Dashed => " stroke-dasharray=\"1.6 1\"",
         Dash::Dotted => " stroke-dasharray=\"0.4 0.8\"",
+        Dash::DashDotted => " stroke-dasharray=\"2 0.7 0.4 0.7\"",
     };
     format!("stroke=\"{}\" stroke-width=\"{}\"{dash}", colour(stroke.ink), coordinate(stroke.width))
 }
 
 fn inside(fill: &Option<Ink>) -> String {
-    format!("fill=\"{}\"", fill.map_or("none", colour))
+    format!("fill=\"{}\"", fill.map_or_else(|| "none".into(), colour))
 }
 
-fn colour(ink: Ink) -> &'static str {
-    match ink {
+fn colour(ink: Ink) -> Cow<'static, str> {
+    let known = match ink {
         Ink::Black => "#111111",
         Ink::Grey => "#999999",
         Ink::Light => "#e8e8e8",
@@ -108,7 +126,12 @@ fn colour(ink: Ink) -> &'static str {
         Ink::Orange => "#e08214",
         Ink::Green => "#3a9a5b",
         Ink::Red => "#b2182b",
-    }
+        Ink::Shade(percent) => {
+            let level = 255 - (u16::from(percent.min(100)) * 255 + 50) / 100;
+            return format!("#{level:02x}{level:02x}{level:02x}").into();
+        }
+    };
+    known.into()
 }
 
 fn escape(text: &str) -> String {

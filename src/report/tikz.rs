@@ -1,9 +1,15 @@
 //! How is a drawing written as TikZ?
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::dialect::{Dialect, latex_text};
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
+
+/// Longer paths are split, so that TeX holds only so many points at a time.
+const LONGEST_PATH: usize = 500;
+/// Points on a line of the file.
+const POINTS_A_LINE: usize = 12;
 
 /// The drawing as a `tikzpicture`; the colours are defined in the template.
 pub fn tikz(figure: &Figure) -> String {
@@ -30,6 +36,10 @@ fn command(mark: &Mark) -> String {
             let corners: Vec<String> = corners.iter().map(point).collect();
             format!("\\draw[{}{},line join=round] {} -- cycle;", outline(stroke), inside(fill), corners.join(" -- "))
         }
+        Mark::Path { points, stroke } => path(points, stroke),
+        Mark::Rectangle { low, high, fill } => {
+            format!("\\fill[{}] {} rectangle {};", colour(*fill), point(low), point(high))
+        }
         Mark::Text { at, text, prose, anchor, bold } => {
             let anchor = match anchor {
                 Anchor::Start => "west",
@@ -43,6 +53,21 @@ fn command(mark: &Mark) -> String {
     }
 }
 
+fn path(points: &[Point], stroke: &Stroke) -> String {
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    // Neighbouring pieces share a point.
+    while start + 1 < points.len() {
+        let end = points.len().min(start + LONGEST_PATH);
+        let lines = points[start..end].chunks(POINTS_A_LINE);
+        let lines: Vec<String> = lines.map(|line| line.iter().map(point).collect()).collect();
+        let options = format!("{},line join=round", outline(stroke));
+        pieces.push(format!("\\draw[{options}] plot coordinates {{{}}};", lines.join("\n")));
+        start = end - 1;
+    }
+    pieces.join("\n")
+}
+
 fn point(point: &Point) -> String {
     format!("({},{})", coordinate(point.re), coordinate(point.im))
 }
@@ -52,6 +77,7 @@ fn outline(stroke: &Stroke) -> String {
         Dash::Solid => "",
         Dash::Dashed => ",dashed",
         Dash::Dotted => ",densely dotted",
+        Dash::DashDotted => ",dash dot",
     };
     format!("{},line width={}mm{dash}", colour(stroke.ink), coordinate(stroke.width))
 }
@@ -60,8 +86,8 @@ fn inside(fill: &Option<Ink>) -> String {
     fill.map_or(String::new(), |ink| format!(",fill={}", colour(ink)))
 }
 
-fn colour(ink: Ink) -> &'static str {
-    match ink {
+fn colour(ink: Ink) -> Cow<'static, str> {
+    let known = match ink {
         Ink::Black => "csblack",
         Ink::Grey => "csgrey",
         Ink::Light => "cslight",
@@ -69,5 +95,7 @@ fn colour(ink: Ink) -> &'static str {
         Ink::Orange => "csorange",
         Ink::Green => "csgreen",
         Ink::Red => "csred",
-    }
+        Ink::Shade(percent) => return format!("black!{}", percent.min(100)).into(),
+    };
+    known.into()
 }

@@ -1,0 +1,212 @@
+//! What stands around a plot? Title, legend, axes with their ticks, and the grid.
+
+use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
+use super::axis::{Ruler, Scale};
+use super::curve::Area;
+use super::labels::LINE;
+use super::number::text_width;
+use super::{Curve, PointMark};
+
+/// Width of a plot in millimetres.
+pub(super) const WIDTH: f64 = 150.0;
+/// Air at the edges of the page.
+const EDGE: f64 = 2.0;
+/// From the frame down to the numbers of its axis, and to its label.
+const NUMBERS_BELOW: f64 = 3.0;
+const LABEL_BELOW: f64 = 7.4;
+/// Length of the sample of a curve in the legend.
+const SAMPLE: f64 = 9.0;
+
+/// An entry of the legend: a curve, or the sign of a series of points.
+pub(super) enum Key<'a> {
+    Line(&'a Curve),
+    Sign(&'a PointMark),
+}
+
+impl<'a> Key<'a> {
+    /// The named curves, and the named series of points, each once.
+    pub fn all(curves: &'a [Curve], marks: &'a [PointMark]) -> Vec<Key<'a>> {
+        let mut keys: Vec<Key> = curves.iter().filter(|curve| !curve.name.is_empty()).map(Key::Line).collect();
+        for (index, mark) in marks.iter().enumerate() {
+            let is_new = marks[..index].iter().all(|other| other.series != mark.series);
+            if !mark.series.is_empty() && is_new {
+                keys.push(Key::Sign(mark));
+            }
+        }
+        keys
+    }
+
+    fn name(&self) -> &str {
+        match self {
+            Key::Line(curve) => &curve.name,
+            Key::Sign(mark) => &mark.series,
+        }
+    }
+
+    fn sample(&self) -> f64 {
+        if matches!(self, Key::Line(_)) { SAMPLE } else { 2.5 }
+    }
+}
+
+/// What stands above the frame, laid out before the height of the page is known.
+pub(super) struct Head<'a> {
+    title: Vec<String>,
+    rows: Vec<Vec<&'a Key<'a>>>,
+    width: f64,
+}
+
+impl<'a> Head<'a> {
+    /// The title in lines and the legend in rows that fit the width.
+    pub fn new(title: &str, keys: &'a [Key<'a>], width: f64) -> Self {
+        let mut lines: Vec<String> = Vec::new();
+        for word in title.split_whitespace() {
+            match lines.last_mut() {
+                // Bold letters are wider.
+                Some(line) if text_width(line) * 1.1 + text_width(word) * 1.1 < width - 4.0 * EDGE => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(word.to_owned()),
+            }
+        }
+        let mut rows: Vec<Vec<&Key>> = Vec::new();
+        for key in keys {
+            match rows.last_mut() {
+                Some(row) if row_width(row) + row_width(&[key]) < width - 2.0 * EDGE => row.push(key),
+                _ => rows.push(vec![key]),
+            }
+        }
+        Head { title: lines, rows, width }
+    }
+
+    /// Its height in millimetres.
+    pub fn height(&self) -> f64 {
+        (self.title.len() + self.rows.len()) as f64 * (LINE + 0.6) + EDGE
+    }
+
+    /// Draws it at the top of the page.
+    pub fn draw(&self, figure: &mut Figure) {
+        let mut y = figure.height - EDGE - LINE / 2.0;
+        for line in &self.title {
+            figure.heading(Point::new(self.width / 2.0, y), line.clone());
+            y -= LINE + 0.6;
+        }
+        for row in &self.rows {
+            let mut x = (self.width - row_width(row)) / 2.0 + 2.0;
+            for key in row {
+                match key {
+                    Key::Line(curve) => {
+                        let (from, to) = (Point::new(x, y), Point::new(x + SAMPLE, y));
+                        figure.line(from, to, curve.stroke());
+                    }
+                    Key::Sign(mark) => mark.sign(figure, Point::new(x + 1.2, y)),
+                }
+                figure.text(Point::new(x + key.sample() + 1.2, y), key.name(), Anchor::Start);
+                x += row_width(&[key]);
+            }
+            y -= LINE + 0.6;
+        }
+    }
+}
+
+fn row_width(row: &[&Key]) -> f64 {
+    row.iter().map(|key| key.sample() + text_width(key.name()) + 6.0).sum()
+}
+
+/// The rectangle between the axes.
+pub(super) struct Frame {
+    pub area: Area,
+    pub x: Ruler,
+    pub y: Ruler,
+}
+
+/// Height of what stands below the frame, and between the frame and the head.
+pub(super) const BELOW: f64 = LABEL_BELOW + LINE / 2.0 + 1.0;
+pub(super) const LABEL_ABOVE: f64 = 4.4;
+
+impl Frame {
+    /// A frame of this height, as wide as the page leaves it, with some room kept at the right.
+    pub fn new(x: Ruler, y: Ruler, height: f64, right: f64) -> Self {
+        let numbers = y.ticks.iter().map(|tick| text_width(&tick.label)).fold(0.0, f64::max);
+        let first = x.ticks.first().map_or(0.0, |tick| text_width(&tick.label) / 2.0);
+        let last = x.ticks.last().map_or(0.0, |tick| text_width(&tick.label) / 2.0);
+        let left = (EDGE + numbers + 1.6).max(EDGE + first).min(WIDTH / 3.0);
+        let low = Point::new(left, BELOW);
+        Frame { area: Area { low, high: Point::new(WIDTH - right - EDGE - last.max(1.0), BELOW + height) }, x, y }
+    }
+
+    /// Where a point stands on the page; none where it has no place.
+    pub fn at(&self, (x, y): (f64, f64)) -> Option<Point> {
+        Some(Point::new(self.right(&self.x, x)?, self.up(&self.y, y)?))
+    }
+
+    fn right(&self, ruler: &Ruler, value: f64) -> Option<f64> {
+        Some(self.area.low.re + (self.area.high.re - self.area.low.re) * ruler.place(value)?)
+    }
+
+    fn up(&self, ruler: &Ruler, value: f64) -> Option<f64> {
+        Some(self.area.low.im + (self.area.high.im - self.area.low.im) * ruler.place(value)?)
+    }
+
+    /// A line across the frame at a value of x, or of y.
+    pub fn across(&self, value: f64, upright: bool) -> Option<(Point, Point)> {
+        let Area { low, high } = self.area;
+        let ends = if upright {
+            let x = self.right(&self.x, value)?;
+            (Point::new(x, low.im), Point::new(x, high.im))
+        } else {
+            let y = self.up(&self.y, value)?;
+            (Point::new(low.re, y), Point::new(high.re, y))
+        };
+        (self.area.holds(ends.0) && self.area.holds(ends.1)).then_some(ends)
+    }
+
+    /// The grid in light grey, the lines of zero darker.
+    pub fn grid(&self, figure: &mut Figure) {
+        for (ruler, upright) in [(&self.x, true), (&self.y, false)] {
+            for value in ruler.ticks.iter().map(|tick| tick.value) {
+                if let Some((from, to)) = self.across(value, upright) {
+                    figure.line(from, to, Stroke::solid(Ink::Shade(14), 0.15));
+                }
+            }
+        }
+        for (ruler, upright) in [(&self.x, true), (&self.y, false)] {
+            let zero = self.across(0.0, upright).filter(|_| ruler.scale() == Scale::Linear);
+            if let Some((from, to)) = zero {
+                figure.line(from, to, Stroke::solid(Ink::Shade(55), 0.25));
+            }
+        }
+    }
+
+    /// The outline, ticks with numbers, and the labels of both axes; numbers that have no room are left out.
+    pub fn axes(&self, figure: &mut Figure, x_label: &str, y_label: &str) {
+        let Area { low, high } = self.area;
+        let corners = vec![low, Point::new(high.re, low.im), high, Point::new(low.re, high.im)];
+        let thin = Stroke::solid(Ink::Black, 0.2);
+        figure.polygon(corners, thin, None);
+        for (ruler, upright) in [(&self.x, true), (&self.y, false)] {
+            let inwards = if upright { Point::i() } else { Point::new(1.0, 0.0) };
+            for at in ruler.small.iter().filter_map(|value| self.across(*value, upright)) {
+                figure.line(at.0, at.0 + inwards * 0.9, thin);
+            }
+            let mut free = f64::NEG_INFINITY;
+            for tick in &ruler.ticks {
+                let Some((at, _)) = self.across(tick.value, upright) else { continue };
+                figure.line(at, at - inwards * 0.9, thin);
+                let (start, half) = if upright { (at.re, text_width(&tick.label) / 2.0) } else { (at.im, 1.5) };
+                if start - half < free {
+                    continue;
+                }
+                free = start + half + if upright { 1.2 } else { 0.2 };
+                if upright {
+                    figure.text(at - Point::new(0.0, NUMBERS_BELOW), tick.label.clone(), Anchor::Middle);
+                } else {
+                    figure.text(at - Point::new(1.5, 0.0), tick.label.clone(), Anchor::End);
+                }
+            }
+        }
+        let middle = Point::new((low.re + high.re) / 2.0, low.im - LABEL_BELOW);
+        figure.text(middle, x_label, Anchor::Middle);
+        figure.text(Point::new(EDGE, high.im + 2.9), y_label, Anchor::Start);
+    }
+}

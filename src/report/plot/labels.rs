@@ -1,0 +1,103 @@
+//! Where does a label stand, so that it covers neither curves nor other labels?
+
+use super::super::figure::{Anchor, Figure, Ink, Mark, Point, Stroke};
+use super::curve::Area;
+use super::number::text_width;
+
+/// Height of a line of text in millimetres.
+pub(super) const LINE: f64 = 3.6;
+/// Curves are felt at points this far apart.
+const FEELER: f64 = 0.8;
+/// A label on another is as bad as one on so many points of curves.
+const COLLISION: usize = 1000;
+
+/// A place where a label may stand.
+pub(super) type Place = (Point, Anchor);
+
+/// What is on the page already, and has to be seen.
+pub(super) struct Labels {
+    bounds: Area,
+    taken: Vec<Area>,
+    felt: Vec<Point>,
+}
+
+impl Labels {
+    /// Labels go inside these bounds, and beside what the figure shows in them.
+    pub fn new(bounds: Area) -> Self {
+        Labels { bounds, taken: Vec::new(), felt: Vec::new() }
+    }
+
+    /// A curve that should be seen.
+    pub fn avoid_path(&mut self, points: &[Point]) {
+        for pair in points.windows(2) {
+            let way = pair[1] - pair[0];
+            let steps = (way.norm() / FEELER).ceil().clamp(1.0, 1000.0) as usize;
+            self.felt.extend((0..=steps).map(|step| pair[0] + way * (step as f64 / steps as f64)));
+        }
+    }
+
+    /// A sign that has to be seen.
+    pub fn avoid_sign(&mut self, at: Point, radius: f64) {
+        let half = Point::new(radius, radius);
+        self.taken.push(Area { low: at - half, high: at + half });
+    }
+
+    /// Writes a text at the best of these places, the first of equals, on white where it covers a line.
+    pub fn write(&mut self, figure: &mut Figure, text: &str, places: &[Place]) -> Option<Place> {
+        let cost = |place: &&Place| self.cost(&area(text, place));
+        let best = *places.iter().min_by_key(cost)?;
+        let area = area(text, &best);
+        let covers = |mark: &Mark| matches!(mark, Mark::Rectangle { low, high, .. } if area.meets(&Area { low: *low, high: *high }));
+        if figure.marks.iter().any(covers) {
+            figure.rectangle(area.low, area.high, Ink::Shade(0));
+        }
+        figure.text(best.0, text, best.1);
+        self.taken.push(area);
+        Some(best)
+    }
+
+    /// Writes the name of a point beside it, farther off with a thin line to it where there is no room nearer.
+    pub fn name_point(&mut self, figure: &mut Figure, text: &str, at: Point) {
+        let ring = |far: f64| {
+            let (slant, up) = (far * 0.75, far.max(2.6));
+            [
+                (far, 0.0, Anchor::Start),
+                (slant, up, Anchor::Start),
+                (slant, -up, Anchor::Start),
+                (-far, 0.0, Anchor::End),
+                (-slant, up, Anchor::End),
+                (-slant, -up, Anchor::End),
+                (0.0, up, Anchor::Middle),
+                (0.0, -up, Anchor::Middle),
+            ]
+            .map(|(right, up, anchor)| (at + Point::new(right, up), anchor))
+        };
+        let places: Vec<Place> = [1.8, 5.0, 8.0].into_iter().flat_map(ring).collect();
+        let Some((end, _)) = self.write(figure, text, &places) else { return };
+        let way = end - at;
+        if way.norm() > 4.5 {
+            let along = way / way.norm();
+            let reach = way - along * if way.re.abs() < 0.1 { 1.9 } else { 0.5 };
+            figure.line(at + along * 1.0, at + reach, Stroke::solid(Ink::Grey, 0.15));
+        }
+    }
+
+    fn cost(&self, area: &Area) -> usize {
+        let outside = !(self.bounds.holds(area.low) && self.bounds.holds(area.high));
+        let taken = self.taken.iter().filter(|taken| taken.meets(area)).count();
+        let felt = self.felt.iter().filter(|point| area.holds(**point)).count();
+        COLLISION * (taken + usize::from(outside)) + felt
+    }
+}
+
+/// What a text covers, with a little air.
+fn area(text: &str, (at, anchor): &Place) -> Area {
+    let width = text_width(text);
+    let left = match anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => width / 2.0,
+        Anchor::End => width,
+    };
+    let low = Point::new(at.re - left - 0.4, at.im - LINE / 2.0 + 0.1);
+    Area { low, high: low + Point::new(width + 0.8, LINE - 0.2) }
+}

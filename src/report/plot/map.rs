@@ -1,0 +1,135 @@
+//! How do values lie over a plane? Cells in shades of grey, the darker the higher, and the bar of their scale.
+
+use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
+use super::axis::{Axis, Ruler};
+use super::curve::{Area, Curve, pieces};
+use super::frame::{BELOW, Frame, Head, Key, LABEL_ABOVE, WIDTH};
+use super::labels::Labels;
+use super::number::text_width;
+use super::{HEIGHT, PointMark, STEPS, draw_marks, draw_pieces};
+
+/// Values over a grid of cells.
+#[derive(Clone, Debug)]
+pub struct Map {
+    /// Heading, in plain text.
+    pub title: String,
+    /// To the right; its range is that of the outer edges of the cells, which divide it evenly on the page.
+    pub x: Axis,
+    /// Upwards, likewise.
+    pub y: Axis,
+    /// What is shown, and the scale of its shades.
+    pub value: Axis,
+    /// The values in rows from below, each from the left; where one is not finite or is missing, the cell is crossed.
+    pub rows: Vec<Vec<f64>>,
+    /// Curves drawn upon the cells.
+    pub curves: Vec<Curve>,
+    /// Marked points.
+    pub marks: Vec<PointMark>,
+}
+
+/// The shades in per cent black, and how many of them: more are not told apart.
+const SHADES: (f64, f64) = (4.0, 84.0);
+const LEVELS: f64 = 40.0;
+/// The bar of the scale.
+const BAR: f64 = 5.0;
+const BAR_GAP: f64 = 4.0;
+/// Cells reach this far under the next, so that no seam shows between them.
+const OVERLAP: f64 = 0.06;
+/// More columns or rows than this are not drawn; their number is the caller's to choose.
+const MOST_CELLS: usize = 400;
+
+impl Map {
+    /// The drawing, 150 mm wide and about 80 mm high.
+    pub fn figure(&self) -> Figure {
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0).min(MOST_CELLS);
+        let rows = self.rows.len().min(MOST_CELLS);
+        let values = self.rows.iter().flatten().copied();
+        let value = self.value.ruler(values, STEPS.1);
+        let of_cells = |axis: &Axis, cells: usize, steps: usize| match axis.range {
+            Some(_) => axis.ruler([], steps),
+            None => Axis { range: Some((0.0, cells.max(1) as f64)), ..axis.clone() }.ruler([], steps),
+        };
+        let keys = Key::all(&self.curves, &self.marks);
+        let head = Head::new(&self.title, &keys, WIDTH);
+        let numbers = value.ticks.iter().map(|tick| text_width(&tick.label)).fold(0.0, f64::max);
+        let right = BAR_GAP + BAR + numbers + 2.0;
+        let (x, y) = (of_cells(&self.x, columns, STEPS.0), of_cells(&self.y, rows, STEPS.1));
+        let frame = Frame::new(x, y, HEIGHT, right);
+        let mut figure = Figure::new(WIDTH, BELOW + HEIGHT + LABEL_ABOVE + head.height());
+        head.draw(&mut figure);
+        self.draw_cells(&mut figure, &frame.area, &value, (columns, rows));
+        let mut labels = Labels::new(frame.area);
+        for curve in &self.curves {
+            let run = pieces(curve.points.iter().map(|point| frame.at(*point)), &frame.area);
+            draw_pieces(&mut figure, run, curve, &mut labels);
+        }
+        frame.axes(&mut figure, &self.x.label, &self.y.label);
+        draw_bar(&mut figure, &frame.area, &value);
+        let end = Point::new(WIDTH - 2.0, frame.area.high.im + 2.9);
+        figure.text(end, self.value.label.clone(), Anchor::End);
+        draw_marks(&mut figure, &self.marks, &frame, &mut labels);
+        figure
+    }
+
+    /// Neighbours of one shade in a row are drawn as one rectangle.
+    fn draw_cells(&self, figure: &mut Figure, area: &Area, value: &Ruler, (columns, rows): (usize, usize)) {
+        let size = area.high - area.low;
+        let (wide, high) = (size.re / columns.max(1) as f64, size.im / rows.max(1) as f64);
+        let mut crossed = Vec::new();
+        for (index, row) in self.rows.iter().take(rows).enumerate() {
+            let shades: Vec<Option<u8>> = (0..columns).map(|column| shade(value, *row.get(column)?)).collect();
+            let mut start = 0;
+            for run in shades.chunk_by(|a, b| a == b) {
+                let low = area.low + Point::new(wide * start as f64, high * index as f64);
+                let far = Point::new(low.re + wide * run.len() as f64, low.im + high);
+                match run[0] {
+                    Some(percent) => {
+                        let reach = far + Point::new(OVERLAP, OVERLAP);
+                        let reach = Point::new(reach.re.min(area.high.re), reach.im.min(area.high.im));
+                        figure.rectangle(low, reach, Ink::Shade(percent));
+                    }
+                    None => crossed.push((low, far)),
+                }
+                start += run.len();
+            }
+        }
+        for (low, high) in crossed {
+            figure.rectangle(low, high, Ink::Shade(0));
+            let thin = Stroke::solid(Ink::Grey, 0.1);
+            figure.line(low, high, thin);
+            figure.line(Point::new(low.re, high.im), Point::new(high.re, low.im), thin);
+        }
+    }
+}
+
+/// The shade of a value, at the ends of the scale beyond it.
+fn shade(value: &Ruler, of: f64) -> Option<u8> {
+    let level = (value.place(of)?.clamp(0.0, 1.0) * LEVELS).round() / LEVELS;
+    Some((SHADES.0 + (SHADES.1 - SHADES.0) * level).round() as u8)
+}
+
+/// The bar of the scale right of the frame, as high as it.
+fn draw_bar(figure: &mut Figure, area: &Area, value: &Ruler) {
+    let low = Point::new(area.high.re + BAR_GAP, area.low.im);
+    let high = Point::new(low.re + BAR, area.high.im);
+    let level = |part: f64| low.im + (high.im - low.im) * part;
+    for step in 0..=LEVELS as usize {
+        let part = step as f64 / LEVELS;
+        // Each shade stands for the values that are rounded to it.
+        let ends = [part - 0.5 / LEVELS, part + 0.5 / LEVELS].map(|end| level(end.clamp(0.0, 1.0)));
+        let percent = (SHADES.0 + (SHADES.1 - SHADES.0) * part).round() as u8;
+        let top = (ends[1] + OVERLAP).min(high.im);
+        figure.rectangle(Point::new(low.re, ends[0]), Point::new(high.re, top), Ink::Shade(percent));
+    }
+    let thin = Stroke::solid(Ink::Black, 0.2);
+    figure.polygon(vec![low, Point::new(high.re, low.im), high, Point::new(low.re, high.im)], thin, None);
+    let small = value.small.iter().map(|value| (*value, None));
+    for (at, label) in value.ticks.iter().map(|tick| (tick.value, Some(&tick.label))).chain(small) {
+        let Some(part) = value.place(at) else { continue };
+        let at = Point::new(high.re, level(part.clamp(0.0, 1.0)));
+        figure.line(at, at + Point::new(if label.is_some() { 0.9 } else { -0.7 }, 0.0), thin);
+        if let Some(label) = label {
+            figure.text(at + Point::new(1.6, 0.0), label.clone(), Anchor::Start);
+        }
+    }
+}

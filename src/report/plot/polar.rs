@@ -1,0 +1,122 @@
+//! Where does a vector point while it turns? The curve of its tip, to equal scales.
+
+use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use super::axis::Axis;
+use super::curve::{Area, Curve, pieces};
+use super::frame::{Head, Key};
+use super::labels::{LINE, Labels};
+use super::{PointMark, draw_pieces};
+
+/// The curves of the tips of vectors that begin at the centre.
+#[derive(Clone, Debug)]
+pub struct Polar {
+    /// Heading, in plain text.
+    pub title: String,
+    /// What the lengths are, in which unit.
+    pub label: String,
+    /// Curves through tips `(right, up)`.
+    pub curves: Vec<Curve>,
+    /// Marked tips.
+    pub marks: Vec<PointMark>,
+    /// Marked directions: degrees anticlockwise from upwards, and their names.
+    pub directions: Vec<(f64, String)>,
+}
+
+/// The page in millimetres: its width, the radius of the outer circle, the room around it for names.
+const WIDTH: f64 = 110.0;
+const RADIUS: f64 = 38.0;
+const ROOM: f64 = 6.5;
+/// About so many circles.
+const CIRCLES: usize = 4;
+
+impl Polar {
+    /// The directions of an end view: 0° upwards, angles anticlockwise.
+    pub fn new(title: impl Into<String>, label: impl Into<String>, curves: Vec<Curve>) -> Self {
+        let directions = [0, 90, 180, 270].map(|degrees| (f64::from(degrees), format!("{degrees}°")));
+        Polar { title: title.into(), label: label.into(), curves, marks: Vec::new(), directions: directions.into() }
+    }
+
+    /// The drawing, 110 mm wide and about as high.
+    pub fn figure(&self) -> Figure {
+        let keys = Key::all(&self.curves, &self.marks);
+        let head = Head::new(&self.title, &keys, WIDTH);
+        let below = ROOM + LINE + 1.5;
+        let mut figure = Figure::new(WIDTH, below + 2.0 * RADIUS + ROOM + head.height());
+        head.draw(&mut figure);
+        let centre = Point::new(WIDTH / 2.0, below + RADIUS);
+        let tips = self.curves.iter().flat_map(|curve| &curve.points).chain(self.marks.iter().map(|mark| &mark.at));
+        let lengths = tips.map(|(right, up)| right.hypot(*up)).chain([0.0]);
+        let ruler = Axis::linear("").ruler(lengths.filter(|length| length.is_finite()), CIRCLES);
+        // A range that lies about zero, where every vector vanishes, begins at zero here.
+        let full = ruler.high;
+        let at = |(right, up): (f64, f64)| {
+            let tip = Point::new((right / full).clamp(-1e4, 1e4), (up / full).clamp(-1e4, 1e4));
+            (right.is_finite() && up.is_finite()).then(|| centre + tip * RADIUS)
+        };
+        let corner = Point::new(RADIUS, RADIUS);
+        let area = Area { low: centre - corner, high: centre + corner };
+        let mut labels = Labels::new(area);
+        let circles: Vec<_> = ruler.ticks.iter().filter(|tick| tick.value > 0.0).collect();
+        for tick in &circles {
+            let ink = if tick.value >= full { Ink::Shade(55) } else { Ink::Shade(14) };
+            figure.circle(centre, RADIUS * tick.value / full, Stroke::solid(ink, 0.2), None);
+        }
+        for way in [Point::new(RADIUS, 0.0), Point::new(0.0, RADIUS)] {
+            figure.line(centre - way, centre + way, Stroke::solid(Ink::Shade(55), 0.25));
+            labels.avoid_path(&[centre - way, centre + way]);
+        }
+        self.draw_directions(&mut figure, centre);
+        for curve in &self.curves {
+            let run = pieces(curve.points.iter().map(|tip| at(*tip)), &area);
+            draw_pieces(&mut figure, run, curve, &mut labels);
+        }
+        let placed = self.marks.iter().filter_map(|mark| Some((mark, at(mark.at)?)));
+        let placed: Vec<(&PointMark, Point)> = placed.filter(|(_, at)| area.holds(*at)).collect();
+        for (mark, at) in &placed {
+            mark.sign(&mut figure, *at);
+            labels.avoid_sign(*at, 0.9);
+        }
+        for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
+            labels.name_point(&mut figure, &mark.label, *at);
+        }
+        for tick in circles {
+            let reach = RADIUS * tick.value / full;
+            labels.write(&mut figure, &tick.label, &along_axes(centre, reach));
+        }
+        figure.text(Point::new(centre.re, LINE / 2.0 + 1.0), self.label.clone(), Anchor::Middle);
+        figure
+    }
+
+    /// Names outside the outer circle, and a thin line to each that is not on an axis.
+    fn draw_directions(&self, figure: &mut Figure, centre: Point) {
+        for (degrees, name) in self.directions.iter().filter(|(degrees, _)| degrees.is_finite()) {
+            let along = Point::from_polar(1.0, (degrees % 360.0 + 90.0).to_radians());
+            if along.re.abs().min(along.im.abs()) > 1e-6 {
+                let stroke = Stroke { ink: Ink::Grey, width: 0.2, dash: Dash::Dotted };
+                figure.line(centre, centre + along * RADIUS, stroke);
+            }
+            let anchor = match along.re {
+                x if x > 0.3 => Anchor::Start,
+                x if x < -0.3 => Anchor::End,
+                _ => Anchor::Middle,
+            };
+            figure.text(centre + along * RADIUS + Point::new(along.re * 1.5, along.im * 3.0), name.clone(), anchor);
+        }
+    }
+}
+
+/// Places inside a circle beside the axes.
+fn along_axes(centre: Point, reach: f64) -> Vec<(Point, Anchor)> {
+    let (right, up) = (Point::new(reach - 0.7, 0.0), Point::new(0.0, reach - 2.3));
+    let (aside, above) = (Point::new(0.8, 0.0), Point::new(0.0, 2.3));
+    vec![
+        (centre + right - above, Anchor::End),
+        (centre + right + above, Anchor::End),
+        (centre + up + aside, Anchor::Start),
+        (centre + up - aside, Anchor::End),
+        (centre - right - above, Anchor::Start),
+        (centre - right + above, Anchor::Start),
+        (centre - up + aside, Anchor::Start),
+        (centre - up - aside, Anchor::End),
+    ]
+}
