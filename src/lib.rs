@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← family ← claim ← report ← cli`
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← family ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`, nor in `beam`.
@@ -41,6 +41,8 @@ pub mod verdict;
 pub mod claim;
 #[allow(clippy::disallowed_types)]
 pub mod family;
+#[allow(clippy::disallowed_types)]
+pub mod loads;
 #[allow(clippy::disallowed_types)]
 pub mod motion;
 #[allow(clippy::disallowed_types)]

@@ -3,8 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 12] =
-    ["proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "family", "claim", "report", "cli"];
+const ROOMS: [&str; 13] = [
+    "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "family", "claim", "report",
+    "cli",
+];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder of a room").map(|entry| entry.expect("an entry").path());

@@ -6,7 +6,7 @@ use crankstar::report;
 use crankstar::verdict;
 
 use super::failure::Failure;
-use super::{Subject, terminal, write};
+use super::{Subject, print_json, terminal, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]
@@ -56,9 +56,4 @@ impl Classify {
             false => write::to_stdout(&terminal::open_summary(family, &verdicts)),
         }
     }
-}
-
-fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
-    let json = serde_json::to_string_pretty(document).map_err(Failure::new)?;
-    write::to_stdout(&format!("{json}\n"))
 }

@@ -5,6 +5,7 @@ mod classify;
 mod failure;
 mod layouts;
 mod list;
+mod loads;
 mod report;
 mod terminal;
 mod verify;
@@ -47,6 +48,8 @@ enum Command {
     List,
     /// Judge force and moment of an engine, order by order
     Classify(classify::Classify),
+    /// Compute forces, moments and torque in newtons
+    Loads(loads::Loads),
     /// Write the report with the proofs
     Report(report::Report),
     /// Check every certificate in the output of `classify --json`
@@ -115,6 +118,7 @@ pub fn run() -> ExitCode {
     let answer = match Arguments::parse().command {
         Command::List => list::run().map(done),
         Command::Classify(classify) => classify.run().map(done),
+        Command::Loads(loads) => loads.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),
@@ -127,6 +131,11 @@ pub fn run() -> ExitCode {
             ExitCode::from(1)
         }
     }
+}
+
+fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    let json = serde_json::to_string_pretty(document).map_err(Failure::new)?;
+    write::to_stdout(&format!("{json}\n"))
 }
 
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {

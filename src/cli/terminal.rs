@@ -4,6 +4,7 @@ use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
+use crankstar::loads::{Loads, Needed};
 use crankstar::report;
 use crankstar::verdict::OrderBalance;
 
@@ -43,6 +44,22 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
         "{}\n{table}\n0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).\n{lines}",
         family.title
     )
+}
+
+/// The title and a table of the largest values, a row an order, with the peaks of the sums.
+pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String {
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let rows = report::loads_rows(layout, loads);
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row.into_iter().map(|text| {
+            let vanishes = text == "0";
+            verdict_cell(text, vanishes)
+        }));
+    }
+    let lines = report::loads_lines(layout, loads, needed).join("\n");
+    format!("{}\n{table}\n{lines}\n", layout.title)
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

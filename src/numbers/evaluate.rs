@@ -11,6 +11,9 @@ use crate::exact::{PhasorSum, Turn};
 /// Bits behind the point that every evaluation starts with.
 const FIRST_BITS: u32 = 128;
 
+/// Each cosine of the fixed-point arithmetic is off by less than this many units: some hundred roundings of its series.
+const DOUBT: i64 = 1 << 16;
+
 /// The sum as a complex decimal, to the full accuracy of a float, however much its terms cancel.
 ///
 /// What is exactly zero comes out as zero: the sum, its real part, its imaginary part.
@@ -39,13 +42,27 @@ fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
             &term.weight * cosine
         });
         let value = products.fold(BigRational::zero(), |sum, product| sum + product);
-        // Each cosine is off by less than 2^16 units: some hundred roundings of the series.
-        let doubt = terms.iter().fold(BigRational::zero(), |sum, term| sum + term.weight.abs()) * integer(1 << 16);
+        let doubt = terms.iter().fold(BigRational::zero(), |sum, term| sum + term.weight.abs()) * integer(DOUBT);
         if value.abs() > doubt * BigRational::from_integer(BigInt::from(1) << 64) {
             return (value / BigRational::from_integer(BigInt::from(1) << bits)).to_f64().unwrap_or(f64::NAN);
         }
         bits *= 2;
     }
+}
+
+/// Ends that enclose the real and the imaginary part of a sum, from this many bits behind the point.
+pub fn enclose(sum: &PhasorSum, bits: u32) -> [(BigRational, BigRational); 2] {
+    let fixed = FixedPoint::new(bits);
+    let unit = BigRational::from_integer(BigInt::from(1) << bits);
+    let zero = BigRational::zero;
+    let (mut re, mut im, mut doubt) = (zero(), zero(), zero());
+    for term in sum.collected() {
+        let (cos, sin) = fixed.cos_sin(&term.angle);
+        re += &term.weight * BigRational::from_integer(cos);
+        im += &term.weight * BigRational::from_integer(sin);
+        doubt += term.weight.abs() * integer(DOUBT);
+    }
+    [re, im].map(|value| ((&value - &doubt) / &unit, (&value + &doubt) / &unit))
 }
 
 fn integer(number: i64) -> BigRational {

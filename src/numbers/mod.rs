@@ -7,5 +7,5 @@ mod form;
 mod written;
 
 pub use closed::{Direction, direction_of, mean_of_conjugates, modulus, real};
-pub use evaluate::{direction, evaluate};
+pub use evaluate::{direction, enclose, evaluate};
 pub use form::{Form, Root};

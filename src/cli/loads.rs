@@ -1,0 +1,62 @@
+//! `loads`: how large are the forces, moments and torques?
+
+use crankstar::layout::{Engine, Layout};
+use crankstar::loads::{self, Needed};
+use crankstar::report;
+
+use super::failure::Failure;
+use super::{Subject, print_json, terminal, write};
+
+/// Arguments of `loads`.
+#[derive(clap::Args)]
+pub struct Loads {
+    #[command(flatten)]
+    subject: Subject,
+    /// Print the loads as JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    auto: Auto,
+}
+
+/// The choice of the orders by a wanted accuracy.
+#[derive(clap::Args)]
+pub struct Auto {
+    /// Keep just the orders that this accuracy of the peaks needs, in percent, by a rigorous bound [default value: 0.1]
+    #[arg(long, value_name = "PERCENT", num_args = 0..=1, default_missing_value = "0.1", conflicts_with = "orders", value_parser = percent)]
+    auto: Option<f64>,
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    match text.trim_end_matches('%').parse::<f64>() {
+        Ok(value) if value >= 1e-9 && value <= 50.0 => Ok(value),
+        _ => Err("a number of percent from 0.000000001 to 50, such as 0.1".to_owned()),
+    }
+}
+
+impl Auto {
+    /// The orders that the accuracy needs; none where it was not asked for.
+    pub fn needed(&self, layout: &Layout) -> Result<Option<Needed>, Failure> {
+        let needed = self.auto.map(|percent| loads::needed_orders(layout, percent / 100.0));
+        needed.transpose().map_err(Failure::new)
+    }
+}
+
+impl Loads {
+    /// Prints the loads.
+    pub fn run(&self) -> Result<(), Failure> {
+        let (engine, mut orders) = self.subject.read()?;
+        let Engine::Known(layout, _) = engine else {
+            return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
+        };
+        let needed = self.auto.needed(&layout)?;
+        if let Some(needed) = &needed {
+            orders.clone_from(&needed.kept);
+        }
+        let loads = loads::loads(&layout, &orders).map_err(Failure::new)?;
+        match self.json {
+            true => print_json(&report::loads_document(&layout, &loads, needed.as_ref())),
+            false => write::to_stdout(&terminal::loads(&layout, &loads, needed.as_ref())),
+        }
+    }
+}

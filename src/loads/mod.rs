@@ -1,0 +1,342 @@
+//! How large are the forces, moments and torques of an engine, in newtons?
+//!
+//! The exact sums of a layout times the coefficients of its motion. Only what the layout file asks for is computed.
+
+mod contribution;
+mod needed;
+mod swing;
+mod vector;
+mod waveform;
+
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::fmt;
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+pub use contribution::{Effect, Factor, Parts, Weighing};
+pub use needed::{Needed, needed_orders};
+pub use swing::Swing;
+pub use vector::{Outcome, Vector};
+pub use waveform::{Circle, Harmonic, Peak, Waveform};
+
+use crate::layout::{Layout, LengthUnit, Rod};
+use crate::motion::{Coefficient, Enclosure, SliderCrank};
+use crate::proof::Sense;
+
+/// Forces, moments and torque of an engine, in multiples of m r ω².
+#[derive(Clone, Debug)]
+pub struct Loads {
+    /// The orders, rising, each with what is left of it.
+    pub orders: Vec<OrderLoads>,
+    /// The effects that are in the scene.
+    pub effects: Vec<EffectLoads>,
+    /// The force of all orders, in multiples of m r ω².
+    pub force: Waveform,
+    /// The moment of all orders about the reference plane, in multiples of m r ω² times the unit of the positions.
+    pub moment: Waveform,
+    /// The inertia torque, where the file asks for it.
+    pub torque: Option<Torque>,
+    /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
+    pub scale: Option<Scale>,
+    /// How many values of the motion's coefficients were computed: the cost of the scene.
+    pub coefficients: usize,
+}
+
+/// One order of force and moment, in multiples of m r ω².
+#[derive(Clone, Debug)]
+pub struct OrderLoads {
+    /// The order k.
+    pub order: u32,
+    /// Coefficient c_k; none where the rods differ or where it is zero.
+    pub coefficient: Option<Coefficient>,
+    /// The shaking force.
+    pub force: Swing,
+    /// Its moment about the reference plane.
+    pub moment: Swing,
+}
+
+/// What one effect adds.
+#[derive(Clone, Debug)]
+pub struct EffectLoads {
+    /// The effect.
+    pub effect: Effect,
+    /// Its force, in multiples of m r ω².
+    pub force: Waveform,
+    /// Its moment.
+    pub moment: Waveform,
+}
+
+/// The inertia torque, in multiples of m r² ω²: the real part of its waveform.
+#[derive(Clone, Debug)]
+pub struct Torque {
+    /// Its orders.
+    pub orders: Vec<TorqueOrder>,
+    /// All of them together.
+    pub waveform: Waveform,
+}
+
+/// One order of the inertia torque: `Re(vector · e^{ikθ})`.
+#[derive(Clone, Debug)]
+pub struct TorqueOrder {
+    /// The order k.
+    pub order: u32,
+    /// The coefficient of the motion; none where the rods differ.
+    pub coefficient: Option<Coefficient>,
+    /// Coefficient times sum.
+    pub vector: Vector,
+}
+
+/// What the multiples are multiples of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// Mass m in kilograms.
+    pub mass: BigRational,
+    /// Crank radius r in metres.
+    pub crank_radius: BigRational,
+    /// Speed in revolutions a minute.
+    pub speed: BigRational,
+}
+
+impl Scale {
+    /// Angular speed ω in radians a second.
+    pub fn omega(&self) -> f64 {
+        self.speed.to_f64().unwrap_or(f64::INFINITY) / 60.0 * TAU
+    }
+
+    /// m r ω² in newtons.
+    pub fn force(&self) -> f64 {
+        (&self.mass * &self.crank_radius).to_f64().unwrap_or(f64::INFINITY) * self.omega() * self.omega()
+    }
+
+    /// m r² ω² in newton-metres.
+    pub fn torque(&self) -> f64 {
+        self.force() * self.crank_radius.to_f64().unwrap_or(f64::INFINITY)
+    }
+}
+
+/// What the moments of a layout are counted in, besides the force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arm {
+    /// Metres.
+    Metre,
+    /// The spacing a of the cylinders, which the file does not say.
+    Spacing,
+}
+
+impl Arm {
+    /// The unit of the positions of a layout: a file that gives them without a unit gives metres.
+    pub fn of(layout: &Layout) -> Self {
+        let known = layout.positions_given || layout.length_unit == LengthUnit::Metre;
+        if known { Arm::Metre } else { Arm::Spacing }
+    }
+}
+
+/// Why a layout has no numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// No rod: without λ no coefficient is known.
+    Rods,
+    /// The rotating masses cannot be compared with reciprocating ones that are not given.
+    Masses,
+    /// A crank that cannot turn round.
+    Motion(String),
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Missing::Rods => f.write_str(
+                "the layout says nothing of its rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius",
+            ),
+            Missing::Masses => f.write_str(
+                "the layout gives rotating masses but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass",
+            ),
+            Missing::Motion(reason) => f.write_str(reason),
+        }
+    }
+}
+
+impl std::error::Error for Missing {}
+
+/// Computes the loads of an engine at these orders.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
+    let motion = Motion::new(layout)?;
+    let scene = effects_of(layout);
+    let mut total = Vec::new();
+    let mut by_effect: Vec<[Vec<Harmonic>; 2]> = scene.iter().map(|_| Default::default()).collect();
+    let whole = |_: &BigRational| BigRational::from_integer(1.into());
+    let arm = |position: &BigRational| position - &layout.reference_plane;
+    let weighings: [Weighing; 2] = [&whole, &arm];
+    for &order in orders {
+        let swings = [0, 1].map(|quantity| {
+            let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| {
+                let parts: Vec<Parts> = scene
+                    .iter()
+                    .map(|&effect| contribution::parts(layout, effect, weighings[quantity], order, sense))
+                    .collect();
+                (motion.vector(&merged(&parts), order, sense), parts)
+            });
+            if scene.len() > 1 {
+                for (place, harmonics) in by_effect.iter_mut().enumerate() {
+                    let alone = Swing {
+                        direct: motion.vector(&direct.1[place], order, Sense::Direct),
+                        reverse: motion.vector(&reverse.1[place], order, Sense::Reverse),
+                    };
+                    harmonics[quantity].push(harmonic(order, &alone));
+                }
+            }
+            Swing { direct: direct.0, reverse: reverse.0 }
+        });
+        let [force, moment] = swings;
+        total.push(OrderLoads { order, coefficient: motion.common(order), force, moment });
+    }
+    let waveform =
+        |swing: fn(&OrderLoads) -> &Swing| Waveform::new(total.iter().map(|loads| harmonic(loads.order, swing(loads))));
+    let (force, moment) = (waveform(|loads| &loads.force), waveform(|loads| &loads.moment));
+    if let [only] = by_effect.as_mut_slice() {
+        *only = [force.harmonics().to_vec(), moment.harmonics().to_vec()];
+    }
+    let effects = scene.iter().zip(by_effect).map(|(&effect, [force, moment])| EffectLoads {
+        effect,
+        force: Waveform::new(force),
+        moment: Waveform::new(moment),
+    });
+    let torque = layout.effects.torque.then(|| torque(layout, &motion, orders));
+    Ok(Loads {
+        effects: effects.collect(),
+        force,
+        moment,
+        torque,
+        scale: scale(layout),
+        orders: total,
+        coefficients: motion.computed.get(),
+    })
+}
+
+/// The effects that a layout file calls for.
+fn effects_of(layout: &Layout) -> Vec<Effect> {
+    let rotates = layout.mechanism.rotating_masses.iter().any(|mass| !mass.is_zero());
+    [Effect::Reciprocating].into_iter().chain(rotates.then_some(Effect::Rotating)).collect()
+}
+
+fn scale(layout: &Layout) -> Option<Scale> {
+    let mechanism = &layout.mechanism;
+    Some(Scale {
+        mass: mechanism.mass.as_ref().map(|_| contribution::unit_mass(layout))?,
+        crank_radius: mechanism.crank_radius.clone()?,
+        speed: mechanism.speed.clone()?,
+    })
+}
+
+fn harmonic(order: u32, swing: &Swing) -> Harmonic {
+    let [direct, reverse] = swing.amplitudes();
+    Harmonic { order, direct, reverse }
+}
+
+/// The sums of all effects, by factor.
+fn merged(effects: &[Parts]) -> Parts {
+    let mut merged = Parts::new();
+    for (factor, sum) in effects.iter().flatten() {
+        merged.entry(factor.clone()).and_modify(|all| *all = all.plus(sum)).or_insert_with(|| sum.clone());
+    }
+    merged
+}
+
+fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
+    let mut all: Vec<u32> = [1, 2, 3, 4].into_iter().chain(orders.iter().copied()).collect();
+    all.sort_unstable();
+    all.dedup();
+    let order = |order: u32| {
+        let parts = contribution::torque_parts(layout, order);
+        let left: Vec<_> = parts.iter().filter(|(_, sum)| !sum.vanishes()).collect();
+        let pairs: Vec<_> = left.iter().map(|(rod, sum)| (motion.torque(rod, order), *sum)).collect();
+        let coefficient = match (parts.len(), pairs.as_slice()) {
+            (1, [(coefficient, _)]) => Some(coefficient.clone()),
+            _ => None,
+        };
+        TorqueOrder { order, coefficient, vector: Vector::of(&pairs, false) }
+    };
+    let orders: Vec<TorqueOrder> = all.into_iter().map(order).collect();
+    let zero = Complex::new(0.0, 0.0);
+    let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
+    Torque { waveform: Waveform::new(harmonics), orders }
+}
+
+/// The motions of the cylinders, and the coefficients that were asked of them.
+struct Motion {
+    cranks: BTreeMap<Rod, SliderCrank>,
+    known: RefCell<BTreeMap<(Rod, u32), Coefficient>>,
+    computed: Cell<usize>,
+}
+
+impl Motion {
+    fn new(layout: &Layout) -> Result<Self, Missing> {
+        let mechanism = &layout.mechanism;
+        if mechanism.rods.is_empty() {
+            return Err(Missing::Rods);
+        }
+        if mechanism.mass.is_none() && !mechanism.rotating_masses.is_empty() {
+            return Err(Missing::Masses);
+        }
+        let mut cranks = BTreeMap::new();
+        for rod in &mechanism.rods {
+            let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
+            cranks.insert(rod.clone(), crank.map_err(|error| Missing::Motion(error.to_string()))?);
+        }
+        Ok(Motion { cranks, known: RefCell::default(), computed: Cell::new(0) })
+    }
+
+    /// c_k of a factor: computed, and counted, once.
+    fn coefficient(&self, factor: &Factor, order: u32) -> Coefficient {
+        let Some(rod) = factor else { return exactly_one() };
+        let key = (rod.clone(), order);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return known.clone();
+        }
+        self.computed.set(self.computed.get() + 1);
+        // An offset below zero has its coefficients from its mirror image.
+        let crank = self
+            .cranks
+            .get(rod)
+            .cloned()
+            .ok_or(())
+            .or_else(|()| SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).map_err(|_| ()));
+        let crank = crank.unwrap_or_else(|()| unreachable!("λ + |δ| is that of a crank that turns round"));
+        let coefficient = crank.coefficient(order);
+        self.known.borrow_mut().insert(key, coefficient.clone());
+        coefficient
+    }
+
+    fn torque(&self, rod: &Rod, order: u32) -> Coefficient {
+        self.computed.set(self.computed.get() + 1);
+        self.cranks[rod].torque_coefficient(order)
+    }
+
+    fn vector(&self, parts: &Parts, order: u32, sense: Sense) -> Vector {
+        Vector::new(parts, |factor| match sense {
+            Sense::Direct => self.coefficient(factor, order),
+            Sense::Reverse => Vector::conjugated(self.coefficient(factor, order)),
+        })
+    }
+
+    /// The coefficient that all cylinders have in common, where it is not zero.
+    fn common(&self, order: u32) -> Option<Coefficient> {
+        let mut rods = self.cranks.keys();
+        let (Some(rod), None) = (rods.next(), rods.next()) else { return None };
+        contribution::factor(rod, order).map(|_| match order {
+            1 if rod.offset.is_zero() => exactly_one(),
+            _ => self.coefficient(&Some(rod.clone()), order),
+        })
+    }
+}
+
+fn exactly_one() -> Coefficient {
+    Coefficient { re: Enclosure::point(BigRational::from_integer(1.into())), im: Enclosure::zero() }
+}

@@ -1,0 +1,57 @@
+//! What do the two vectors of an order trace together? An ellipse (theory, section 3).
+
+use num_complex::Complex;
+
+use super::vector::{Outcome, Vector};
+
+/// One order of the force or the moment: the vector `½(P⁺ e^{ikθ} + P⁻ e^{−ikθ})`, in multiples of m r ω².
+#[derive(Clone, Debug)]
+pub struct Swing {
+    /// P⁺, which turns with the crank.
+    pub direct: Vector,
+    /// P⁻, which turns against it.
+    pub reverse: Vector,
+}
+
+impl Swing {
+    /// Whether both vectors are proved to be zero.
+    pub fn vanishes(&self) -> bool {
+        self.direct.outcome == Outcome::Zero && self.reverse.outcome == Outcome::Zero
+    }
+
+    /// Largest length in a revolution, zero to peak: `½(|P⁺| + |P⁻|)`.
+    pub fn largest(&self) -> f64 {
+        (self.direct.value.norm() + self.reverse.value.norm()) / 2.0
+    }
+
+    /// Smallest length in a revolution: `½| |P⁺| − |P⁻| |`.
+    pub fn smallest(&self) -> f64 {
+        (self.direct.value.norm() - self.reverse.value.norm()).abs() / 2.0
+    }
+
+    /// Direction of the longer axis of the ellipse, in degrees in (−90, 90]; none where the path is a circle.
+    pub fn direction(&self) -> Option<f64> {
+        let (direct, reverse) = (self.direct.value, self.reverse.value);
+        (direct.norm() > 0.0 && reverse.norm() > 0.0).then(|| {
+            let degrees = ((direct.arg() + reverse.arg()) / 2.0).to_degrees();
+            // An axis has two ends: the one in the right half is named.
+            let folded = if degrees > 90.0 { degrees - 180.0 } else { degrees };
+            if folded <= -90.0 { folded + 180.0 } else { folded }
+        })
+    }
+
+    /// Amplitude along direction 0: `½|P⁺ + P̄⁻|`.
+    pub fn along(&self) -> f64 {
+        (self.direct.value + self.reverse.value.conj()).norm() / 2.0
+    }
+
+    /// Amplitude across direction 0: `½|P⁺ − P̄⁻|`.
+    pub fn across(&self) -> f64 {
+        (self.direct.value - self.reverse.value.conj()).norm() / 2.0
+    }
+
+    /// Both vectors, halved: what stands before `e^{ikθ}` and `e^{−ikθ}`.
+    pub fn amplitudes(&self) -> [Complex<f64>; 2] {
+        [self.direct.value / 2.0, self.reverse.value / 2.0]
+    }
+}

@@ -1,0 +1,101 @@
+//! How long is a rotating vector, where does it point, and is it zero?
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::contribution::Parts;
+use crate::exact::PhasorSum;
+use crate::motion::{Coefficient, Enclosure};
+use crate::numbers;
+
+/// What is known of a vector that is a sum of several coefficients times exact sums.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// Zero, proved: each of its exact sums vanishes.
+    Zero,
+    /// Not zero, proved: one exact sum with a coefficient that is not zero, or an enclosure that excludes zero.
+    NotZero,
+    /// Only the coefficients could make it cancel, and they do so to this length, in the unit of the vector.
+    Undecided {
+        /// The vector is shorter than this.
+        below: f64,
+    },
+}
+
+/// A rotating vector: `Σ coefficient · sum`.
+#[derive(Clone, Debug)]
+pub struct Vector {
+    /// Decimal value; zero where it is proved to be.
+    pub value: Complex<f64>,
+    /// Whether it is zero.
+    pub outcome: Outcome,
+}
+
+impl Vector {
+    /// The vector with these parts, whose coefficients `coefficient` tells, and proves not to be zero.
+    pub(super) fn new(parts: &Parts, coefficient: impl Fn(&super::Factor) -> Coefficient) -> Self {
+        let left: Vec<_> = parts.iter().filter(|(_, sum)| !sum.vanishes()).collect();
+        let pairs: Vec<_> = left.into_iter().map(|(factor, sum)| (coefficient(factor), sum)).collect();
+        Self::of(&pairs, true)
+    }
+
+    /// The vector `Σ coefficient · sum` of sums that do not vanish.
+    ///
+    /// `nonzero` says that no coefficient is zero; else that is read from their enclosures.
+    pub(super) fn of(pairs: &[(Coefficient, &PhasorSum)], nonzero: bool) -> Self {
+        let value = pairs.iter().map(|(c, sum)| c.to_complex() * numbers::evaluate(sum)).sum();
+        let outcome = match pairs {
+            [] => Outcome::Zero,
+            [(c, _)] if nonzero || excludes_zero(&[c.re.clone(), c.im.clone()]) => Outcome::NotZero,
+            _ => enclosed(pairs),
+        };
+        Vector { value, outcome }
+    }
+
+    /// The mirror image of the coefficients: what a reverse vector has.
+    pub(super) fn conjugated(coefficient: Coefficient) -> Coefficient {
+        let minus = BigRational::from_integer((-1).into());
+        Coefficient { im: coefficient.im.times(&minus), ..coefficient }
+    }
+}
+
+/// Bits behind the point of the sums that an enclosure is made from.
+const BITS: u32 = 192;
+
+fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Outcome {
+    let mut total = [Enclosure::zero(), Enclosure::zero()];
+    for (c, sum) in pairs {
+        let [(re_low, re_high), (im_low, im_high)] = numbers::enclose(sum, BITS);
+        let (re, im) = (Enclosure { low: re_low, high: re_high }, Enclosure { low: im_low, high: im_high });
+        let minus = BigRational::from_integer((-1).into());
+        total[0] = total[0].plus(&product(&c.re, &re)).plus(&product(&c.im, &im).times(&minus));
+        total[1] = total[1].plus(&product(&c.re, &im)).plus(&product(&c.im, &re));
+    }
+    if excludes_zero(&total) {
+        return Outcome::NotZero;
+    }
+    let reach = |part: &Enclosure| {
+        let reach = if -&part.low > part.high { -part.low.clone() } else { part.high.clone() };
+        reach.to_f64().unwrap_or(f64::INFINITY)
+    };
+    Outcome::Undecided { below: reach(&total[0]).hypot(reach(&total[1])).next_up() }
+}
+
+fn excludes_zero(parts: &[Enclosure; 2]) -> bool {
+    parts.iter().any(|part| part.low > BigRational::zero() || part.high < BigRational::zero())
+}
+
+/// The product of two enclosures: its ends are among the products of their ends.
+fn product(a: &Enclosure, b: &Enclosure) -> Enclosure {
+    let products = [&a.low * &b.low, &a.low * &b.high, &a.high * &b.low, &a.high * &b.high];
+    let [mut low, mut high] = [products[0].clone(), products[0].clone()];
+    for product in products {
+        if product < low {
+            low = product;
+        } else if product > high {
+            high = product;
+        }
+    }
+    Enclosure { low, high }
+}

@@ -1,0 +1,156 @@
+//! What comes of all orders together in a revolution, and where does it peak?
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+
+/// One order of a waveform: `direct · e^{ikθ} + reverse · e^{−ikθ}`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Harmonic {
+    /// The order k.
+    pub order: u32,
+    /// What turns with the crank.
+    pub direct: Complex<f64>,
+    /// What turns against it.
+    pub reverse: Complex<f64>,
+}
+
+/// A vector that repeats with every revolution; only orders that do not vanish are kept.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Waveform {
+    harmonics: Vec<Harmonic>,
+}
+
+/// The largest length of a waveform.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The length, zero to peak.
+    pub value: f64,
+    /// Crank angle in degrees in [0, 360) where it first stands; none where the length never changes.
+    pub angle: Option<f64>,
+    /// The vector there.
+    pub vector: Complex<f64>,
+}
+
+/// The directions `e^{2πij/n}`, once for all orders.
+#[derive(Clone, Debug)]
+pub struct Circle {
+    directions: Vec<Complex<f64>>,
+}
+
+impl Circle {
+    /// A revolution in this many steps.
+    pub fn new(steps: usize) -> Self {
+        let direction = |j: usize| Complex::cis(TAU * j as f64 / steps as f64);
+        Circle { directions: (0..steps).map(direction).collect() }
+    }
+
+    /// How many steps.
+    pub fn steps(&self) -> usize {
+        self.directions.len()
+    }
+}
+
+/// Angles of a revolution at which a peak is first looked for; more for high orders.
+const STEPS: usize = 720;
+
+impl Waveform {
+    /// The waveform of these orders; vectors that are zero are left out.
+    pub fn new(harmonics: impl IntoIterator<Item = Harmonic>) -> Self {
+        let is_left = |harmonic: &Harmonic| harmonic.direct.norm_sqr() > 0.0 || harmonic.reverse.norm_sqr() > 0.0;
+        Waveform { harmonics: harmonics.into_iter().filter(is_left).collect() }
+    }
+
+    /// The orders, each with its two vectors.
+    pub fn harmonics(&self) -> &[Harmonic] {
+        &self.harmonics
+    }
+
+    /// Every vector times a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let scaled = |h: &Harmonic| Harmonic { order: h.order, direct: h.direct * factor, reverse: h.reverse * factor };
+        Waveform::new(self.harmonics.iter().map(scaled))
+    }
+
+    /// The vector at a crank angle in radians.
+    pub fn at(&self, theta: f64) -> Complex<f64> {
+        let term = |harmonic: &Harmonic| {
+            let turning = Complex::cis(f64::from(harmonic.order) * theta);
+            harmonic.direct * turning + harmonic.reverse * turning.conj()
+        };
+        self.harmonics.iter().map(term).sum()
+    }
+
+    /// The vectors at the steps of a circle.
+    pub fn sample(&self, circle: &Circle) -> Vec<Complex<f64>> {
+        let steps = circle.steps();
+        let mut values = vec![Complex::new(0.0, 0.0); steps];
+        for harmonic in &self.harmonics {
+            // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y.
+            let (on_x, on_y) =
+                (harmonic.direct + harmonic.reverse, (harmonic.direct - harmonic.reverse) * Complex::i());
+            let (stride, mut place) = (harmonic.order as usize % steps, 0);
+            for value in &mut values {
+                let z = circle.directions[place];
+                *value += on_x * z.re + on_y * z.im;
+                place += stride;
+                if place >= steps {
+                    place -= steps;
+                }
+            }
+        }
+        values
+    }
+
+    /// The largest length in a revolution.
+    pub fn peak(&self) -> Peak {
+        self.peak_of(|vector| vector.norm_sqr())
+    }
+
+    /// The largest size of the real part: that of a torque.
+    pub fn real_peak(&self) -> Peak {
+        let peak = self.peak_of(|vector| vector.re * vector.re);
+        Peak { value: peak.vector.re.abs(), ..peak }
+    }
+
+    fn peak_of(&self, size: impl Fn(Complex<f64>) -> f64) -> Peak {
+        if let [only] = self.harmonics.as_slice()
+            && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)
+            && size(Complex::i()) > 0.0
+        {
+            let vector = only.direct + only.reverse;
+            return Peak { value: vector.norm(), angle: None, vector };
+        }
+        let Some(highest) = self.harmonics.iter().map(|harmonic| harmonic.order).max() else {
+            return Peak { value: 0.0, angle: None, vector: Complex::new(0.0, 0.0) };
+        };
+        let circle = Circle::new(STEPS.max(32 * highest as usize));
+        let sizes: Vec<f64> = self.sample(&circle).into_iter().map(&size).collect();
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        // Equal peaks differ by roundings; the first of them is named, so that it is the same on every machine.
+        let first = sizes.iter().position(|&value| value >= largest * (1.0 - 1e-9)).unwrap_or(0);
+        let step = TAU / circle.steps() as f64;
+        let theta = self.refined(first as f64 * step, step, &size);
+        let vector = self.at(theta);
+        let degrees = theta.to_degrees().rem_euclid(360.0);
+        let degrees = if degrees > 360.0 - 5e-5 { 0.0 } else { degrees };
+        Peak { value: vector.norm(), angle: Some(degrees), vector }
+    }
+
+    /// The place of the largest value within one step of a place, by golden sections.
+    fn refined(&self, place: f64, step: f64, size: &impl Fn(Complex<f64>) -> f64) -> f64 {
+        let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
+        let (mut low, mut high) = (place - step, place + step);
+        for _ in 0..60 {
+            let (left, right) = (high - golden * (high - low), low + golden * (high - low));
+            if size(self.at(left)) < size(self.at(right)) {
+                low = left;
+            } else {
+                high = right;
+            }
+        }
+        let theta = (low + high) / 2.0;
+        // Flat tops leave the place uncertain by the root of the rounding; the sample itself may be the top.
+        if size(self.at(place)) >= size(self.at(theta)) { place } else { theta }
+    }
+}

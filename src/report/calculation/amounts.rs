@@ -1,0 +1,86 @@
+//! How are newtons shown? Decimals of six digits after ≈, in the unit that the layout file allows; 0 is proved.
+
+use crate::layout::Layout;
+use crate::loads::{Arm, Loads, Outcome, Swing, Vector};
+use crate::proof::Quantity;
+
+/// Digits of a value in a table.
+const DIGITS: usize = 6;
+
+/// The unit of one quantity: its name, and how many of it are one multiple of the loads.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unit {
+    /// As plain text: `N·m`.
+    pub name: &'static str,
+    /// Inside `\mathrm{}`.
+    pub tex: &'static str,
+    /// Units a multiple.
+    pub factor: f64,
+}
+
+impl Unit {
+    /// The unit of forces, moments or the torque of a layout.
+    pub fn of(layout: &Layout, loads: &Loads, quantity: Quantity) -> Self {
+        let arm = Arm::of(layout);
+        let Some(scale) = &loads.scale else {
+            let (name, tex) = match (quantity, arm) {
+                (Quantity::Force, _) => ("m r ω²", "m\\,r\\,\\omega^2"),
+                (Quantity::Moment, Arm::Metre) => ("m r ω²·1 m", "m\\,r\\,\\omega^2\\,m"),
+                (Quantity::Moment, Arm::Spacing) => ("m r ω² a", "m\\,r\\,\\omega^2\\,a"),
+                (Quantity::Torque, _) => ("m r² ω²", "m\\,r^2\\,\\omega^2"),
+            };
+            return Unit { name, tex, factor: 1.0 };
+        };
+        match (quantity, arm) {
+            (Quantity::Force, _) => Unit { name: "N", tex: "N", factor: scale.force() },
+            (Quantity::Moment, Arm::Metre) => Unit { name: "N·m", tex: "N\\,m", factor: scale.force() },
+            (Quantity::Moment, Arm::Spacing) => Unit { name: "N·a", tex: "N\\,a", factor: scale.force() },
+            (Quantity::Torque, _) => Unit { name: "N·m", tex: "N\\,m", factor: scale.torque() },
+        }
+    }
+}
+
+/// A decimal of six digits, `−` for minus.
+pub(crate) fn digits(value: f64) -> String {
+    super::expression::significant(value, DIGITS).replace(" \\times 10^{", "e").replace('}', "").replace('-', "−")
+}
+
+/// A value in its unit: `≈ 10966.2`.
+pub(crate) fn amount(value: f64, unit: Unit) -> String {
+    format!("≈ {}", digits(value * unit.factor))
+}
+
+/// The largest length of an order: `0`, `≈ 10966.2`, or how little it is known to be below.
+pub(crate) fn largest(swing: &Swing, unit: Unit) -> String {
+    if swing.vanishes() {
+        return "0".to_owned();
+    }
+    let open = [&swing.direct, &swing.reverse].map(|vector| matches!(vector.outcome, Outcome::Undecided { .. }));
+    let known = [&swing.direct, &swing.reverse].map(|vector| vector.outcome == Outcome::NotZero);
+    match open != [false, false] && known == [false, false] {
+        true => format!("not decided, {}", below(&[&swing.direct, &swing.reverse], unit)),
+        false => amount(swing.largest(), unit),
+    }
+}
+
+/// `below 1e−50` of vectors that are not decided.
+fn below(vectors: &[&Vector], unit: Unit) -> String {
+    let bound = |vector: &&Vector| match vector.outcome {
+        Outcome::Undecided { below } => below,
+        Outcome::Zero | Outcome::NotZero => 0.0,
+    };
+    let sum: f64 = vectors.iter().map(bound).sum();
+    format!("below {}", digits((sum / 2.0 * unit.factor).next_up()))
+}
+
+/// A vector: `0`, or its length and its angle at θ = 0.
+pub(crate) fn vector(vector: &Vector, unit: Unit) -> String {
+    match vector.outcome {
+        Outcome::Zero => "0".to_owned(),
+        Outcome::NotZero => {
+            let angle = digits(super::expression::rounded(vector.value.arg().to_degrees(), DIGITS));
+            format!("{} at {angle}°", amount(vector.value.norm() / 2.0, unit))
+        }
+        Outcome::Undecided { .. } => format!("not decided, {}", below(&[vector], unit)),
+    }
+}

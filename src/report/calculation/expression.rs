@@ -1,0 +1,175 @@
+//! How is a line of a calculation written, so that it is true as printed? Symbol = formula = figures = result.
+//!
+//! Figures are rounded to eight digits and the result is worked out from the rounded figures, so that a reader who
+//! types them in gets the printed result.
+
+/// An arithmetic expression that is printed twice, with symbols and with figures.
+#[derive(Clone, Debug)]
+pub(super) enum Expression {
+    /// A quantity: its symbol in TeX and its value.
+    Quantity(String, f64),
+    /// A whole number of the formula.
+    Number(u32),
+    /// π, which has no figure.
+    Pi,
+    /// A product.
+    Product(Vec<Expression>),
+    /// A sum.
+    Sum(Vec<Expression>),
+    /// A fraction.
+    Fraction(Box<Expression>, Box<Expression>),
+    /// A power with a whole exponent.
+    Power(Box<Expression>, u32),
+    /// A square root.
+    Root(Box<Expression>),
+    /// The cosine of an angle in degrees.
+    Cosine(Box<Expression>),
+}
+
+use Expression::*;
+
+/// A quantity by its symbol.
+pub(super) fn quantity(symbol: impl Into<String>, value: f64) -> Expression {
+    Quantity(symbol.into(), value)
+}
+
+/// One over the other.
+pub(super) fn fraction(numerator: Expression, denominator: Expression) -> Expression {
+    Fraction(Box::new(numerator), Box::new(denominator))
+}
+
+/// Half of a product.
+pub(super) fn half() -> Expression {
+    fraction(Number(1), Number(2))
+}
+
+/// A power.
+pub(super) fn power(base: Expression, exponent: u32) -> Expression {
+    Power(Box::new(base), exponent)
+}
+
+/// What stands before the result of a line, and the result.
+pub(super) struct Line {
+    /// Left side, in TeX.
+    pub symbol: String,
+    /// Right side.
+    pub expression: Expression,
+    /// Unit in TeX, empty for a pure number.
+    pub unit: &'static str,
+}
+
+impl Line {
+    /// The line in TeX: `s = formula = figures ≈ result unit`.
+    pub fn tex(&self) -> String {
+        let (formula, figures) = (self.expression.symbols(), self.expression.figures());
+        let result = significant(self.value(), RESULT_DIGITS);
+        let unit = if self.unit.is_empty() { String::new() } else { format!("\\ \\mathrm{{{}}}", self.unit) };
+        match &self.expression {
+            // A quantity by itself has no formula to show.
+            Quantity(..) => format!("{} \\approx {result}{unit}", self.symbol),
+            _ => format!("{} = {formula} \\approx {figures} \\approx {result}{unit}", self.symbol),
+        }
+    }
+
+    /// The result, from the figures as printed.
+    pub fn value(&self) -> f64 {
+        self.expression.value()
+    }
+}
+
+/// Digits of a figure.
+const FIGURE_DIGITS: usize = 8;
+/// Digits of a result.
+const RESULT_DIGITS: usize = 6;
+
+impl Expression {
+    /// The value, from the figures as printed.
+    fn value(&self) -> f64 {
+        match self {
+            Quantity(_, value) => rounded(*value, FIGURE_DIGITS),
+            Number(number) => f64::from(*number),
+            Pi => std::f64::consts::PI,
+            Product(factors) => factors.iter().map(Expression::value).product(),
+            Sum(terms) => terms.iter().map(Expression::value).sum(),
+            Fraction(above, below) => above.value() / below.value(),
+            Power(base, exponent) => base.value().powi(*exponent as i32),
+            Root(square) => square.value().sqrt(),
+            Cosine(degrees) => degrees.value().to_radians().cos(),
+        }
+    }
+
+    fn symbols(&self) -> String {
+        self.print(&|symbol, _| symbol.to_owned(), "\\,")
+    }
+
+    fn figures(&self) -> String {
+        self.print(&|_, value| significant(value, FIGURE_DIGITS), " \\cdot ")
+    }
+
+    fn print(&self, quantity: &impl Fn(&str, f64) -> String, times: &str) -> String {
+        match self {
+            Quantity(symbol, value) => quantity(symbol, *value),
+            Number(number) => number.to_string(),
+            Pi => "\\pi".to_owned(),
+            Product(factors) => {
+                let print = |factor: &Expression| {
+                    let text = factor.print(quantity, times);
+                    if matches!(factor, Sum(_)) || text.starts_with('-') {
+                        format!("\\left({text}\\right)")
+                    } else {
+                        text
+                    }
+                };
+                factors.iter().map(print).collect::<Vec<_>>().join(times)
+            }
+            Sum(terms) => {
+                let mut text = String::new();
+                for (index, term) in terms.iter().enumerate() {
+                    let term = term.print(quantity, times);
+                    match term.strip_prefix('-') {
+                        Some(size) if index > 0 => text.push_str(&format!(" - {size}")),
+                        _ if index > 0 => text.push_str(&format!(" + {term}")),
+                        _ => text.push_str(&term),
+                    }
+                }
+                text
+            }
+            Fraction(above, below) => {
+                format!("\\frac{{{}}}{{{}}}", above.print(quantity, times), below.print(quantity, times))
+            }
+            Power(base, exponent) => {
+                let text = base.print(quantity, times);
+                let simple = matches!(**base, Quantity(..) | Number(_) | Pi) && !text.contains(['-', ' ']);
+                if simple { format!("{text}^{{{exponent}}}") } else { format!("\\left({text}\\right)^{{{exponent}}}") }
+            }
+            Root(square) => format!("\\sqrt{{{}}}", square.print(quantity, times)),
+            Cosine(degrees) => format!("\\cos\\left({}\\right)", degrees.print(quantity, times)),
+        }
+    }
+}
+
+/// A number in TeX, to this many significant digits, without zeros that say nothing.
+pub(super) fn significant(value: f64, digits: usize) -> String {
+    let (mantissa, exponent) = scientific(value, digits);
+    if !(-4..digits as i32 + 2).contains(&exponent) {
+        return format!("{} \\times 10^{{{exponent}}}", trimmed(&mantissa));
+    }
+    let places = (digits as i32 - 1 - exponent).max(0) as usize;
+    trimmed(&format!("{:.places$}", rounded(value, digits)))
+}
+
+/// The number that [`significant`] prints.
+pub(super) fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
+fn scientific(value: f64, digits: usize) -> (String, i32) {
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    (mantissa.to_owned(), exponent.parse().unwrap_or(0))
+}
+
+fn trimmed(decimal: &str) -> String {
+    let text = if decimal.contains('.') { decimal.trim_end_matches('0').trim_end_matches('.') } else { decimal };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

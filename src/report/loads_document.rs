@@ -1,0 +1,244 @@
+//! What does `loads --json` hold? Vectors, ellipses, peaks; every amplitude zero to peak.
+
+use num_complex::Complex;
+use num_traits::ToPrimitive;
+use serde::Serialize;
+
+use crate::layout::Layout;
+use crate::loads::{Arm, Effect, Loads, Needed, Outcome, Peak, Swing, Vector, Waveform};
+
+/// The loads of an engine as data.
+#[derive(Clone, Debug, Serialize)]
+pub struct LoadsDocument {
+    title: String,
+    reference_plane: String,
+    amplitudes: &'static str,
+    units: Units,
+    scale: Option<ScaleEntry>,
+    effects: Vec<&'static str>,
+    coefficients: Vec<CoefficientEntry>,
+    orders: Vec<OrderEntry>,
+    torque: Vec<TorqueEntry>,
+    peaks: Peaks,
+    coefficients_computed: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    auto: Option<AutoEntry>,
+}
+
+/// What the numbers are counted in.
+#[derive(Clone, Debug, Serialize)]
+struct Units {
+    force: &'static str,
+    moment: &'static str,
+    torque: &'static str,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct ScaleEntry {
+    mass_kg: f64,
+    crank_radius_m: f64,
+    speed_rpm: f64,
+    angular_speed_rad_s: f64,
+    m_r_omega_squared_n: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct CoefficientEntry {
+    order: u32,
+    re: f64,
+    im: f64,
+}
+
+/// One order of the force or the moment.
+#[derive(Clone, Debug, Serialize)]
+struct OrderEntry {
+    quantity: &'static str,
+    order: u32,
+    /// `true` proved zero, `false` proved not zero, null not decided.
+    vanishes: Option<bool>,
+    direct: VectorEntry,
+    reverse: VectorEntry,
+    largest: f64,
+    smallest: f64,
+    direction_deg: Option<f64>,
+    along: f64,
+    across: f64,
+    /// The largest length in multiples of m r ω² (times the unit of the positions).
+    dimensionless: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct VectorEntry {
+    amplitude: f64,
+    angle_deg: Option<f64>,
+    vanishes: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    below: Option<f64>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct TorqueEntry {
+    order: u32,
+    vanishes: Option<bool>,
+    amplitude: f64,
+    phase_deg: Option<f64>,
+    dimensionless: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Peaks {
+    force: PeakEntry,
+    moment: PeakEntry,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    torque: Option<PeakEntry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct PeakEntry {
+    value: f64,
+    crank_angle_deg: Option<f64>,
+    /// What each effect adds along the direction of the peak.
+    effects: Vec<(&'static str, f64)>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct AutoEntry {
+    kept: Vec<u32>,
+    dropped: Vec<u32>,
+    looked_at: u32,
+    force_bound: Option<f64>,
+    moment_bound: Option<f64>,
+}
+
+/// The loads of an engine as data, in newtons where the layout gives mass, crank radius and speed.
+pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> LoadsDocument {
+    let factor = loads.scale.as_ref().map_or(1.0, |scale| scale.force());
+    let torque_factor = loads.scale.as_ref().map_or(1.0, |scale| scale.torque());
+    let rows = [("force", 0), ("moment", 1)].into_iter().flat_map(|(quantity, place)| {
+        loads.orders.iter().map(move |order| {
+            let swing = [&order.force, &order.moment][place];
+            order_entry(quantity, order.order, swing, factor)
+        })
+    });
+    let coefficient = |order: &crate::loads::OrderLoads| {
+        let c = order.coefficient.as_ref()?.to_complex();
+        Some(CoefficientEntry { order: order.order, re: c.re, im: c.im })
+    };
+    let torque = loads.torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
+        order: order.order,
+        vanishes: vanishes(&order.vector),
+        amplitude: order.vector.value.norm() * torque_factor,
+        phase_deg: angle(&order.vector),
+        dimensionless: order.vector.value.norm(),
+    });
+    let effects = |part: fn(&crate::loads::EffectLoads) -> &Waveform, peak: &Peak| {
+        let shares =
+            loads.effects.iter().map(|effect| (effect_name(effect.effect), share(part(effect), peak) * factor));
+        shares.collect()
+    };
+    let entry = |peak: Peak, effects, factor: f64| PeakEntry {
+        value: peak.value * factor,
+        crank_angle_deg: peak.angle,
+        effects,
+    };
+    let (force, moment) = (loads.force.peak(), loads.moment.peak());
+    LoadsDocument {
+        title: layout.title.clone(),
+        reference_plane: layout.reference_plane.to_string(),
+        amplitudes: "zero-to-peak",
+        units: units(layout, loads),
+        scale: loads.scale.as_ref().map(|scale| ScaleEntry {
+            mass_kg: scale.mass.to_f64().unwrap_or(f64::NAN),
+            crank_radius_m: scale.crank_radius.to_f64().unwrap_or(f64::NAN),
+            speed_rpm: scale.speed.to_f64().unwrap_or(f64::NAN),
+            angular_speed_rad_s: scale.omega(),
+            m_r_omega_squared_n: scale.force(),
+        }),
+        effects: loads.effects.iter().map(|effect| effect_name(effect.effect)).collect(),
+        coefficients: loads.orders.iter().filter_map(coefficient).collect(),
+        orders: rows.collect(),
+        torque: torque.collect(),
+        peaks: Peaks {
+            force: entry(force, effects(|effect| &effect.force, &force), factor),
+            moment: entry(moment, effects(|effect| &effect.moment, &moment), factor),
+            torque: loads.torque.as_ref().map(|torque| entry(torque.waveform.real_peak(), Vec::new(), torque_factor)),
+        },
+        coefficients_computed: loads.coefficients,
+        auto: needed.map(|needed| AutoEntry {
+            kept: needed.kept.clone(),
+            dropped: needed.dropped.clone(),
+            looked_at: needed.looked_at,
+            force_bound: needed.force_bound,
+            moment_bound: needed.moment_bound,
+        }),
+    }
+}
+
+/// What an effect adds along the direction of the peak, at its angle.
+pub(super) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
+    if peak.value == 0.0 {
+        return 0.0;
+    }
+    let along = peak.vector / peak.value;
+    let there = waveform.at(peak.angle.unwrap_or(0.0).to_radians());
+    there.re * along.re + there.im * along.im
+}
+
+fn order_entry(quantity: &'static str, order: u32, swing: &Swing, factor: f64) -> OrderEntry {
+    let vector = |vector: &Vector| VectorEntry {
+        amplitude: vector.value.norm() / 2.0 * factor,
+        angle_deg: angle(vector),
+        vanishes: vanishes(vector),
+        below: match vector.outcome {
+            Outcome::Undecided { below } => Some(below / 2.0 * factor),
+            Outcome::Zero | Outcome::NotZero => None,
+        },
+    };
+    let (direct, reverse) = (vector(&swing.direct), vector(&swing.reverse));
+    OrderEntry {
+        quantity,
+        order,
+        vanishes: match (direct.vanishes, reverse.vanishes) {
+            (Some(true), Some(true)) => Some(true),
+            (Some(false), _) | (_, Some(false)) => Some(false),
+            _ => None,
+        },
+        direct,
+        reverse,
+        largest: swing.largest() * factor,
+        smallest: swing.smallest() * factor,
+        direction_deg: swing.direction(),
+        along: swing.along() * factor,
+        across: swing.across() * factor,
+        dimensionless: swing.largest(),
+    }
+}
+
+fn vanishes(vector: &Vector) -> Option<bool> {
+    match vector.outcome {
+        Outcome::Zero => Some(true),
+        Outcome::NotZero => Some(false),
+        Outcome::Undecided { .. } => None,
+    }
+}
+
+fn angle(vector: &Vector) -> Option<f64> {
+    (vector.value != Complex::new(0.0, 0.0)).then(|| vector.value.arg().to_degrees())
+}
+
+/// The word of an effect in the JSON document.
+pub(super) fn effect_name(effect: Effect) -> &'static str {
+    match effect {
+        Effect::Reciprocating => "reciprocating",
+        Effect::Rotating => "rotating",
+    }
+}
+
+fn units(layout: &Layout, loads: &Loads) -> Units {
+    match (&loads.scale, Arm::of(layout)) {
+        (Some(_), Arm::Metre) => Units { force: "N", moment: "N m", torque: "N m" },
+        (Some(_), Arm::Spacing) => Units { force: "N", moment: "N a", torque: "N m" },
+        (None, Arm::Metre) => Units { force: "m r ω²", moment: "m r ω² · 1 m", torque: "m r² ω²" },
+        (None, Arm::Spacing) => Units { force: "m r ω²", moment: "m r ω² a", torque: "m r² ω²" },
+    }
+}
