@@ -122,7 +122,8 @@ pub(super) struct Frame {
 
 /// Height of what stands below the frame, and between the frame and the head.
 pub(super) const BELOW: f64 = LABEL_BELOW + LINE / 2.0 + 1.0;
-pub(super) const LABEL_ABOVE: f64 = 4.4;
+pub(super) const LABEL_ABOVE: f64 = 5.0;
+pub(super) const LABEL_UP: f64 = 3.4;
 
 impl Frame {
     /// A frame of this height, as wide as the page leaves it, with some room kept at the right.
@@ -207,6 +208,6 @@ impl Frame {
         }
         let middle = Point::new((low.re + high.re) / 2.0, low.im - LABEL_BELOW);
         figure.text(middle, x_label, Anchor::Middle);
-        figure.text(Point::new(EDGE, high.im + 2.9), y_label, Anchor::Start);
+        figure.text(Point::new(EDGE, high.im + LABEL_UP), y_label, Anchor::Start);
     }
 }
