@@ -3,7 +3,7 @@
 use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::axis::Axis;
 use super::curve::{Area, Curve, pieces};
-use super::frame::{Head, Key};
+use super::head::{Head, Key};
 use super::labels::{LINE, Labels, Place};
 use super::{PointMark, draw_pieces};
 
