@@ -23,7 +23,9 @@ fn judged(entry: Entry, layout: Layout) -> (Entry, Layout, Vec<OrderBalance>) {
 /// The files of an engine's folder, by name.
 fn written(layout: &Layout, orders: &[OrderBalance]) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
-    let files = dialects.into_iter().flat_map(|dialect| report::report(layout, orders, None, dialect));
+    let files = dialects
+        .into_iter()
+        .flat_map(|dialect| report::report(report::Subject { layout, orders, family: None, needed: None }, dialect));
     files.map(|file| (file.name, file.text)).collect()
 }
 
@@ -116,7 +118,13 @@ fn reports_on_families_are_as_stored() {
                     let open = open.expect("its lengths are open");
                     let verdicts = family::classify(&open, &engine.orders);
                     let orders = verdict::classify(&engine, &engine.orders, false);
-                    report::report(&engine, &orders, Some((&open, &verdicts)), dialect)
+                    {
+                        let family = Some((open.as_ref(), verdicts.as_slice()));
+                        report::report(
+                            report::Subject { layout: &engine, orders: &orders, family, needed: None },
+                            dialect,
+                        )
+                    }
                 }
                 Engine::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
             };
