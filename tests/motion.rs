@@ -11,7 +11,7 @@ use crankstar::motion::{Enclosure, NoFullTurn, SliderCrank, coefficients_fast, s
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
-use piston::{CENTRIC, OFFSET, decimal};
+use piston::{CENTRIC, OFFSET, TORQUE, decimal};
 use proptest::prelude::*;
 
 fn fraction(numerator: i64, denominator: i64) -> BigRational {
@@ -253,9 +253,21 @@ fn closed_forms_keep_their_digits_near_the_end_of_reach() {
     assert!((acceleration / exact - 1.0).abs() < 1e-14, "{acceleration}, {exact}");
 }
 
-/// `T = m r² ω² Σ b_k sin kψ`, `t_k = −i b_k`: λ/4, −1/2, −3λ/4, −λ²/4 (Taylor, The Internal-Combustion Engine, vol. 2, ch. 8).
 #[test]
-fn leading_terms_of_the_torque_are_those_of_the_books() {
+fn enclosures_of_the_torque_hold_the_references() {
+    for (ratio, offset, order, re, im) in TORQUE {
+        let coefficient = crank(ratio, offset).torque_coefficient(order);
+        for (part, reference) in [(coefficient.re, re), (coefficient.im, im)] {
+            let holds = if reference == "0" { is_exact(&part, 0) } else { encloses(&part, reference) };
+            assert!(holds, "λ = {ratio}, δ = {offset}, order {order}: {part:?}, {reference}");
+        }
+    }
+}
+
+/// `T = m r² ω² Σ b_k sin kψ`, `t_k = −i b_k`: λ/4, −1/2, −3λ/4, −λ²/4: the product of
+/// `−(sin ψ + λ/2 sin 2ψ)` and `cos ψ + λ cos 2ψ`, and for the fourth the next power of λ.
+#[test]
+fn leading_terms_of_the_torque_are_those_found_by_hand() {
     let crank = crank("1e-8", "0");
     for (order, leading) in [(1, 0.25e-8), (2, -0.5), (3, -0.75e-8), (4, -0.25e-16)] {
         let coefficient = crank.torque_coefficient(order);
