@@ -18,7 +18,7 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
     table.set_header(header);
     for order in orders {
         let mut row = vec![
-            Cell::new(order.order),
+            Cell::new(report::order_name(order)),
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];

@@ -26,6 +26,7 @@ pub use waveform::{Circle, Harmonic, Peak, Waveform};
 use crate::layout::{Layout, LengthUnit, Rod};
 use crate::motion::{Coefficient, Enclosure, SliderCrank};
 use crate::proof::Sense;
+use crate::verdict;
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -250,9 +251,6 @@ fn merged(effects: &[Parts]) -> Parts {
 }
 
 fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
-    let mut all: Vec<u32> = [1, 2, 3, 4].into_iter().chain(orders.iter().copied()).collect();
-    all.sort_unstable();
-    all.dedup();
     let order = |order: u32| {
         let parts = contribution::torque_parts(layout, order);
         let left: Vec<_> = parts.iter().filter(|(_, sum)| !sum.vanishes()).collect();
@@ -263,7 +261,7 @@ fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
         };
         TorqueOrder { order, coefficient, vector: Vector::of(&pairs, false) }
     };
-    let orders: Vec<TorqueOrder> = all.into_iter().map(order).collect();
+    let orders: Vec<TorqueOrder> = verdict::torque_orders(orders).into_iter().map(order).collect();
     let zero = Complex::new(0.0, 0.0);
     let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
     Torque { waveform: Waveform::new(harmonics), orders }

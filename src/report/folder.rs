@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::calculation;
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
-use super::page::{NamedFigure, Page, Subject, figures, intervals};
+use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
 use super::{left, render, svg};
 use crate::family::OpenOrder;
 use crate::layout::{Entry, Family, Layout};
@@ -28,6 +28,8 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
         return vec![File { name: "report.tex".into(), text }];
     }
     let mut drawn = figures(subject.layout, subject.orders);
+    let torque = torque_verdicts(subject.layout, subject.orders);
+    drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
     if let Some(Ok(loads)) = &loads {
         drawn.extend(calculation::figures(subject.layout, loads));
     }

@@ -34,7 +34,7 @@ pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use dialect::Dialect;
 pub use document::{document, theorem_claims};
 pub use folder::{File, index, open_report, report};
-pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
+pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
