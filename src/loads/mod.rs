@@ -142,6 +142,8 @@ pub enum Missing {
     Rods,
     /// The rotating masses cannot be compared with reciprocating ones that are not given.
     Masses,
+    /// The radii of webs, counterweights or balancer shafts cannot be compared with a crank radius that is not given.
+    CrankRadius,
     /// A crank that cannot turn round.
     Motion(String),
 }
@@ -153,7 +155,10 @@ impl fmt::Display for Missing {
                 "the layout says nothing of its rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius",
             ),
             Missing::Masses => f.write_str(
-                "the layout gives rotating masses but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass",
+                "the layout gives rotating masses, on rods, crankshaft or balancer shafts, but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass",
+            ),
+            Missing::CrankRadius => f.write_str(
+                "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius",
             ),
             Missing::Motion(reason) => f.write_str(reason),
         }
@@ -168,7 +173,7 @@ impl std::error::Error for Missing {}
 /// What the layout lacks.
 pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     let motion = Motion::new(layout)?;
-    let scene = effects_of(layout);
+    let scene = contribution::effects_of(layout);
     let mut total = Vec::new();
     let mut by_effect: Vec<[Vec<Harmonic>; 2]> = scene.iter().map(|_| Default::default()).collect();
     let whole = |_: &BigRational| BigRational::from_integer(1.into());
@@ -218,12 +223,6 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
         orders: total,
         coefficients: motion.computed.get(),
     })
-}
-
-/// The effects that a layout file calls for.
-fn effects_of(layout: &Layout) -> Vec<Effect> {
-    let rotates = layout.mechanism.rotating_masses.iter().any(|mass| !mass.is_zero());
-    [Effect::Reciprocating].into_iter().chain(rotates.then_some(Effect::Rotating)).collect()
 }
 
 fn scale(layout: &Layout) -> Option<Scale> {
@@ -282,8 +281,15 @@ impl Motion {
         if mechanism.rods.is_empty() {
             return Err(Missing::Rods);
         }
-        if mechanism.mass.is_none() && !mechanism.rotating_masses.is_empty() {
+        let crankshaft = &layout.crankshaft;
+        let in_metres =
+            !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
+        let turns = in_metres || !mechanism.rotating_masses.is_empty() || !crankshaft.pins.is_empty();
+        if mechanism.mass.is_none() && turns {
             return Err(Missing::Masses);
+        }
+        if mechanism.crank_radius.is_none() && in_metres {
+            return Err(Missing::CrankRadius);
         }
         let mut cranks = BTreeMap::new();
         for rod in &mechanism.rods {
