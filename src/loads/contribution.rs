@@ -184,7 +184,7 @@ fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
 }
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
-pub(super) fn unit_mass(layout: &Layout) -> BigRational {
+pub fn unit_mass(layout: &Layout) -> BigRational {
     let mass = layout.mechanism.mass.clone().filter(|mass| !mass.is_zero());
     mass.unwrap_or_else(|| BigRational::from_integer(1.into()))
 }

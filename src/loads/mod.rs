@@ -17,7 +17,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-pub use contribution::{Effect, Factor, Parts, Weighing};
+pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
@@ -225,6 +225,29 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     })
 }
 
+/// Whether the masses that turn can be compared with the reciprocating ones.
+///
+/// # Errors
+/// What the layout lacks for that.
+pub fn comparable(layout: &Layout) -> Result<(), Missing> {
+    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let in_metres =
+        !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
+    let turns = in_metres || !mechanism.rotating_masses.is_empty() || !crankshaft.pins.is_empty();
+    match (mechanism.mass.is_none() && turns, mechanism.crank_radius.is_none() && in_metres) {
+        (true, _) => Err(Missing::Masses),
+        (_, true) => Err(Missing::CrankRadius),
+        _ => Ok(()),
+    }
+}
+
+/// The exact sums of one order and sense, of all effects that the layout calls for, each force weighed by its position:
+/// by coefficient, in multiples of m r. They stand for an engine that is [`comparable`] and whose rods are known.
+pub fn sums(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Parts {
+    let of_effect = |effect| contribution::parts(layout, effect, weighing, order, sense);
+    merged(&contribution::effects_of(layout).into_iter().map(of_effect).collect::<Vec<_>>())
+}
+
 fn scale(layout: &Layout) -> Option<Scale> {
     let mechanism = &layout.mechanism;
     Some(Scale {
@@ -281,16 +304,7 @@ impl Motion {
         if mechanism.rods.is_empty() {
             return Err(Missing::Rods);
         }
-        let crankshaft = &layout.crankshaft;
-        let in_metres =
-            !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
-        let turns = in_metres || !mechanism.rotating_masses.is_empty() || !crankshaft.pins.is_empty();
-        if mechanism.mass.is_none() && turns {
-            return Err(Missing::Masses);
-        }
-        if mechanism.crank_radius.is_none() && in_metres {
-            return Err(Missing::CrankRadius);
-        }
+        comparable(layout)?;
         let mut cranks = BTreeMap::new();
         for rod in &mechanism.rods {
             let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
