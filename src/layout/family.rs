@@ -80,6 +80,8 @@ pub struct Family {
     pub cycle: Option<Cycle>,
     /// Whether the file says where the cylinders stand.
     pub positions_given: bool,
+    /// Positions of the main bearings; none where the file says nothing of them, or while an unknown is open.
+    pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
     pub mechanism: Mechanism,
     /// What is asked for beyond force and moment.
@@ -128,6 +130,7 @@ impl Family {
             length_unit: self.length_unit,
             orders: self.orders.clone(),
             positions_given: self.positions_given,
+            bearings: self.bearings.clone(),
             mechanism: self.mechanism.clone(),
             effects: self.effects,
             title_block: self.title_block.clone(),
