@@ -12,7 +12,33 @@ mod support {
     #[allow(dead_code)]
     pub mod dice;
 }
+use std::process::{Command, Output};
+
 use support::dice::Dice;
+
+fn crankstar(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
+}
+
+/// A layout file of its own for one test.
+fn file(name: &str, text: &str) -> String {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, text).expect("a file");
+    path.to_str().expect("a path in UTF-8").to_owned()
+}
+
+/// The in-line three of the thesis, without counterweights.
+const I3: &str = "speed = 6000
+bearings = [0.15, 0.05, -0.05, -0.15]
+[inline]
+throws = [0, 120, 240]
+spacing = 0.1
+[mechanism]
+reciprocating_mass = 0.65
+rotating_mass = 0.5
+crank_radius = '45 mm'
+rod_ratio = 0.25
+";
 
 fn layout(text: &str) -> Layout {
     parse("bearings.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
@@ -441,4 +467,81 @@ fn a_layout_without_bearings_or_rods_has_no_bearing_loads() {
     let asked = |text: &str| bearing_loads(&layout(text), &[1], Method::Continuous).expect_err("something is missing");
     assert_eq!(asked("[inline]\nthrows = [0]\n[mechanism]\nrod_ratio = 0.3"), Missing::Bearings);
     assert_eq!(asked("bearings = [1, 0]\n[inline]\nthrows = [0]"), Missing::Rods);
+}
+
+#[test]
+fn the_command_prints_peaks_beside_the_determinate_ones_and_marks_the_worst() {
+    let file = file("bearings-table.toml", I3);
+    let output = crankstar(&["bearings", &file, "--orders", "1"]);
+    let text = String::from_utf8(output.stdout).expect("a text");
+    assert!(output.status.success(), "{text}");
+    let row = |number: &str, text: &str| {
+        let starts = |line: &&str| line.trim_start().starts_with(number);
+        text.lines().find(starts).unwrap_or_else(|| panic!("no row {number} in {text}")).to_owned()
+    };
+    assert!(row("2 ", &text).contains("≈ 16558.1, worst"), "{text}");
+    assert!(row("1 ", &text).contains("≈ 8861.22 "), "{text}");
+    assert!(text.contains("Largest force: bearings 2, 3 with ≈ 16558.1 N"), "{text}");
+}
+
+#[test]
+fn the_page_has_two_drawings_a_bearing_and_the_exact_parts() {
+    let file = file("bearings-page.toml", I3);
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("bearings-page");
+    let _ = std::fs::remove_dir_all(&folder);
+    let output = crankstar(&["bearings", &file, "--output", folder.to_str().expect("a path in UTF-8")]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let page = std::fs::read_to_string(folder.join("bearings.md")).expect("the page");
+    for number in 1..=4 {
+        for name in [format!("bearing-{number}.svg"), format!("bearing-{number}-polar.svg")] {
+            assert!(page.contains(&format!("({name})")) && folder.join(&name).is_file(), "{name}");
+        }
+    }
+    assert!(page.contains("| 0.1 | 0.4 | 0.725 | −0.15 | 0.025 |"), "{page}");
+    let rows = page.lines().filter(|line| line.starts_with('|'));
+    let widths: std::collections::BTreeSet<usize> = rows.map(|row| row.matches('|').count()).collect();
+    assert_eq!(widths, [6, 7, 8].into(), "columns of parts and orders, vectors, peaks");
+}
+
+#[test]
+fn the_document_holds_the_exact_sums_that_its_amplitudes_come_from() {
+    let file = file("bearings-json.toml", I3);
+    let output = crankstar(&["bearings", &file, "--orders", "1,2,3", "--json"]);
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a document");
+    let factor = document["newtons_per_multiple"].as_f64().expect("newtons");
+    let fraction = |value: &serde_json::Value| {
+        let number: BigRational = value.as_str().expect("a fraction").parse().expect("a fraction");
+        number.to_f64().expect("a number")
+    };
+    let mut compared = 0;
+    for bearing in document["continuous"]["bearings"].as_array().expect("bearings") {
+        let order = &bearing["orders"][0];
+        for sense in ["direct", "reverse"] {
+            let sums = order[sense]["sums"].as_array().expect("sums");
+            assert!(sums.iter().all(|sum| sum["coefficient"] == "1"));
+            let terms = sums.iter().flat_map(|sum| sum["terms"].as_array().expect("terms"));
+            let vector = terms.map(|term| {
+                Complex::from_polar(fraction(&term["weight"]), fraction(&term["turn"]) * std::f64::consts::TAU)
+            });
+            let length = vector.sum::<Complex<f64>>().norm() / 2.0 * factor;
+            assert!((length - order[sense]["amplitude"].as_f64().expect("a number")).abs() < 1e-9 * factor);
+            compared += 1;
+        }
+        assert_eq!(bearing["orders"][2]["direct"]["vanishes"], true);
+    }
+    assert_eq!(compared, 8);
+    assert_eq!(document["continuous"]["worst"], serde_json::json!([2, 3]));
+}
+
+#[test]
+fn a_layout_without_bearings_or_with_unknowns_gets_its_message() {
+    let message = |text: &str, name: &str| {
+        let output = crankstar(&["bearings", &file(name, text)]);
+        assert_eq!(output.status.code(), Some(1));
+        String::from_utf8(output.stderr).expect("a text")
+    };
+    assert!(message("inline.throws = [0]", "bearings-none.toml").contains("bearings = ["));
+    let open = "[vee]\nbank_angle = 'phi'\nthrows = [0]";
+    assert!(message(open, "bearings-open.toml").contains("[values]"));
+    assert!(message("bearings = [1]\ninline.throws = [0]", "bearings-one.toml").contains("1 main bearing"));
 }

@@ -5,6 +5,8 @@
 //! Inertia forces along the cylinder axes only: no gas force, no weight, no side force of the pistons; rigid collinear
 //! bearings without clearance.
 
+use std::collections::BTreeMap;
+
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
@@ -33,6 +35,8 @@ pub struct BearingLoads {
     pub method: Method,
     /// The bearings, in the order of the file.
     pub bearings: Vec<BearingLoad>,
+    /// The part that each bearing carries of a unit load, by the load's position: exact.
+    pub parts: BTreeMap<BigRational, Vec<BigRational>>,
     /// Indices of those with the largest peak; none where no bearing feels anything.
     pub worst: Vec<usize>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
@@ -113,7 +117,7 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
     let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
     let worst = (0..bearings.len()).filter(is_worst).collect();
-    Ok(BearingLoads { method, bearings, worst, scale: super::scale(layout) })
+    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(layout) })
 }
 
 /// Whether the forces of an effect reach the crankshaft.

@@ -35,6 +35,11 @@ impl Shares {
         part
     }
 
+    /// All that was solved.
+    pub fn into_known(self) -> BTreeMap<BigRational, Vec<BigRational>> {
+        self.known.into_inner()
+    }
+
     fn solve(&self, position: &BigRational) -> Result<Vec<BigRational>, Mistake> {
         match self.method {
             Method::Continuous => self.beam.influence(position),
