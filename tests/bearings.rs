@@ -1,5 +1,7 @@
 //! Do the main bearings feel what a beam on supports hands on, order by order and through a revolution?
 
+#![allow(clippy::disallowed_types)]
+
 use crankstar::beam::Beam;
 use crankstar::layout::{Layout, parse};
 use crankstar::loads::{BearingLoads, Harmonic, Method, Missing, Waveform, bearing_loads, loads};
@@ -291,8 +293,8 @@ fn peaks_with_the_model_of_the_thesis_are_those_of_an_independent_computation() 
     for (crank, balance_factor, printed) in cases {
         let layout = crank().layout(balance_factor);
         let peaks = as_in_the_thesis(&solved(&layout, &[1, 2], Method::Continuous));
-        for place in 0..3 {
-            assert_near(&column(&peaks, place), printed[place]);
+        for (place, printed) in printed[..3].iter().enumerate() {
+            assert_near(&column(&peaks, place), printed);
         }
         let peaks = as_in_the_thesis(&solved(&layout, &[1, 2], Method::Determinate));
         assert_near(&column(&peaks, 0), printed[3]);
