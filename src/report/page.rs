@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::calculation::{self, Calculation};
 use super::dialect::Dialect;
 use super::figure::Figure;
 use super::open_page::OpenPage;
@@ -12,6 +13,7 @@ use super::views::{end_view, side_view};
 use super::{argument, firmness, left, tikz, typeset};
 use crate::family::OpenOrder;
 use crate::layout::{Cycle, Family, Firing, Layout};
+use crate::loads::{Loads, Missing, Needed};
 use crate::proof::Sense;
 use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
@@ -19,6 +21,8 @@ use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 #[derive(Clone, Debug, Serialize)]
 pub struct Page {
     title: String,
+    title_block: Option<Table>,
+    objective: Option<String>,
     source: Option<String>,
     headline: Vec<String>,
     summary: Table,
@@ -35,6 +39,9 @@ pub struct Page {
     orders: Vec<Section>,
     open: Option<OpenPage>,
     every_order: theorem::Section,
+    calculation: Option<Calculation>,
+    file: Vec<String>,
+    fence: String,
 }
 
 /// One order.
@@ -59,9 +66,30 @@ struct Paragraph {
 
 /// A drawing as the template needs it: the name of its file, or the TikZ code itself.
 #[derive(Clone, Debug, Serialize)]
-struct Drawing {
+pub(super) struct Drawing {
     caption: String,
     body: String,
+}
+
+/// What a report shows of an engine.
+#[derive(Clone, Copy)]
+pub struct Subject<'a> {
+    /// The engine.
+    pub layout: &'a Layout,
+    /// The verdicts on it.
+    pub orders: &'a [OrderBalance],
+    /// The family that it is a member of, judged, where the file gives values to symbols.
+    pub family: Option<(&'a Family, &'a [OpenOrder])>,
+    /// The choice of the orders, where it was made by an accuracy.
+    pub needed: Option<&'a Needed>,
+}
+
+impl Subject<'_> {
+    /// The numbers of the engine, where its file gives any.
+    pub(super) fn loads(&self) -> Option<Result<Loads, Missing>> {
+        let orders: Vec<u32> = self.orders.iter().map(|order| order.order).collect();
+        calculation::loads_of(self.layout, &orders)
+    }
 }
 
 /// A drawing with the file that it goes to.
@@ -99,19 +127,23 @@ pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigu
 
 impl Page {
     /// Sets a report in a dialect.
-    pub fn new(
-        layout: &Layout,
-        orders: &[OrderBalance],
-        family: Option<(&Family, &[OpenOrder])>,
-        dialect: Dialect,
-    ) -> Self {
+    pub fn new(subject: Subject, loads: Option<&Result<Loads, Missing>>, dialect: Dialect) -> Self {
+        let Subject { layout, orders, family, needed } = subject;
         let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
         let theorem = verdict::theorem(layout);
+        let calculation = loads.map(|loads| {
+            let figures = loads.as_ref().map_or_else(|_| Vec::new(), |loads| calculation::figures(layout, loads));
+            let plots = figures.into_iter().map(|figure| drawing(figure, dialect)).collect();
+            Calculation::new(layout, loads, needed, plots, dialect)
+        });
+        let block = &layout.title_block;
         let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
         Page {
             title: dialect.quoted(&layout.title),
+            title_block: title_block(layout, dialect),
+            objective: block.objective.as_ref().map(|objective| dialect.quoted(objective)),
             source: layout.source.as_ref().map(|source| dialect.quoted(source)),
             headline: headline(orders, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
             summary: table::summary(dialect, layout, orders),
@@ -128,6 +160,9 @@ impl Page {
             orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
             open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
             every_order: theorem::Section::new(layout, &theorem, dialect),
+            calculation,
+            file: layout.file.lines().map(|line| dialect.verbatim(line)).collect(),
+            fence: fence(&layout.file),
         }
     }
 }
@@ -200,6 +235,22 @@ impl Paragraph {
             certificate: dialect.prose(&argument::certificate(verdict)),
         }
     }
+}
+
+fn title_block(layout: &Layout, dialect: Dialect) -> Option<Table> {
+    let rows: Vec<Vec<String>> = layout
+        .title_block
+        .rows
+        .iter()
+        .map(|(name, written)| vec![(*name).to_owned(), dialect.quoted(written)])
+        .collect();
+    (!rows.is_empty()).then(|| Table { header: vec![String::new(); 2], rows, size: "\\small" })
+}
+
+/// Backticks that no run in the file is as long as.
+fn fence(file: &str) -> String {
+    let longest = file.split(|letter| letter != '`').map(str::len).max().unwrap_or(0);
+    "`".repeat((longest + 1).max(3))
 }
 
 pub(super) fn capital(word: &str) -> String {

@@ -35,7 +35,7 @@ impl Table {
 }
 
 /// Letters of a cell as it is set: bold marks, braces and dollars are not, a TeX command is about one letter.
-fn letters(cell: &str) -> usize {
+pub(super) fn letters(cell: &str) -> usize {
     let mut count = 0;
     let mut in_command = false;
     for letter in cell.chars() {
