@@ -91,6 +91,8 @@ pub struct Layout {
     pub orders: Vec<u32>,
     /// When the cylinders fire, where the file says enough.
     pub firing: Option<Firing>,
+    /// Positions of the main bearings, in the order of the file; none where the file says nothing of them.
+    pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
     pub mechanism: Mechanism,
     /// Masses on the crankshaft, and the balancer shafts that it drives.

@@ -2,6 +2,7 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod bearings;
 mod catalogue;
 mod crankshaft;
 mod crankshaft_keys;

@@ -2,8 +2,10 @@
 //!
 //! The exact sums of a layout times the coefficients of its motion. Only what the layout file asks for is computed.
 
+mod bearing;
 mod contribution;
 mod needed;
+mod shares;
 mod swing;
 mod vector;
 mod waveform;
@@ -17,12 +19,14 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
+pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
 pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
 pub use waveform::{Circle, Harmonic, Peak, Waveform};
 
+use crate::beam::Mistake;
 use crate::layout::{Layout, LengthUnit, Rod};
 use crate::motion::{Coefficient, Enclosure, SliderCrank};
 use crate::proof::Sense;
@@ -147,6 +151,10 @@ pub enum Missing {
     CrankRadius,
     /// A crank that cannot turn round.
     Motion(String),
+    /// No main bearings.
+    Bearings,
+    /// Main bearings that hold no shaft.
+    Beam(Mistake),
 }
 
 impl fmt::Display for Missing {
@@ -162,6 +170,10 @@ impl fmt::Display for Missing {
                 "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius",
             ),
             Missing::Motion(reason) => f.write_str(reason),
+            Missing::Bearings => f.write_str(
+                "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
+            ),
+            Missing::Beam(mistake) => mistake.fmt(f),
         }
     }
 }

@@ -3,6 +3,7 @@
 //! `verdicts → page (finished strings, drawings) → template → files`
 
 mod argument;
+mod bearings;
 mod calculation;
 mod claim_page;
 mod claim_words;
@@ -28,6 +29,9 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use bearings::{
+    BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
+};
 pub use calculation::{Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
