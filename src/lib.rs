@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← family ← claim ← report ← cli`
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← search ← family ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`.
@@ -43,3 +43,5 @@ pub mod family;
 pub mod numbers;
 #[allow(clippy::disallowed_types)]
 pub mod report;
+#[allow(clippy::disallowed_types)]
+pub mod search;

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 10] =
-    ["proof", "exact", "layout", "phasor", "verdict", "numbers", "family", "claim", "report", "cli"];
+const ROOMS: [&str; 11] =
+    ["proof", "exact", "layout", "phasor", "verdict", "numbers", "search", "family", "claim", "report", "cli"];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder of a room").map(|entry| entry.expect("an entry").path());

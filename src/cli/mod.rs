@@ -6,6 +6,7 @@ mod failure;
 mod layouts;
 mod list;
 mod report;
+mod search;
 mod terminal;
 mod verify;
 mod write;
@@ -59,6 +60,8 @@ enum Command {
         /// The claims file (TOML)
         file: PathBuf,
     },
+    /// Find the crank stars that balance best
+    Search(search::Search),
     /// Print a completion script for a shell
     Completions {
         /// Which shell
@@ -118,6 +121,7 @@ pub fn run() -> ExitCode {
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),
+        Command::Search(search) => search.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {

@@ -1,0 +1,248 @@
+//! Which stars does one piece of the search come to, and which does it leave out?
+
+use super::firing;
+use super::front::{Judge, Point};
+use super::problem::MOST_ORDERS;
+use super::space::Space;
+use super::symmetry::{self, Same};
+use super::tables::{AXES, Tables};
+use super::value::{self, Value};
+
+/// Above this many directions a piece fixes one pair, else two.
+const COARSE: usize = 24;
+
+/// One piece of the search: the outermost pairs of throws, and which of their images are the same.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pairs: Vec<(usize, usize)>,
+    same: Same,
+}
+
+/// What came of a piece.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Counts {
+    /// Stars judged, one a class of rotation, mirror and reversal.
+    pub judged: u64,
+    /// Starts left out with all their completions, by the bound.
+    pub cut: u64,
+}
+
+/// Fills places pair by pair.
+pub(super) struct Walk<'a, J> {
+    space: &'a Space,
+    tables: &'a Tables,
+    judge: J,
+    counts: Counts,
+    throws: Vec<usize>,
+    left: Vec<usize>,
+    /// One digit a direction: how often it is left.
+    code: usize,
+    digits: Vec<usize>,
+    /// Projections of what is placed, after each pair.
+    sums: Vec<i64>,
+    /// Where a piece ends, while pieces are listed.
+    listing: Option<(usize, Vec<Piece>)>,
+}
+
+/// All pieces, in the order of their numbers: a function of the space alone.
+pub(super) fn pieces(space: &Space, tables: &Tables) -> Vec<Piece> {
+    let depth = if space.directions <= COARSE { 2 } else { 1 };
+    let mut walk = Walk::new(space, tables, Everything);
+    walk.listing = Some((depth.min(space.pairs()), Vec::new()));
+    walk.pair(0, [true; 3]);
+    walk.listing.map(|(_, pieces)| pieces).unwrap_or_default()
+}
+
+/// Judges the stars of a piece.
+pub(super) fn run<J: Judge>(space: &Space, tables: &Tables, piece: &Piece, judge: J) -> (J, Counts) {
+    let mut walk = Walk::new(space, tables, judge);
+    for (at, &(a, b)) in piece.pairs.iter().enumerate() {
+        walk.put(at, a, b);
+    }
+    let placed = piece.pairs.len();
+    if walk.may_matter(placed) {
+        walk.pair(placed, piece.same);
+    }
+    (walk.judge, walk.counts)
+}
+
+/// Where pieces are listed nothing is judged.
+struct Everything;
+
+impl Judge for Everything {
+    fn hopeless(&self, _: &[i128]) -> bool {
+        false
+    }
+    fn take(&mut self, _: Point) {}
+}
+
+impl<'a, J: Judge> Walk<'a, J> {
+    fn new(space: &'a Space, tables: &'a Tables, judge: J) -> Self {
+        let base = space.supply.map_or(1, |supply| supply + 1);
+        let digits = match space.supply {
+            Some(_) => (0..space.directions).map(|direction| base.pow(direction as u32)).collect(),
+            None => vec![0; space.directions],
+        };
+        let code = space.supply.map_or(0, |_| base.pow(space.directions as u32) - 1);
+        Walk {
+            space,
+            tables,
+            judge,
+            counts: Counts::default(),
+            throws: vec![0; space.places],
+            left: vec![space.supply.unwrap_or(usize::MAX); space.directions],
+            code,
+            digits,
+            sums: vec![0; (space.pairs() + 1) * tables.rows * AXES],
+            listing: None,
+        }
+    }
+
+    /// Fills the pairs from this one inwards.
+    fn pair(&mut self, at: usize, same: Same) {
+        if let Some((depth, pieces)) = &mut self.listing
+            && *depth == at
+        {
+            let pair = |at: usize| (self.throws[at], self.throws[self.space.places - 1 - at]);
+            return pieces.push(Piece { pairs: (0..at).map(pair).collect(), same });
+        }
+        if at == self.space.pairs() {
+            return self.middle(same);
+        }
+        let directions = self.space.directions;
+        for a in 0..if at == 0 { 1 } else { directions } {
+            if self.left[a] == 0 {
+                continue;
+            }
+            self.left[a] -= 1;
+            for b in 0..directions {
+                if self.left[b] == 0 {
+                    continue;
+                }
+                let last = if at == 0 { b } else { self.throws[self.space.places - 1] };
+                let Some(same) = symmetry::compare_pair(same, (a, b), last, directions) else { continue };
+                self.left[a] += 1;
+                self.put(at, a, b);
+                if self.listing.is_some() || self.may_matter(at + 1) {
+                    self.pair(at + 1, same);
+                }
+                self.take_back(at);
+                self.left[a] -= 1;
+            }
+            self.left[a] += 1;
+        }
+    }
+
+    fn put(&mut self, at: usize, a: usize, b: usize) {
+        self.throws[at] = a;
+        self.throws[self.space.places - 1 - at] = b;
+        self.left[a] -= 1;
+        self.left[b] -= 1;
+        self.code -= self.digits[a] + self.digits[b];
+        let (width, weight) = (AXES * self.tables.rows, self.space.weights[at]);
+        for row in 0..self.tables.rows {
+            let (first, second) = (self.tables.projections(row, a), self.tables.projections(row, b));
+            let from = at * width + row * AXES;
+            let is_force = row == self.space.orders.len();
+            for axis in 0..AXES {
+                // Arms of a pair are opposite; in the force both count alike.
+                let step = if is_force { first[axis] + second[axis] } else { weight * (first[axis] - second[axis]) };
+                self.sums[from + width + axis] = self.sums[from + axis] + step;
+            }
+        }
+    }
+
+    fn take_back(&mut self, at: usize) {
+        let (a, b) = (self.throws[at], self.throws[self.space.places - 1 - at]);
+        self.left[a] += 1;
+        self.left[b] += 1;
+        self.code += self.digits[a] + self.digits[b];
+    }
+
+    fn sums(&self, placed: usize, row: usize) -> &[i64] {
+        let start = (placed * self.tables.rows + row) * AXES;
+        &self.sums[start..start + AXES]
+    }
+
+    /// Whether a completion of the first pairs may be on the front, as far as the bounds tell.
+    fn may_matter(&mut self, placed: usize) -> bool {
+        let count = self.space.orders.len();
+        let left = if self.space.supply.is_some() { self.code } else { placed };
+        let mut low = [0_i128; MOST_ORDERS];
+        for (order, low) in low.iter_mut().enumerate().take(count) {
+            let reach = self.sums(placed, order).iter().zip(self.tables.bounds(left, order));
+            let least = reach.map(|(sum, bound)| sum.abs() - bound).max().unwrap_or(0) - self.tables.doubt;
+            *low = value::square(least.max(0), 0, 0).0;
+        }
+        let cannot_balance = self.space.supply.is_none() && {
+            let reach = (self.space.places - 2 * placed) as i64 * ((1 << super::tables::BITS) + 1);
+            self.sums(placed, count).iter().any(|sum| sum.abs() > reach + self.tables.doubt)
+        };
+        let matters = !cannot_balance && !self.judge.hopeless(&low[..count]);
+        self.counts.cut += u64::from(!matters);
+        matters
+    }
+
+    /// The throw in the middle of an odd number: its arm is 0.
+    fn middle(&mut self, same: Same) {
+        let (places, directions) = (self.space.places, self.space.directions);
+        if places.is_multiple_of(2) {
+            return self.star(same);
+        }
+        let last = self.throws[places - 1];
+        for throw in 0..if places == 1 { 1 } else { directions } {
+            if self.left[throw] > 0
+                && let Some(same) =
+                    symmetry::compare_middle(same, throw, if places == 1 { 0 } else { last }, directions)
+            {
+                self.throws[places / 2] = throw;
+                self.star(same);
+            }
+        }
+    }
+
+    fn star(&mut self, same: Same) {
+        self.counts.judged += 1;
+        let mut bounds = [(0_i128, 0_i128); MOST_ORDERS];
+        let mut low = [0_i128; MOST_ORDERS];
+        let count = self.space.orders.len();
+        for order in 0..count {
+            let sums = self.sums(self.space.pairs(), order);
+            bounds[order] = value::square(sums[0], sums[AXES / 2], self.tables.doubt);
+            low[order] = bounds[order].0;
+        }
+        if self.judge.hopeless(&low[..count]) {
+            return;
+        }
+        let throws: Vec<u16> = self.throws.iter().map(|&throw| throw as u16).collect();
+        if self.space.is_balanced(&throws) {
+            let point = point(self.space, throws, &bounds[..count], symmetry::class_size(same));
+            self.judge.take(point);
+        }
+    }
+}
+
+/// The exact values of a star, with their enclosures.
+fn point(space: &Space, throws: Vec<u16>, bounds: &[(i128, i128)], stars: u64) -> Point {
+    let values = space.orders.iter().zip(bounds).map(|(&order, &bounds)| Value::new(space, &throws, order, bounds));
+    let neighbours = space.slots.as_ref().map_or(0, |slots| {
+        let steps: Vec<&[usize]> = throws.iter().map(|&throw| slots[usize::from(throw)].as_slice()).collect();
+        firing::best_order(&steps).1
+    });
+    Point { values: values.collect(), neighbours, throws, classes: 1, stars }
+}
+
+/// The exact values of one star.
+pub(super) fn judge(space: &Space, tables: &Tables, throws: &[u16]) -> Point {
+    let bounds = |row: usize| {
+        let mut sums = [0_i64; 2];
+        for (&throw, weight) in throws.iter().zip(&space.weights) {
+            let projections = tables.projections(row, usize::from(throw));
+            sums[0] += weight * projections[0];
+            sums[1] += weight * projections[AXES / 2];
+        }
+        value::square(sums[0], sums[1], tables.doubt)
+    };
+    let bounds: Vec<(i128, i128)> = (0..space.orders.len()).map(bounds).collect();
+    point(space, throws.to_vec(), &bounds, 1)
+}
