@@ -33,6 +33,7 @@ Examples:
   crankstar classify V8-crossplane                   a table of verdicts
   crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
   crankstar report I4 --output I4-report             a report with its diagrams
+  crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
 
 A layout file in its shortest form:

@@ -124,7 +124,10 @@ fn table(front: &Front, document: &FrontDocument) -> String {
     }
     let spread = match document.stars.is_empty() {
         true => "No star has balanced first-order force.\n".to_owned(),
-        false => format!("{table}\n{LEGEND}\n"),
+        false => {
+            let of_vees = if front.problem.bank_angle.is_some() { LEGEND_OF_VEES } else { "" };
+            format!("{table}\n{LEGEND}\n{of_vees}")
+        }
     };
     let Front { all, judged, cut, .. } = front;
     format!(
@@ -138,6 +141,8 @@ fn table(front: &Front, document: &FrontDocument) -> String {
 const LEGEND: &str = "\
 Moments about the mid-plane, in m r ω² c_k times the spacing; = exact, ≈ decimal. No other star is as good in all and better in one.
 Stars: how many share these values, up to rotation, mirror and reversal.";
+
+const LEGEND_OF_VEES: &str = "C⁺ and C⁻ are the direct and the reverse vector: the largest moment is half their sum.\n";
 
 fn moment_title(moment: &MomentDocument) -> String {
     let order = moment.order;
