@@ -70,7 +70,7 @@ pub fn document(front: &Front) -> FrontDocument {
     let moment = |moment: &Moment| MomentDocument {
         order: moment.order,
         sense: moment.sense,
-        exact: moment.modulus.as_ref().map(ToString::to_string),
+        exact: moment.modulus().map(|form| form.to_string()),
         decimal: moment.decimal,
     };
     let star = |star: &FoundStar| StarDocument {

@@ -23,10 +23,15 @@ pub struct Moment {
     pub sense: Option<Sense>,
     /// The sum itself, `Σ z e^{iφ}`.
     pub sum: PhasorSum,
-    /// Its length in closed form, where one is short enough to read.
-    pub modulus: Option<Form>,
     /// Its length in decimals.
     pub decimal: f64,
+}
+
+impl Moment {
+    /// Its length in closed form, where one is short enough to read.
+    pub fn modulus(&self) -> Option<Form> {
+        numbers::modulus(&self.sum)
+    }
 }
 
 /// A star on the front, with all that share its values counted.
@@ -118,9 +123,8 @@ fn moments(throws: &[Turn], banks: &[Turn], order: u32) -> Vec<Moment> {
             banks.iter().map(term).collect::<Vec<_>>()
         });
         let sum = PhasorSum::new(terms.collect());
-        let modulus = numbers::modulus(&sum);
         let decimal = numbers::evaluate(&sum).norm();
-        Moment { order, sense, sum, modulus, decimal }
+        Moment { order, sense, sum, decimal }
     };
     match banks.len() {
         1 => vec![moment(None)],

@@ -6,7 +6,7 @@
 //! let six = Problem::inline(6, Cycle::TwoStroke, &[1, 2]);
 //! let front = search(&six, &Options::default()).unwrap();
 //! let first = &front.stars[0];
-//! let lengths: Vec<String> = first.moments.iter().map(|m| m.modulus.as_ref().unwrap().to_string()).collect();
+//! let lengths: Vec<String> = first.moments.iter().map(|m| m.modulus().unwrap().to_string()).collect();
 //! println!("{lengths:?}"); // no first-order couple, and then at least this of the second order
 //! // ["0", "2√3"]
 //! # assert_eq!(lengths, ["0", "2√3"]);
