@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::proof::Sense;
 
+use super::answer::Front;
 use super::found::{self, FoundStar, Moment};
-use super::run::Front;
 
 /// A front for other programs to read.
 #[derive(Clone, Debug, Serialize)]

@@ -14,10 +14,13 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod answer;
 mod document;
 mod firing;
 mod found;
 mod front;
+mod judged;
+mod piece;
 mod problem;
 mod resume;
 mod run;
@@ -27,7 +30,8 @@ mod tables;
 mod value;
 mod walk;
 
+pub use answer::{Front, every_value};
 pub use document::{FrontDocument, MomentDocument, StarDocument, document};
 pub use found::{FoundStar, Moment, Standing};
 pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Mistake, Problem};
-pub use run::{Front, Options, Progress, SearchError, every_value, search};
+pub use run::{Options, Progress, SearchError, search};

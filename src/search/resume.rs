@@ -8,10 +8,11 @@ use serde::{Deserialize, Serialize};
 
 use super::firing;
 use super::front::Point;
+use super::judged;
+use super::piece::Counts;
 use super::problem::Problem;
 use super::space::Space;
 use super::tables::Tables;
-use super::walk::{self, Counts};
 
 /// A finished piece.
 #[derive(Clone, Debug, Default)]
@@ -80,7 +81,7 @@ pub(super) fn read(
         }
         let point = |star: &WrittenStar| {
             let (classes, stars) = (star.classes, star.stars);
-            Point { classes, stars, ..walk::judge(space, tables, &star.throws) }
+            Point { classes, stars, ..judged::judge(space, tables, &star.throws) }
         };
         let counts = Counts { judged: piece.judged, cut: piece.cut };
         done.insert(number, Done { points: stars.iter().map(point).collect(), counts });

@@ -11,13 +11,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use super::found::{self, FoundStar, Standing};
-use super::front::{Census, Judge, Pareto, Point};
+use super::answer::{self, Front};
+use super::front::{Judge, Pareto};
+use super::piece::{self, Counts, Piece};
 use super::problem::{Mistake, Problem};
 use super::resume::{self, Done};
 use super::space::Space;
 use super::tables::Tables;
-use super::walk::{self, Counts, Piece};
 
 /// Pieces that start from the same front.
 const ROUND: usize = 8;
@@ -72,37 +72,6 @@ impl fmt::Display for SearchError {
     }
 }
 
-/// The answer: no other star is as good in everything and better in something.
-#[derive(Clone, Debug)]
-pub struct Front {
-    /// The question.
-    pub problem: Problem,
-    /// One star for each combination of values, by the first order, then the next.
-    pub stars: Vec<FoundStar>,
-    /// Stars with cylinder 1 at 0 that there are.
-    pub all: u128,
-    /// Stars judged one by one, up to rotation, mirror and reversal.
-    pub judged: u64,
-    /// Starts left out with all their completions.
-    pub cut: u64,
-    points: Vec<Point>,
-}
-
-impl Front {
-    /// How a star stands to this front: throws as whole multiples of `1 / directions` turn, the first 0.
-    ///
-    /// # Errors
-    /// If this is no star of the question.
-    pub fn standing(&self, throws: &[u16]) -> Result<Standing, Mistake> {
-        let space = Space::new(&self.problem)?;
-        if !space.holds(throws) {
-            return Err(Mistake::new("these throws are no star of the question"));
-        }
-        let point = walk::judge(&space, &Tables::new(&space), throws);
-        Ok(found::standing(&self.points, &point))
-    }
-}
-
 /// Finds the exact Pareto front of a question: complete, ties counted.
 ///
 /// # Errors
@@ -110,7 +79,7 @@ impl Front {
 pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
     let space = Space::new(problem).map_err(SearchError::Question)?;
     let tables = Tables::new(&space);
-    let pieces = walk::pieces(&space, &tables);
+    let pieces = piece::pieces(&space, &tables);
     let read = |path| resume::read(path, problem, &space, &tables, pieces.len());
     let known = options.resume.as_deref().map(read).transpose().map_err(SearchError::State)?;
     let hall = Hall { problem, space: &space, tables: &tables, pieces: &pieces, options };
@@ -127,31 +96,7 @@ pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError
             counts.cut += done.counts.cut;
         }
     }
-    Ok(answer(problem, &space, front.points().to_vec(), counts))
-}
-
-/// Every combination of values there is, by looking at every star; ranked as a front is.
-///
-/// # Errors
-/// If the question makes no sense.
-pub fn every_value(problem: &Problem) -> Result<Front, Mistake> {
-    let space = Space::new(problem)?;
-    let tables = Tables::new(&space);
-    let (mut census, mut counts) = (Census::default(), Counts::default());
-    for piece in walk::pieces(&space, &tables) {
-        let (next, of_piece) = walk::run(&space, &tables, &piece, census);
-        census = next;
-        counts.judged += of_piece.judged;
-        counts.cut += of_piece.cut;
-    }
-    Ok(answer(problem, &space, census.points, counts))
-}
-
-fn answer(problem: &Problem, space: &Space, mut points: Vec<Point>, counts: Counts) -> Front {
-    points.sort_by(Point::rank);
-    let stars = points.iter().map(|point| FoundStar::new(problem, point)).collect();
-    let (all, judged, cut) = (space.count(), counts.judged, counts.cut);
-    Front { problem: problem.clone(), stars, all, judged, cut, points }
+    Ok(answer::answer(problem, &space, front.points().to_vec(), counts))
 }
 
 struct State {
@@ -194,7 +139,7 @@ impl Hall<'_> {
     }
 
     fn finish(&self, number: usize, front: &Pareto, state: &Mutex<State>) {
-        let (own, counts) = walk::run(self.space, self.tables, &self.pieces[number], front.uncounted());
+        let (own, counts) = piece::run(self.space, self.tables, &self.pieces[number], front.uncounted());
         let points = own.points().iter().filter(|point| point.classes > 0).cloned().collect();
         let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
         state.done.insert(number, Done { points, counts });

@@ -1,38 +1,20 @@
 //! Which stars does one piece of the search come to, and which does it leave out?
 
-use super::firing;
-use super::front::{Judge, Point};
+use super::front::Judge;
+use super::judged;
+use super::piece::{Counts, Piece};
 use super::problem::MOST_ORDERS;
 use super::space::Space;
 use super::symmetry::{self, Same};
 use super::tables::{AXES, Tables};
-use super::value::{self, Value};
-
-/// Above this many directions a piece fixes one pair, else two.
-const COARSE: usize = 24;
-
-/// One piece of the search: the outermost pairs of throws, and which of their images are the same.
-#[derive(Clone, Debug)]
-pub(super) struct Piece {
-    pairs: Vec<(usize, usize)>,
-    same: Same,
-}
-
-/// What came of a piece.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Counts {
-    /// Stars judged, one a class of rotation, mirror and reversal.
-    pub judged: u64,
-    /// Starts left out with all their completions, by the bound.
-    pub cut: u64,
-}
+use super::value;
 
 /// Fills places pair by pair.
 pub(super) struct Walk<'a, J> {
     space: &'a Space,
     tables: &'a Tables,
-    judge: J,
-    counts: Counts,
+    pub judge: J,
+    pub counts: Counts,
     throws: Vec<usize>,
     left: Vec<usize>,
     /// One digit a direction: how often it is left.
@@ -41,43 +23,11 @@ pub(super) struct Walk<'a, J> {
     /// Projections of what is placed, after each pair.
     sums: Vec<i64>,
     /// Where a piece ends, while pieces are listed.
-    listing: Option<(usize, Vec<Piece>)>,
-}
-
-/// All pieces, in the order of their numbers: a function of the space alone.
-pub(super) fn pieces(space: &Space, tables: &Tables) -> Vec<Piece> {
-    let depth = if space.directions <= COARSE { 2 } else { 1 };
-    let mut walk = Walk::new(space, tables, Everything);
-    walk.listing = Some((depth.min(space.pairs()), Vec::new()));
-    walk.pair(0, [true; 3]);
-    walk.listing.map(|(_, pieces)| pieces).unwrap_or_default()
-}
-
-/// Judges the stars of a piece.
-pub(super) fn run<J: Judge>(space: &Space, tables: &Tables, piece: &Piece, judge: J) -> (J, Counts) {
-    let mut walk = Walk::new(space, tables, judge);
-    for (at, &(a, b)) in piece.pairs.iter().enumerate() {
-        walk.put(at, a, b);
-    }
-    let placed = piece.pairs.len();
-    if walk.may_matter(placed) {
-        walk.pair(placed, piece.same);
-    }
-    (walk.judge, walk.counts)
-}
-
-/// Where pieces are listed nothing is judged.
-struct Everything;
-
-impl Judge for Everything {
-    fn hopeless(&self, _: &[i128]) -> bool {
-        false
-    }
-    fn take(&mut self, _: Point) {}
+    pub listing: Option<(usize, Vec<Piece>)>,
 }
 
 impl<'a, J: Judge> Walk<'a, J> {
-    fn new(space: &'a Space, tables: &'a Tables, judge: J) -> Self {
+    pub fn new(space: &'a Space, tables: &'a Tables, judge: J) -> Self {
         let base = space.supply.map_or(1, |supply| supply + 1);
         let digits = match space.supply {
             Some(_) => (0..space.directions).map(|direction| base.pow(direction as u32)).collect(),
@@ -99,7 +49,7 @@ impl<'a, J: Judge> Walk<'a, J> {
     }
 
     /// Fills the pairs from this one inwards.
-    fn pair(&mut self, at: usize, same: Same) {
+    pub fn pair(&mut self, at: usize, same: Same) {
         if let Some((depth, pieces)) = &mut self.listing
             && *depth == at
         {
@@ -133,7 +83,7 @@ impl<'a, J: Judge> Walk<'a, J> {
         }
     }
 
-    fn put(&mut self, at: usize, a: usize, b: usize) {
+    pub fn put(&mut self, at: usize, a: usize, b: usize) {
         self.throws[at] = a;
         self.throws[self.space.places - 1 - at] = b;
         self.left[a] -= 1;
@@ -165,7 +115,7 @@ impl<'a, J: Judge> Walk<'a, J> {
     }
 
     /// Whether a completion of the first pairs may be on the front, as far as the bounds tell.
-    fn may_matter(&mut self, placed: usize) -> bool {
+    pub fn may_matter(&mut self, placed: usize) -> bool {
         let count = self.space.orders.len();
         let left = if self.space.supply.is_some() { self.code } else { placed };
         let mut low = [0_i128; MOST_ORDERS];
@@ -216,33 +166,8 @@ impl<'a, J: Judge> Walk<'a, J> {
         }
         let throws: Vec<u16> = self.throws.iter().map(|&throw| throw as u16).collect();
         if self.space.is_balanced(&throws) {
-            let point = point(self.space, throws, &bounds[..count], symmetry::class_size(same));
+            let point = judged::point(self.space, throws, &bounds[..count], symmetry::class_size(same));
             self.judge.take(point);
         }
     }
-}
-
-/// The exact values of a star, with their enclosures.
-fn point(space: &Space, throws: Vec<u16>, bounds: &[(i128, i128)], stars: u64) -> Point {
-    let values = space.orders.iter().zip(bounds).map(|(&order, &bounds)| Value::new(space, &throws, order, bounds));
-    let neighbours = space.slots.as_ref().map_or(0, |slots| {
-        let steps: Vec<&[usize]> = throws.iter().map(|&throw| slots[usize::from(throw)].as_slice()).collect();
-        firing::best_order(&steps).1
-    });
-    Point { values: values.collect(), neighbours, throws, classes: 1, stars }
-}
-
-/// The exact values of one star.
-pub(super) fn judge(space: &Space, tables: &Tables, throws: &[u16]) -> Point {
-    let bounds = |row: usize| {
-        let mut sums = [0_i64; 2];
-        for (&throw, weight) in throws.iter().zip(&space.weights) {
-            let projections = tables.projections(row, usize::from(throw));
-            sums[0] += weight * projections[0];
-            sums[1] += weight * projections[AXES / 2];
-        }
-        value::square(sums[0], sums[1], tables.doubt)
-    };
-    let bounds: Vec<(i128, i128)> = (0..space.orders.len()).map(bounds).collect();
-    point(space, throws.to_vec(), &bounds, 1)
 }
