@@ -131,7 +131,7 @@ fn table(front: &Front, document: &FrontDocument) -> String {
     };
     let Front { all, judged, cut, .. } = front;
     format!(
-        "{}, {}: the best of {all} stars by the moments of orders {}\n{spread}{judged} stars judged, {cut} starts left out by the bound.\n",
+        "{}, {}: the best of {all} stars by the moments of orders {}\n{spread}Judged one by one: {judged}; starts left out by the bound: {cut}.\n",
         document.engine,
         document.cycle,
         document.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", "),

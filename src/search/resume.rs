@@ -102,7 +102,7 @@ pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>
     let fail = |error: String| format!("cannot write `{}`: {error}", path.display());
     let text = serde_json::to_string(&file).map_err(|error| fail(error.to_string()))?;
     let name = path.file_name().ok_or_else(|| fail("it names no file".into()))?.to_string_lossy();
-    let beside = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
+    let beside = path.with_file_name(format!(".{name}.partial"));
     let written = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
     written.map_err(|error| {
         // What was written beside is of no use; the first error is the one to tell.
