@@ -8,6 +8,7 @@ mod layouts;
 mod list;
 mod loads;
 mod report;
+mod search;
 mod terminal;
 mod verify;
 mod write;
@@ -34,6 +35,7 @@ Examples:
   crankstar classify V8-crossplane                   a table of verdicts
   crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
   crankstar report I4 --output I4-report             a report with its diagrams
+  crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
 
 A layout file in its shortest form:
@@ -65,6 +67,8 @@ enum Command {
         /// The claims file (TOML)
         file: PathBuf,
     },
+    /// Find the crank stars that balance best
+    Search(search::Search),
     /// Print a completion script for a shell
     Completions {
         /// Which shell
@@ -126,6 +130,7 @@ pub fn run() -> ExitCode {
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),
+        Command::Search(search) => search.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {

@@ -87,7 +87,8 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     let beam = Beam::new(layout.bearings.clone()).map_err(Missing::Beam)?;
     let motion = Motion::new(layout)?;
     let shares = Shares::new(beam, method);
-    let scene: Vec<Effect> = contribution::effects_of(layout).into_iter().filter(|effect| loads_the_shaft(*effect)).collect();
+    let scene: Vec<Effect> =
+        contribution::effects_of(layout).into_iter().filter(|effect| loads_the_shaft(*effect)).collect();
     let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings.iter().map(|_| Vec::new()).collect();
     for &order in orders {
         let solved = [Sense::Direct, Sense::Reverse].map(|sense| {
