@@ -39,6 +39,7 @@ struct Results {
     effects: Table,
     shares: String,
     inputs: Table,
+    turning: Option<Table>,
     source: Option<String>,
     assumptions: Vec<String>,
     nomenclature: Table,
@@ -133,8 +134,9 @@ impl Results {
                 "The share is what the effect adds, along the direction of the peak, where the peak stands; the shares of a column sum to the peak.",
             ),
             inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
+            turning: turning_table(layout, dialect),
             source: layout.mechanism.source.as_ref().map(|source| dialect.quoted(source)),
-            assumptions: prose(words::assumptions(layout)),
+            assumptions: prose(words::assumptions(layout, loads)),
             nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
             equations: equations::equations(layout, loads).into_iter().map(equation).collect(),
             derived: inputs::lines(layout, loads).iter().map(display).collect(),
@@ -152,6 +154,13 @@ impl Results {
             limits: prose(words::limits(layout, loads, needed.is_some())),
         }
     }
+}
+
+/// The masses on the crankshaft and the balancer shafts, where there are any.
+fn turning_table(layout: &Layout, dialect: Dialect) -> Option<Table> {
+    let header = ["Turning mass", "Mass in kg", "Radius in m", "Angle at θ = 0", "Position z", "Turns a revolution"];
+    let rows = inputs::turning(layout);
+    (!rows.is_empty()).then(|| Table::new(dialect, &header, rows))
 }
 
 /// The table of inputs with a person's words in the given column: nothing in them is markup.
@@ -179,15 +188,12 @@ fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
         };
         [cell(0), cell(1)]
     };
-    let none = || ["–".to_owned(), "–".to_owned()];
-    let rows = words::effects(layout, loads).into_iter().enumerate().map(|(place, cells)| {
-        let shares = match place {
-            0 => shares(Effect::Reciprocating),
-            1 => shares(Effect::Rotating),
-            _ => none(),
-        };
-        cells.into_iter().chain(shares).collect()
-    });
+    let row = |row: words::EffectRow| {
+        let inside = if row.inside { "yes" } else { "no" };
+        let shares = row.effect.map_or_else(|| ["–".to_owned(), "–".to_owned()], shares);
+        [row.name.to_owned(), inside.to_owned(), row.why].into_iter().chain(shares).collect()
+    };
+    let rows = words::effects(layout, loads).into_iter().map(row);
     let header = ["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"];
     Table::new(dialect, &header, rows.collect())
 }
