@@ -45,6 +45,9 @@ pub struct Loads {
     pub moment: Waveform,
     /// The inertia torque, where the file asks for it.
     pub torque: Option<Torque>,
+    /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives
+    /// no bearings.
+    pub bearings: Option<[BearingLoads; 2]>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
     pub scale: Option<Scale>,
     /// How many values of the motion's coefficients were computed: the cost of the scene.
@@ -226,12 +229,18 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
         force: Waveform::new(force),
         moment: Waveform::new(moment),
     });
+    let solve = |method| bearing_loads(layout, orders, method);
+    let bearings = match layout.bearings.is_empty() {
+        true => None,
+        false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
+    };
     let torque = layout.effects.torque.then(|| torque(layout, &motion, orders));
     Ok(Loads {
         effects: effects.collect(),
         force,
         moment,
         torque,
+        bearings,
         scale: scale(layout),
         orders: total,
         coefficients: motion.computed.get(),

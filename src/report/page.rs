@@ -5,8 +5,10 @@ use serde::Serialize;
 use super::calculation::{self, Calculation};
 use super::dialect::Dialect;
 use super::figure::Figure;
+use super::folder::File;
 use super::open_page::OpenPage;
 use super::star::{star_figure, torque_figure};
+use super::svg::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
@@ -107,6 +109,13 @@ pub(super) struct NamedFigure {
     pub name: String,
     pub caption: String,
     pub figure: Figure,
+}
+
+impl NamedFigure {
+    /// The SVG file of the drawing.
+    pub fn into_svg(self) -> File {
+        File { text: svg(&self.figure, &self.caption), name: format!("{}.svg", self.name) }
+    }
 }
 
 /// All drawings of a report: the two views, then the stars of each order.
@@ -213,7 +222,7 @@ const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}
 const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
                      ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
 
-fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
+pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
     let body = match dialect {
         Dialect::Latex => tikz::tikz(&named.figure),
         _ => format!("{}.svg", named.name),

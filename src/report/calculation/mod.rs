@@ -13,16 +13,18 @@ mod words;
 
 use serde::Serialize;
 
+pub(super) use amounts::{Unit, digits, largest, vector};
 pub(super) use plots::figures;
 pub use summary::{Rows, loads_lines, loads_rows};
 
+use super::bearings;
 use super::dialect::Dialect;
 use super::loads_document::share;
+use super::page::NamedFigure;
 use super::table::Table;
 use crate::layout::Layout;
 use crate::loads::{Effect, Loads, Missing, Needed, Peak, Waveform};
 use crate::proof::Quantity;
-use amounts::Unit;
 use expression::Line;
 use results::Group;
 
@@ -51,6 +53,7 @@ struct Results {
     orders: Vec<Lines>,
     peaks: Vec<Lines>,
     torque: Option<TorqueSection>,
+    bearings: Option<BearingSection>,
     needed: Option<String>,
     plots: Vec<super::page::Drawing>,
     limits: Vec<String>,
@@ -67,6 +70,16 @@ struct Lines {
     heading: String,
     words: String,
     lines: Vec<String>,
+}
+
+/// What the main bearings feel.
+#[derive(Clone, Debug, Serialize)]
+struct BearingSection {
+    words: Vec<String>,
+    peaks: Table,
+    orders: Table,
+    assumptions: Vec<String>,
+    plots: Vec<super::page::Drawing>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -149,6 +162,7 @@ impl Results {
                 peak(Quantity::Moment, "moment", &loads.moment),
             ],
             torque: torque_section(layout, loads, dialect),
+            bearings: bearing_section(layout, loads, dialect),
             needed: needed.map(|needed| dialect.prose(&summary::needed_sentence(needed))),
             plots,
             limits: prose(words::limits(layout, loads, needed.is_some())),
@@ -255,6 +269,27 @@ fn units(layout: &Layout, loads: &Loads) -> String {
          yawing moment. Angles of the vectors are those at θ = 0.",
         force.name, moment.name
     )
+}
+
+fn bearing_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
+    let [continuous, determinate] = loads.bearings.as_ref()?;
+    let table = |rows: Rows| {
+        let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
+        Table::new(dialect, &header, rows.rows)
+    };
+    Some(BearingSection {
+        words: bearings::bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
+        peaks: table(bearings::bearings_rows(layout, continuous, determinate)),
+        orders: table(bearings::bearings_tables(continuous)),
+        assumptions: bearings::ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),
+        plots: bearing_figures(loads).into_iter().map(|figure| super::page::drawing(figure, dialect)).collect(),
+    })
+}
+
+/// The plots of the main bearings, where the scene has any.
+pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
+    let continuous = loads.bearings.iter().map(|[continuous, _]| continuous);
+    continuous.flat_map(bearings::drawings).flatten().collect()
 }
 
 fn torque_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<TorqueSection> {
