@@ -93,7 +93,7 @@ pub(super) fn torque_parts(layout: &Layout, order: u32) -> BTreeMap<Rod, PhasorS
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
-fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
+pub(crate) fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
     match &layout.mechanism.mass {
         Some(mass) if mass.is_zero() => BigRational::zero(),
         _ => cylinder.weight(),
@@ -101,7 +101,7 @@ fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
 }
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
-pub(super) fn unit_mass(layout: &Layout) -> BigRational {
+pub(crate) fn unit_mass(layout: &Layout) -> BigRational {
     let mass = layout.mechanism.mass.clone().filter(|mass| !mass.is_zero());
     mass.unwrap_or_else(|| BigRational::from_integer(1.into()))
 }

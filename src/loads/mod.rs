@@ -18,6 +18,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 pub use contribution::{Effect, Factor, Parts, Weighing};
+pub(crate) use contribution::{mass_radius, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
