@@ -106,27 +106,25 @@ impl Search {
 
     /// Searches until the peak is known to this relative tolerance, or so many spans were looked at.
     pub fn run(&self, tolerance: f64, most: usize) -> Found {
+        self.resume(self.start(), tolerance, most)
+    }
+
+    /// A revolution in a few spans.
+    pub fn start(&self) -> Found {
         let step = 1.0 / f64::from(FIRST_SPANS);
-        let first = (0..FIRST_SPANS).map(|place| (f64::from(place) * step, f64::from(place + 1) * step));
-        let mut open: Vec<(f64, f64)> = first.collect();
-        let (mut heap, mut low, mut looked_at) = (BinaryHeap::new(), 0.0_f64, 0);
-        loop {
-            for (from, to) in open.drain(..) {
-                looked_at += 1;
-                let (over, middle) = (self.over(Interval { low: from, high: to }), from + (to - from) / 2.0);
-                let at = self.at(middle);
-                low = low.max(at.low);
-                if !over.slope.contains_zero() {
-                    continue;
-                }
-                // Mean value theorem: from the middle the load changes at most by the slope times half the span.
-                let half = Interval::point(over.slope.size()).times(&Interval::point((to - from) * 3.1416));
-                let reach = over.value.high.min(at.plus(&half).high);
-                if reach >= low {
-                    heap.push(Span { from, to, reach });
-                }
-            }
-            let Some(top) = heap.peek().copied() else { return Found { low, high: low, spans: Vec::new(), looked_at } };
+        let mut found = Found { low: 0.0, high: f64::INFINITY, spans: Vec::new(), looked_at: 0 };
+        for place in 0..FIRST_SPANS {
+            found.spans.extend(self.look(f64::from(place) * step, f64::from(place + 1) * step, &mut found.low));
+        }
+        found.looked_at = FIRST_SPANS as usize;
+        found
+    }
+
+    /// Goes on with a search.
+    pub fn resume(&self, found: Found, tolerance: f64, most: usize) -> Found {
+        let Found { mut low, mut looked_at, spans, .. } = found;
+        let mut heap: BinaryHeap<Span> = spans.into();
+        while let Some(top) = heap.peek().copied() {
             let middle = top.from + (top.to - top.from) / 2.0;
             let is_known = top.reach <= low * (1.0 + tolerance) * (1.0 + tolerance);
             if is_known || looked_at >= most || !(top.from < middle && middle < top.to) {
@@ -134,7 +132,21 @@ impl Search {
                 return Found { low, high: top.reach, spans, looked_at };
             }
             heap.pop();
-            open = vec![(top.from, middle), (middle, top.to)];
+            heap.extend(self.look(top.from, middle, &mut low));
+            heap.extend(self.look(middle, top.to, &mut low));
+            looked_at += 2;
         }
+        Found { low, high: low, spans: Vec::new(), looked_at }
+    }
+
+    /// A span with what it reaches, if it may hold the peak; a load that is found there raises the lower bound.
+    fn look(&self, from: f64, to: f64, low: &mut f64) -> Option<Span> {
+        let over = self.over(Interval { low: from, high: to });
+        let at = self.at(from + (to - from) / 2.0);
+        *low = low.max(at.low);
+        // Mean value theorem: from the middle the load changes at most by the slope times half the span, in radians.
+        let change = Interval::point(over.slope.size()).times(&Interval::point((to - from) * 3.1416));
+        let reach = over.value.high.min(at.plus(&change).high);
+        (over.slope.contains_zero() && reach >= *low).then_some(Span { from, to, reach })
     }
 }

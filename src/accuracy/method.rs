@@ -70,7 +70,8 @@ pub struct Study {
     pub quantity: Quantity,
     /// The peak, guaranteed; at most the largest bound that is known where the load vanishes.
     pub peak: Enclosure,
-    /// Errors below this part of the peak are roundings of doubles, which differ between machines.
+    /// Errors below this part of the peak are roundings of doubles, which differ between machines, or lie in the doubt about
+    /// the peak.
     pub rounding: f64,
     /// The methods; none where the load vanishes at every order.
     pub rows: Vec<Row>,
@@ -92,7 +93,7 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
     };
     let peak = || match steady {
         true => fractions.at_zero().map(|at| widened(&at, steady_rest)),
-        false => fractions.peak(),
+        false => fractions.peak(orders.bound(0), orders.angle()),
     };
     let (enclosure, time) = measured(timed, peak);
     let nothing = || Missing::Motion("the peak cannot be enclosed: a crank comes too near the end of its reach".into());
@@ -142,7 +143,8 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
     let bound = Some((enclosure.width() / &yardstick.middle).to_f64().unwrap_or(f64::INFINITY));
     let (value, error) = (yardstick.size, yardstick.error(yardstick.size));
     rows.push(Row { method: Method::Fractions, value, bound, error, looked_at: None, time });
-    let rounding = ROUNDINGS * f64::EPSILON * largest_sum(layout, quantity) / yardstick.size;
+    let doubt = bound.unwrap_or(f64::INFINITY);
+    let rounding = (ROUNDINGS * f64::EPSILON * largest_sum(layout, quantity) / yardstick.size).max(doubt);
     Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), rows })
 }
 
@@ -195,6 +197,15 @@ impl Orders {
     fn up_to(&self, order: u32) -> Waveform {
         let kept = self.waveform.harmonics().iter().filter(|harmonic: &&Harmonic| harmonic.order <= order);
         Waveform::new(kept.copied())
+    }
+
+    /// Crank angle of the peak in degrees.
+    fn angle(&self) -> f64 {
+        let peak = match self.quantity {
+            Quantity::Torque => self.waveform.real_peak(),
+            Quantity::Force | Quantity::Moment => self.waveform.peak(),
+        };
+        peak.angle.unwrap_or(0.0)
     }
 
     fn peak(&self, waveform: &Waveform) -> f64 {

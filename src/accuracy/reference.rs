@@ -4,6 +4,8 @@
 //! intervals prove: `F″ ≤ −κ`. Then with any angle m of the span `F ≤ F(m) + F′(m)²/(2κ)`, and Newton's method finds an m at
 //! which that is hardly more than F(m). F(m) and F′(m) are evaluated in fractions with outward rounding.
 
+use std::f64::consts::TAU;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -11,6 +13,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::branch::{Found, Search, Span};
 use super::engine::{Engine, phases};
 use super::fixed::Fixed;
+use super::interval::Interval;
 use super::jet::{Jet, turning};
 use crate::exact::Turn;
 use crate::layout::Layout;
@@ -70,12 +73,19 @@ impl Fractions {
         Some(root(&low, &high))
     }
 
-    /// The peak; none where it cannot be enclosed at all.
-    pub fn peak(&self) -> Option<Enclosure> {
+    /// The peak, which lies below a known bound and first of all near an angle in degrees; none where it cannot be enclosed.
+    pub fn peak(&self, bound: f64, near: f64) -> Option<Enclosure> {
+        let near = BigRational::from_float(near)? / BigRational::from_integer(360.into());
+        let [[near, _], _] = self.at(&near)?;
+        let bound = BigRational::from_float(bound);
         let mut best: Option<Enclosure> = None;
+        let mut found = self.search.start();
         for tolerance in HANDED_OVER {
-            let found = self.search.run(tolerance, MOST_SPANS);
-            let peak = self.within(&found)?;
+            found = self.search.resume(found, tolerance, MOST_SPANS);
+            let squares = self.within(&found)?;
+            let peak = root(&squares.low.max(near.clone()), &squares.high);
+            let high = bound.iter().fold(peak.high, |high, bound| high.min(bound.clone()));
+            let peak = Enclosure { high: high.max(peak.low.clone()), low: peak.low };
             let is_known = peak.width() <= &peak.high * BigRational::from_float(ENOUGH)?;
             best = match best {
                 Some(best) if best.width() <= peak.width() => Some(best),
@@ -88,15 +98,16 @@ impl Fractions {
         best
     }
 
-    /// The peak from the spans that a search left.
+    /// The squared peak from the spans that a search left.
     fn within(&self, found: &Found) -> Option<Enclosure> {
         let places = places(found);
         let mut low = BigRational::from_float(found.low)?;
         let mut high = BigRational::zero();
         let few = places.len() <= MOST_PLACES;
         for place in places {
-            let known = BigRational::from_float(place.reach)?;
-            let reach = match self.concave(&place).filter(|_| few) {
+            let reach = place.iter().map(|span| span.reach).fold(0.0, f64::max);
+            let known = BigRational::from_float(reach)?;
+            let reach = match few.then(|| self.concave(&place)).flatten() {
                 Some(tight) => {
                     low = low.max(tight.low);
                     tight.high.min(known)
@@ -105,49 +116,50 @@ impl Fractions {
             };
             high = high.max(reach);
         }
-        Some(root(&low, &high.max(low.clone())))
+        Some(Enclosure { high: high.max(low.clone()), low })
     }
 
-    /// Encloses the largest squared load of a span where it is concave.
-    fn concave(&self, span: &Span) -> Option<Enclosure> {
-        let middle = span.from + (span.to - span.from) / 2.0;
+    /// Encloses the largest squared load of spans side by side, in all of which it is concave.
+    fn concave(&self, spans: &[Span]) -> Option<Enclosure> {
+        let (from, to) = (spans.first()?.from, spans.last()?.to);
+        let middle = from + (to - from) / 2.0;
         let newton = |turns: f64| {
             let [slope, curvature] = self.search.curvature(turns, turns).map(|part| f64::midpoint(part.low, part.high));
-            turns - slope / curvature / std::f64::consts::TAU
+            turns - slope / curvature / TAU
         };
         let top = (0..NEWTON_STEPS).fold(middle, |turns, _| newton(turns));
-        let top = if (top - middle).abs() <= span.to - span.from { top } else { middle };
-        let [_, curvature] = self.search.curvature(span.from.min(top) - LAST_STEP, span.to.max(top) + LAST_STEP);
-        let kappa = BigRational::from_float(-curvature.high).filter(Signed::is_positive)?;
+        let top = if (top - middle).abs() <= to - from { top } else { middle };
+        // The angle found may lie just outside; the load has to be concave up to there.
+        let beside = [(top - LAST_STEP, from), (to, top + LAST_STEP)].into_iter().filter(|(from, to)| from < to);
+        let mut curvature: Option<Interval> = None;
+        for (from, to) in spans.iter().map(|span| (span.from, span.to)).chain(beside) {
+            let [_, here] = self.search.curvature(from, to);
+            if here.high >= 0.0 {
+                return None;
+            }
+            curvature = Some(curvature.map_or(here, |so_far| so_far.hull(here)));
+        }
+        let curvature = curvature?;
+        let kappa = BigRational::from_float(-curvature.high)?;
         let mut turns = BigRational::from_float(top)?;
         // One more step, from the slope in fractions: the step itself may be rounded.
         let [_, [low, high]] = self.at(&turns)?;
-        let step =
-            (&low + &high).to_f64()? / 2.0 / f64::midpoint(curvature.low, curvature.high) / std::f64::consts::TAU;
+        let [_, bend] = self.search.curvature(top, top);
+        let step = (low + high).to_f64()? / 2.0 / f64::midpoint(bend.low, bend.high) / TAU;
         if step.abs() < LAST_STEP {
             turns -= BigRational::from_float(step)?;
         }
-        let [value, slope] = self.at(&turns)?;
+        let [[low, high], slope] = self.at(&turns)?;
         let steep = slope[0].abs().max(slope[1].abs());
-        let [low, high] = value;
         Some(Enclosure { high: high + &steep * &steep / (kappa * BigRational::from_integer(2.into())), low })
     }
 }
 
-/// Spans that touch, drawn together.
-fn places(found: &Found) -> Vec<Span> {
+/// Spans in their order, those that touch together.
+fn places(found: &Found) -> Vec<Vec<Span>> {
     let mut spans = found.spans.clone();
     spans.sort_by(|a, b| a.from.total_cmp(&b.from));
-    let mut places: Vec<Span> = Vec::new();
-    for span in spans {
-        match places.last_mut() {
-            Some(last) if span.from <= last.to => {
-                *last = Span { to: span.to.max(last.to), reach: last.reach.max(span.reach), ..*last };
-            }
-            _ => places.push(span),
-        }
-    }
-    places
+    spans.chunk_by(|one, next| next.from <= one.to).map(<[Span]>::to_vec).collect()
 }
 
 /// The square roots of the ends, rounded outward.
