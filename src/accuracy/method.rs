@@ -42,7 +42,7 @@ const STEPS: [u32; 3] = [36, 360, 3600];
 /// Digits asked of the intervals.
 const DIGITS: [u32; 4] = [3, 6, 9, 12];
 /// Spans that the intervals may look at.
-const MOST_SPANS: usize = 20_000;
+const MOST_SPANS: usize = 4000;
 /// Roundings of a float sum, in units of its last place.
 const ROUNDINGS: f64 = 64.0;
 

@@ -1,5 +1,6 @@
 //! What can be asked on the command line?
 
+mod accuracy;
 mod check;
 mod classify;
 mod failure;
@@ -50,6 +51,8 @@ enum Command {
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
+    /// Compare methods for the peak loads: error, guarantee and time
+    Accuracy(accuracy::Accuracy),
     /// Write the report with the proofs
     Report(report::Report),
     /// Check every certificate in the output of `classify --json`
@@ -119,6 +122,7 @@ pub fn run() -> ExitCode {
         Command::List => list::run().map(done),
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
+        Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

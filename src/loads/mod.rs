@@ -227,7 +227,8 @@ fn effects_of(layout: &Layout) -> Vec<Effect> {
     [Effect::Reciprocating].into_iter().chain(rotates.then_some(Effect::Rotating)).collect()
 }
 
-fn scale(layout: &Layout) -> Option<Scale> {
+/// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
+pub fn scale(layout: &Layout) -> Option<Scale> {
     let mechanism = &layout.mechanism;
     Some(Scale {
         mass: mechanism.mass.as_ref().map(|_| contribution::unit_mass(layout))?,

@@ -2,6 +2,9 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
+mod accuracy_document;
+mod accuracy_page;
+mod accuracy_words;
 mod argument;
 mod calculation;
 mod claim_page;
@@ -28,6 +31,9 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use accuracy_document::{AccuracyDocument, accuracy_document};
+pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
+pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
 pub use calculation::{Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
