@@ -27,7 +27,7 @@ const HANDED_OVER: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 /// A peak that is known to this part is known.
 const ENOUGH: f64 = 1e-24;
 /// Spans that the search may look at.
-const MOST_SPANS: usize = 4000;
+const MOST_SPANS: usize = 16_000;
 /// More separate places than this are those of a load that hardly changes.
 const MOST_PLACES: usize = 64;
 /// Steps of Newton's method in floats.

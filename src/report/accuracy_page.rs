@@ -147,7 +147,7 @@ pub fn accuracy_page(layout: &Layout, cases: &[AccuracyCase]) -> Vec<File> {
             let plot = cost_plot(&heading, study);
             drawings.push(File { name: file.clone(), text: svg(&plot.figure(), &heading) });
             let rows = accuracy_words::accuracy_rows(layout, study).into_iter().map(Vec::from).collect();
-            let caption = "Error and guaranteed bound as parts of the peak; ● marks the Pareto front: no method is both faster and more accurate.";
+            let caption = "Error and guaranteed bound as parts of the peak; ● marks the Pareto front: no method is both faster and more accurate";
             let table = AccuracyTable { caption: caption.into(), table: Table::new(dialect, &HEADER, rows) };
             let figures = vec![PageFigure { file, caption: heading.clone() }];
             sections.push(PageSection {

@@ -47,10 +47,10 @@ pub fn accuracy_rows(layout: &Layout, study: &Study) -> Vec<[String; 6]> {
     let (unit, factor) = unit(layout, study.quantity);
     let front = front(study);
     let row = |(place, row): (usize, &Row)| {
-        let looked_at =
-            row.looked_at.map_or_else(String::new, |count| format!(", {count} {}", looked_at_word(row.method)));
+        let spans = row.looked_at.filter(|_| matches!(row.method, Method::Intervals(_)));
+        let spans = spans.map_or_else(String::new, |count| format!(", {count} spans"));
         [
-            format!("{}{looked_at}", method(row.method)),
+            format!("{}{spans}", method(row.method)),
             format!("{:.9} {unit}", Significant(row.value * factor)),
             measured(study, row),
             row.bound.map_or_else(String::new, power),
@@ -100,10 +100,6 @@ pub(super) fn method(method: Method) -> String {
         Method::Intervals(digits) => format!("intervals to {}", power_of_ten(-i64::from(digits))),
         Method::Fractions => "intervals of fractions".to_owned(),
     }
-}
-
-fn looked_at_word(method: Method) -> &'static str {
-    if matches!(method, Method::Intervals(_)) { "spans" } else { "in all" }
 }
 
 /// The name of a load.
