@@ -2,6 +2,8 @@
 //!
 //! `CRANKSTAR_RENEW=1 cargo test --test accuracy` writes the page anew.
 
+#![allow(clippy::disallowed_types)]
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs, thread};
@@ -89,7 +91,7 @@ fn guarantees_hold(layout: &Layout, quantity: Quantity) {
 
 #[test]
 fn guarantees_hold_for_engines_of_all_kinds_at_all_rod_ratios() {
-    let names = ["I1", "I3", "I4", "I5-12453", "V6-90-split", "boxer-4", "radial-3"];
+    let names = ["I1", "I3", "I4", "I2-270", "V6-90-split", "boxer-4", "radial-3"];
     for (place, name) in names.into_iter().enumerate() {
         let ratio = fraction(place as i64 + 2, 10);
         for quantity in [Quantity::Force, Quantity::Moment, Quantity::Torque] {
@@ -97,7 +99,6 @@ fn guarantees_hold_for_engines_of_all_kinds_at_all_rod_ratios() {
         }
     }
     guarantees_hold(&example("i6-offset"), Quantity::Force);
-    guarantees_hold(&example("thesis-v8-crossplane"), Quantity::Moment);
 }
 
 #[test]

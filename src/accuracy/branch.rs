@@ -145,7 +145,8 @@ impl Search {
         let at = self.at(from + (to - from) / 2.0);
         *low = low.max(at.low);
         // Mean value theorem: from the middle the load changes at most by the slope times half the span, in radians.
-        let change = Interval::point(over.slope.size()).times(&Interval::point((to - from) * 3.1416));
+        let change =
+            Interval::point(over.slope.size()).times(&Interval::TAU.times(&Interval::point(to - from)).over(2));
         let reach = over.value.high.min(at.plus(&change).high);
         (over.slope.contains_zero() && reach >= *low).then_some(Span { from, to, reach })
     }

@@ -9,10 +9,13 @@ use super::real::Real;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
 
+/// Lower and upper end, in units of `2^−bits`.
+type Ends = (BigInt, BigInt);
+
 /// All numbers from `low/2^bits` to `high/2^bits`; without ends every number, where nothing is known.
 #[derive(Clone, Debug)]
 pub(super) struct Fixed {
-    ends: Option<(BigInt, BigInt)>,
+    ends: Option<Ends>,
     bits: u32,
 }
 
@@ -41,11 +44,11 @@ impl Fixed {
         Some([low, high].map(|end| BigRational::new(end.clone(), unit.clone())))
     }
 
-    fn with(&self, ends: Option<(BigInt, BigInt)>) -> Self {
+    fn with(&self, ends: Option<Ends>) -> Self {
         Fixed { ends, bits: self.bits }
     }
 
-    fn both<'a>(&'a self, other: &'a Self) -> Option<(&'a (BigInt, BigInt), &'a (BigInt, BigInt))> {
+    fn both<'a>(&'a self, other: &'a Self) -> Option<(&'a Ends, &'a Ends)> {
         self.ends.as_ref().zip(other.ends.as_ref())
     }
 }

@@ -14,14 +14,14 @@ pub(super) struct Interval {
     pub high: f64,
 }
 
-/// `2π` lies between this and the next float.
-const TAU: Interval = Interval { low: std::f64::consts::TAU, high: std::f64::consts::TAU.next_up() };
-/// Brackets of the series of cosine and sine: the one left out differs from 1 by less than `10⁻³` of it, times `10⁻²⁴`.
+/// Brackets of the series of cosine and sine: what the rest adds is far below the last place of a float.
 const BRACKETS: u32 = 11;
 
 impl Interval {
     /// Every real number: what is left where nothing is known.
     pub const WHOLE: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
+    /// `2π` lies between the nearest float and the next.
+    pub const TAU: Interval = Interval { low: std::f64::consts::TAU, high: std::f64::consts::TAU.next_up() };
     const ONE: Interval = Interval { low: 1.0, high: 1.0 };
 
     /// One float, exactly.
@@ -71,10 +71,11 @@ impl Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// Cosine and sine of all angles in it, which are turns of a size below 2⁵⁰.
+    /// Cosine and sine of all angles in it, in turns.
     pub fn direction(&self) -> [Interval; 2] {
         let whole = Interval { low: -1.0, high: 1.0 };
-        if self.high - self.low >= 1.0 || !(self.low.abs() < 1e15) {
+        let is_short = self.high - self.low < 1.0 && self.low.abs() < 1e15;
+        if !is_short {
             return [whole, whole];
         }
         let [first, last] = [direction_at(self.low), direction_at(self.high)];
@@ -93,7 +94,7 @@ impl Interval {
 fn direction_at(turns: f64) -> [Interval; 2] {
     let quarter = (4.0 * turns).round();
     // The difference is exact: both are multiples of the last place of the smaller.
-    let x = Interval::point(turns - quarter / 4.0).times(&TAU);
+    let x = Interval::point(turns - quarter / 4.0).times(&Interval::TAU);
     // The terms alternate and fall, so what is left out lies between 1 and 1 less its first term.
     let rest = x.squared().over((2 * BRACKETS + 1) * (2 * BRACKETS + 2)).high;
     let innermost = Interval { low: (1.0 - rest).next_down(), high: 1.0 };

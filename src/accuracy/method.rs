@@ -140,11 +140,10 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
         let (error, looked_at) = (yardstick.error(value), Some(found.looked_at));
         rows.push(Row { method: Method::Intervals(digits), value, bound, error, looked_at, time });
     }
-    let bound = Some((enclosure.width() / &yardstick.middle).to_f64().unwrap_or(f64::INFINITY));
+    let doubt = (enclosure.width() / &yardstick.middle).to_f64().unwrap_or(f64::INFINITY);
     let (value, error) = (yardstick.size, yardstick.error(yardstick.size));
-    rows.push(Row { method: Method::Fractions, value, bound, error, looked_at: None, time });
-    let doubt = bound.unwrap_or(f64::INFINITY);
-    let rounding = (ROUNDINGS * f64::EPSILON * largest_sum(layout, quantity) / yardstick.size).max(doubt);
+    rows.push(Row { method: Method::Fractions, value, bound: Some(doubt), error, looked_at: None, time });
+    let rounding = (ROUNDINGS * f64::EPSILON * orders.largest_sum / yardstick.size).max(doubt);
     Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), rows })
 }
 
@@ -156,6 +155,8 @@ struct Orders {
     largest: Vec<(u32, f64)>,
     /// Bound of all orders above those.
     rest: f64,
+    /// No sum of the terms of the load is larger: its roundings are in the last place of this.
+    largest_sum: f64,
 }
 
 impl Orders {
@@ -164,7 +165,8 @@ impl Orders {
         asked.effects.torque = quantity == Quantity::Torque;
         let all: Vec<u32> = (1..=highest).collect();
         let Loads { orders, force, moment, torque, .. } = loads::loads(&asked, &all)?;
-        let rest = Tails::new(layout, highest)?.above(layout, quantity, highest);
+        let tails = Tails::new(layout, highest)?;
+        let (rest, largest_sum) = (tails.above(layout, quantity, highest), tails.largest_sum(layout, quantity));
         let (waveform, largest) = match (quantity, torque) {
             (Quantity::Force, _) => (force, orders.iter().map(|o| (o.order, o.force.largest())).collect()),
             (Quantity::Moment, _) => (moment, orders.iter().map(|o| (o.order, o.moment.largest())).collect()),
@@ -174,7 +176,7 @@ impl Orders {
             }
             (Quantity::Torque, None) => (Waveform::default(), Vec::new()),
         };
-        Ok(Orders { quantity, waveform, largest, rest })
+        Ok(Orders { quantity, waveform, largest, rest, largest_sum })
     }
 
     /// The orders above this one add at most this.
@@ -240,22 +242,6 @@ impl Yardstick {
         let difference = BigRational::from_float(value).map(|value| (value - &self.middle).abs() / &self.middle);
         difference.and_then(|difference| difference.to_f64()).unwrap_or(f64::NAN)
     }
-}
-
-/// No sum of the terms of a load is larger than this.
-fn largest_sum(layout: &Layout, quantity: Quantity) -> f64 {
-    let float = |number: &BigRational| number.abs().to_f64().unwrap_or(f64::INFINITY);
-    let parts = layout.cylinders.iter().zip(&layout.mechanism.rods).map(|(cylinder, rod)| {
-        let reach = float(&(&rod.ratio + rod.offset.abs()));
-        let shaking = 1.0 + reach / ((1.0 - reach) * (1.0 + reach)).sqrt();
-        let weight = float(&loads::mass_radius(layout, cylinder)) * shaking;
-        match quantity {
-            Quantity::Force => weight,
-            Quantity::Moment => weight * float(&layout.arm(cylinder)),
-            Quantity::Torque => weight * float(&cylinder.crank_radius) * shaking,
-        }
-    });
-    parts.sum()
 }
 
 fn ten_to_minus(digits: u32) -> f64 {

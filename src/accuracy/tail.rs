@@ -47,20 +47,38 @@ impl Tails {
 
     /// The orders above this one, of at least 2, add at most this to a load, in its multiples of m r ω².
     pub fn above(&self, layout: &Layout, quantity: Quantity, order: u32) -> f64 {
+        self.sum(layout, quantity, &|rod| match quantity {
+            Quantity::Force | Quantity::Moment => self.rest(rod, order),
+            Quantity::Torque => {
+                let k = f64::from(order);
+                let rod_part = (k + 1.0) / k * self.rest(rod, order - 1) + self.rest(rod, order + 1);
+                rod_part / 2.0 + elementary(rod, order)
+            }
+        })
+    }
+
+    /// No sum of the terms of a load is larger than this: all pistons at the dead point of the largest acceleration.
+    pub fn largest_sum(&self, layout: &Layout, quantity: Quantity) -> f64 {
+        self.sum(layout, quantity, &|rod| {
+            let shaking = 1.0 + self.rest(rod, 0);
+            if quantity == Quantity::Torque { shaking * shaking } else { shaking }
+        })
+    }
+
+    fn rest(&self, rod: &Rod, order: u32) -> f64 {
+        self.rests.get(rod).and_then(|rests| rests.get(order as usize)).copied().unwrap_or(f64::INFINITY)
+    }
+
+    /// The bounds of the pistons, each as much as its load counts.
+    fn sum(&self, layout: &Layout, quantity: Quantity, bound: &dyn Fn(&Rod) -> f64) -> f64 {
+        let size = |number: &BigRational| Interval::around(number).size();
         let cylinders = layout.cylinders.iter().zip(&layout.mechanism.rods);
         let parts = cylinders.map(|(cylinder, rod)| {
-            let size = |number: &BigRational| Interval::around(number).size();
-            let weight = size(&loads::mass_radius(layout, cylinder));
-            let rest = |order: u32| self.rests.get(rod).and_then(|rests| rests.get(order as usize)).copied();
-            let rest = |order: u32| rest(order).unwrap_or(f64::INFINITY);
+            let weight = size(&loads::mass_radius(layout, cylinder)) * bound(rod);
             match quantity {
-                Quantity::Force => weight * rest(order),
-                Quantity::Moment => weight * size(&layout.arm(cylinder)) * rest(order),
-                Quantity::Torque => {
-                    let k = f64::from(order);
-                    let rod_part = ((k + 1.0) / k * rest(order - 1) + rest(order + 1)) / 2.0;
-                    weight * size(&cylinder.crank_radius) * (rod_part + elementary(rod, order))
-                }
+                Quantity::Force => weight,
+                Quantity::Moment => weight * size(&layout.arm(cylinder)),
+                Quantity::Torque => weight * size(&cylinder.crank_radius),
             }
         });
         // A mass of 0 is 0 times whatever the rest is.

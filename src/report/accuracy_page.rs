@@ -18,7 +18,7 @@ const LEAST: f64 = 1e-18;
 
 /// What the methods are and what the columns mean, for a report that shows no times.
 const EXPLAINED: &str = "Each method looks for the same peak. Orders are summed in doubles; what the higher orders can add is bounded \
-by their exact sums and, above order 60, by the sum of all coefficients. The closed form is the acceleration of each piston without any series, at equal \
+by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound. The closed form is the acceleration of each piston without any series, at equal \
 steps of the crank angle. Intervals enclose load and slope over spans of the crank angle and cut the highest span in two; they are stopped at 4000 spans. \
 Intervals of fractions carry some fifty digits and are what the others are compared with. Errors are parts of the peak.";
 
@@ -91,9 +91,10 @@ fn guaranteed(row: &Row) -> String {
 fn vanishing_words(study: &Study) -> String {
     let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
     format!(
-        "The {} vanishes at every order looked at, and the others add less than {} multiples: there is no peak to compare.",
+        "The {} vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare.",
         accuracy_words::quantity(study.quantity),
-        accuracy_words::power(bound)
+        accuracy_words::power(bound),
+        multiple(study)
     )
 }
 

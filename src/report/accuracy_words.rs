@@ -36,9 +36,9 @@ impl AccuracyCase {
 
     /// `λ = 0.3`.
     pub(super) fn label(&self) -> String {
-        self.ratio
-            .as_ref()
-            .map_or_else(|| "each its own λ".to_owned(), |ratio| format!("λ = {}", typeset::number(ratio)))
+        let Some(ratio) = &self.ratio else { return "each its own λ".to_owned() };
+        let number = typeset::number(ratio);
+        if number.starts_with('≈') { format!("λ {number}") } else { format!("λ = {number}") }
     }
 }
 
@@ -116,6 +116,7 @@ pub(super) fn measured(study: &Study, row: &Row) -> String {
     match row.method {
         Method::Fractions => String::new(),
         Method::Singles(_) => power(row.error),
+        _ if study.rounding.is_infinite() => "not known".to_owned(),
         _ if row.error < study.rounding => format!("below {}", power_of_ten(study.rounding.log10().round() as i64)),
         _ => power(row.error),
     }
