@@ -1,18 +1,18 @@
 //! Which methods are compared, what do they find, and how wrong are they?
 
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::branch::Search;
 use super::interval::Interval;
+use super::orders::Orders;
 use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
-use super::tail::Tails;
+use super::timing::measured;
 use crate::layout::Layout;
-use crate::loads::{self, Harmonic, Loads, Missing, Waveform};
+use crate::loads::Missing;
 use crate::motion::Enclosure;
 use crate::proof::Quantity;
 
@@ -147,77 +147,6 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
     Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), rows })
 }
 
-/// The orders of one load.
-struct Orders {
-    quantity: Quantity,
-    waveform: Waveform,
-    /// By order: its largest length.
-    largest: Vec<(u32, f64)>,
-    /// Bound of all orders above those.
-    rest: f64,
-    /// No sum of the terms of the load is larger: its roundings are in the last place of this.
-    largest_sum: f64,
-}
-
-impl Orders {
-    fn new(layout: &Layout, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
-        let mut asked = layout.clone();
-        asked.effects.torque = quantity == Quantity::Torque;
-        let all: Vec<u32> = (1..=highest).collect();
-        let Loads { orders, force, moment, torque, .. } = loads::loads(&asked, &all)?;
-        let tails = Tails::new(layout, highest)?;
-        let (rest, largest_sum) = (tails.above(layout, quantity, highest), tails.largest_sum(layout, quantity));
-        let (waveform, largest) = match (quantity, torque) {
-            (Quantity::Force, _) => (force, orders.iter().map(|o| (o.order, o.force.largest())).collect()),
-            (Quantity::Moment, _) => (moment, orders.iter().map(|o| (o.order, o.moment.largest())).collect()),
-            (Quantity::Torque, Some(torque)) => {
-                let largest = torque.orders.iter().map(|order| (order.order, order.vector.value.norm()));
-                (torque.waveform, largest.collect())
-            }
-            (Quantity::Torque, None) => (Waveform::default(), Vec::new()),
-        };
-        Ok(Orders { quantity, waveform, largest, rest, largest_sum })
-    }
-
-    /// The orders above this one add at most this.
-    fn bound(&self, order: u32) -> f64 {
-        let summed: f64 = self.largest.iter().filter(|(k, _)| *k > order).map(|(_, largest)| largest).sum();
-        (summed + self.rest) * (1.0 + 1e-9)
-    }
-
-    /// Whether one rotating vector, or none, is all there is in the orders that were summed.
-    fn steady(&self) -> bool {
-        match self.waveform.harmonics() {
-            [] => true,
-            [only] => {
-                self.quantity != Quantity::Torque && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)
-            }
-            _ => false,
-        }
-    }
-
-    fn up_to(&self, order: u32) -> Waveform {
-        let kept = self.waveform.harmonics().iter().filter(|harmonic: &&Harmonic| harmonic.order <= order);
-        Waveform::new(kept.copied())
-    }
-
-    /// Crank angle of the peak in degrees.
-    fn angle(&self) -> f64 {
-        let peak = match self.quantity {
-            Quantity::Torque => self.waveform.real_peak(),
-            Quantity::Force | Quantity::Moment => self.waveform.peak(),
-        };
-        peak.angle.unwrap_or(0.0)
-    }
-
-    fn peak(&self, waveform: &Waveform) -> f64 {
-        match self.quantity {
-            Quantity::Torque => waveform.real_peak().value,
-            Quantity::Force | Quantity::Moment => waveform.peak().value,
-        }
-    }
-}
-
 /// The length at one angle becomes the peak where all that changes is at most this.
 fn widened(length: &Enclosure, change: f64) -> Enclosure {
     let change = BigRational::from_float(2.0 * change).unwrap_or_else(BigRational::zero);
@@ -251,31 +180,4 @@ fn ten_to_minus(digits: u32) -> f64 {
 /// The power of ten at or above a positive number.
 fn ten_above(number: f64) -> f64 {
     format!("1e{}", number.log10().ceil()).parse().unwrap_or(number)
-}
-
-/// Evaluations whose times are compared.
-const REPEATS: usize = 7;
-/// Short evaluations are timed together, so many that they take about this long.
-const BATCH: Duration = Duration::from_micros(500);
-
-/// The result, and the median time where it is wanted.
-fn measured<T>(timed: bool, run: impl Fn() -> T) -> (T, Option<Duration>) {
-    let start = Instant::now();
-    let result = run();
-    if !timed {
-        return (result, None);
-    }
-    let first = start.elapsed().max(Duration::from_nanos(1));
-    let batch = (BATCH.as_nanos() / first.as_nanos()).clamp(1, 100_000) as u32;
-    let mut times: Vec<Duration> = (0..REPEATS)
-        .map(|_| {
-            let start = Instant::now();
-            for _ in 0..batch {
-                black_box(run());
-            }
-            start.elapsed() / batch
-        })
-        .collect();
-    times.sort_unstable();
-    (result, Some(times[REPEATS / 2]))
 }

@@ -22,10 +22,12 @@ mod front;
 mod interval;
 mod jet;
 mod method;
+mod orders;
 mod real;
 mod reference;
 mod sample;
 mod tail;
+mod timing;
 
 use num_rational::BigRational;
 use num_traits::Zero;
