@@ -1,5 +1,6 @@
 //! What can be asked on the command line?
 
+mod accuracy;
 mod bearings;
 mod check;
 mod classify;
@@ -55,6 +56,8 @@ enum Command {
     Loads(loads::Loads),
     /// Compute what the main bearings feel, order by order and through a revolution
     Bearings(bearings::Bearings),
+    /// Compare methods for the peak loads: error, guarantee and time
+    Accuracy(accuracy::Accuracy),
     /// Write the report with the proofs
     Report(report::Report),
     /// Check every certificate in the output of `classify --json`
@@ -127,6 +130,7 @@ pub fn run() -> ExitCode {
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
+        Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

@@ -5,7 +5,7 @@ use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
-use crankstar::report;
+use crankstar::report::{self, AccuracyCase};
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -80,6 +80,28 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
     let orders = table(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
     format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+}
+
+/// A table a rod ratio and load: a row a method.
+pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
+    let mut out = format!("{}\n", layout.title);
+    for case in cases {
+        for study in &case.studies {
+            out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
+            if study.rows.is_empty() {
+                continue;
+            }
+            let mut table = Table::new();
+            table.load_style(UTF8_HORIZONTAL_ONLY);
+            table.set_header(report::ACCURACY_HEADER);
+            for row in report::accuracy_rows(layout, study) {
+                table.add_row(row);
+            }
+            out.push_str(&format!("{table}\n"));
+        }
+    }
+    out.push_str("Errors are parts of the peak; ● no other method is both faster and more accurate.\n");
+    out
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

@@ -20,6 +20,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
+pub(crate) use contribution::mass_radius;
 pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
@@ -270,7 +271,8 @@ pub fn sums(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Pa
     merged(&contribution::effects_of(layout).into_iter().map(of_effect).collect::<Vec<_>>())
 }
 
-fn scale(layout: &Layout) -> Option<Scale> {
+/// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
+pub fn scale(layout: &Layout) -> Option<Scale> {
     let mechanism = &layout.mechanism;
     Some(Scale {
         mass: mechanism.mass.as_ref().map(|_| contribution::unit_mass(layout))?,

@@ -2,6 +2,9 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
+mod accuracy_document;
+mod accuracy_page;
+mod accuracy_words;
 mod argument;
 mod bearings;
 mod calculation;
@@ -29,6 +32,9 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use accuracy_document::{AccuracyDocument, accuracy_document};
+pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
+pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
 pub use bearings::{
     BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
 };
