@@ -93,7 +93,7 @@ pub(super) fn torque_parts(layout: &Layout, order: u32) -> BTreeMap<Rod, PhasorS
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
-fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
+pub(super) fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
     match &layout.mechanism.mass {
         Some(mass) if mass.is_zero() => BigRational::zero(),
         _ => cylinder.weight(),
