@@ -1,6 +1,7 @@
 //! Do the numbers stay right where floats are at their worst, and does a verdict never change with them?
 //!
 //! `CRANKSTAR_RENEW=1 cargo test --test hard_cases` writes `reports/stability` anew.
+#![allow(clippy::disallowed_types)]
 
 mod support {
     pub mod hard;
