@@ -42,7 +42,7 @@ pub struct Needed {
 /// What the layout lacks for numbers.
 pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> {
     // The torque has no part in the choice.
-    let layout = &Layout { effects: Effects { torque: false }, ..layout.clone() };
+    let layout = &Layout { effects: Effects::default(), ..layout.clone() };
     let mut found = None;
     for highest in LOOKED_AT {
         let orders: Vec<u32> = (1..=highest).collect();
