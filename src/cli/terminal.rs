@@ -4,7 +4,7 @@ use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
-use crankstar::loads::{Loads, Needed};
+use crankstar::loads::{BearingLoads, Loads, Needed};
 use crankstar::report;
 use crankstar::verdict::OrderBalance;
 
@@ -18,7 +18,7 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
     table.set_header(header);
     for order in orders {
         let mut row = vec![
-            Cell::new(order.order),
+            Cell::new(report::order_name(order)),
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
@@ -60,6 +60,26 @@ pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String 
     }
     let lines = report::loads_lines(layout, loads, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", layout.title)
+}
+
+/// The title, the peaks of every bearing, and the largest value of each order.
+pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
+    let table = |rows: report::Rows| {
+        let mut table = Table::new();
+        table.load_style(UTF8_HORIZONTAL_ONLY);
+        table.set_header(rows.header);
+        for row in rows.rows {
+            table.add_row(row.into_iter().map(|text| {
+                let vanishes = text == "0";
+                verdict_cell(text, vanishes)
+            }));
+        }
+        table
+    };
+    let peaks = table(report::bearings_rows(layout, continuous, determinate));
+    let orders = table(report::bearings_tables(continuous));
+    let lines = report::bearings_lines(continuous, determinate).join("\n");
+    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

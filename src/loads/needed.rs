@@ -48,8 +48,9 @@ pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> 
         let orders: Vec<u32> = (1..=highest).collect();
         let all = loads(layout, &orders)?;
         let mut rest = rest(layout, highest)?;
-        // The exact sums repeat after a period: what is proved to vanish for a whole one vanishes for ever.
-        if BigInt::from(highest) > verdict::period(layout) {
+        // The exact sums repeat after a period: what is proved to vanish for a whole one vanishes for ever, if no balancer shaft
+        // hides an order of the pistons.
+        if layout.crankshaft.balancers.is_empty() && BigInt::from(highest) > verdict::period(layout) {
             let swings: [fn(&OrderLoads) -> &Swing; 2] = [|loads| &loads.force, |loads| &loads.moment];
             for (rest, swing) in rest.iter_mut().zip(swings) {
                 if all.orders.iter().all(|loads| swing(loads).vanishes()) {
@@ -68,7 +69,7 @@ pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> 
 
 /// Bounds of force and moment of all orders above the highest, in multiples of m r ω².
 fn rest(layout: &Layout, highest: u32) -> Result<[f64; 2], Missing> {
-    let mut bounds = [0.0, 0.0];
+    let mut bounds = contribution::faster_shafts(layout, highest).map(|size| size.to_f64().unwrap_or(f64::INFINITY));
     let mut known: BTreeMap<&Rod, f64> = BTreeMap::new();
     for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
         let left = match known.get(rod) {

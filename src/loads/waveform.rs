@@ -73,6 +73,15 @@ impl Waveform {
         Waveform::new(self.harmonics.iter().map(scaled))
     }
 
+    /// Every vector turned, and lengthened, by the same complex factor.
+    pub fn turned(&self, by: Complex<f64>) -> Self {
+        Waveform::new(self.harmonics.iter().map(|h| Harmonic {
+            order: h.order,
+            direct: h.direct * by,
+            reverse: h.reverse * by,
+        }))
+    }
+
     /// The vector at a crank angle in radians.
     pub fn at(&self, theta: f64) -> Complex<f64> {
         let term = |harmonic: &Harmonic| {

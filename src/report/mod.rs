@@ -3,6 +3,7 @@
 //! `verdicts → page (finished strings, drawings) → template → files`
 
 mod argument;
+mod bearings;
 mod calculation;
 mod claim_page;
 mod claim_words;
@@ -28,15 +29,19 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use bearings::{
+    BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
+};
 pub use calculation::{Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use dialect::Dialect;
 pub use document::{document, theorem_claims};
-pub use folder::{File, index, open_report, report, text};
-pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
+pub use folder::{File, index, open_report, report};
+pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
+pub use page::Subject;
 pub use svg::svg;
 pub use tikz::tikz;
