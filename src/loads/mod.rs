@@ -60,7 +60,7 @@ pub struct Loads {
 pub struct OrderLoads {
     /// The order k.
     pub order: u32,
-    /// Coefficient c_k; none where the rods differ or where it is zero.
+    /// Coefficient c_k; none where the rods differ, where it is zero, or where nothing is left of the order that calls for it.
     pub coefficient: Option<Coefficient>,
     /// The shaking force.
     pub force: Swing,
@@ -367,14 +367,14 @@ impl Motion {
         })
     }
 
-    /// The coefficient that all cylinders have in common, where it is not zero.
+    /// The coefficient that all cylinders have in common, where a vector asked for it.
     fn common(&self, order: u32) -> Option<Coefficient> {
         let mut rods = self.cranks.keys();
         let (Some(rod), None) = (rods.next(), rods.next()) else { return None };
-        contribution::factor(rod, order).map(|_| match order {
-            1 if rod.offset.is_zero() => exactly_one(),
-            _ => self.coefficient(&Some(rod.clone()), order),
-        })
+        let (factor, sign) = contribution::factor(rod, order)?;
+        let Some(rod) = factor else { return Some(exactly_one()) };
+        let known = self.known.borrow().get(&(rod, order)).cloned()?;
+        Some(Coefficient { re: known.re.times(&sign), im: known.im.times(&sign) })
     }
 }
 
