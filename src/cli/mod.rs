@@ -6,6 +6,7 @@ mod failure;
 mod layouts;
 mod list;
 mod loads;
+mod remedy;
 mod report;
 mod terminal;
 mod verify;
@@ -50,9 +51,11 @@ enum Command {
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
+    /// Find counterweights and balancer shafts that take away what is left
+    Remedy(remedy::Remedy),
     /// Write the report with the proofs
     Report(report::Report),
-    /// Check every certificate in the output of `classify --json`
+    /// Check every certificate in the output of `classify --json` or `remedy --json`
     Verify {
         /// The JSON file, or - for standard input
         file: PathBuf,
@@ -119,6 +122,7 @@ pub fn run() -> ExitCode {
         Command::List => list::run().map(done),
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
+        Command::Remedy(remedy) => remedy.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

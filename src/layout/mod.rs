@@ -31,5 +31,6 @@ pub use firing::{Cycle, Firing, Shot};
 pub use linear::Linear;
 pub use mechanism::{Given, Measure, Mechanism, Rod};
 pub use number::{NumberError, parse_number};
+pub use quantities::{parse_angle, parse_length};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;

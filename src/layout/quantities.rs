@@ -11,6 +11,23 @@ use super::linear::Linear;
 use super::units;
 use super::written::{Text, place};
 
+/// Reads an angle as a layout file does, in turns that are not reduced.
+///
+/// # Errors
+/// What would be right.
+pub fn parse_angle(text: &str) -> Result<BigRational, String> {
+    units::angle(text)
+}
+
+/// Reads a length as a layout file does: in metres where a unit stands behind it, else in the unit of the layout.
+///
+/// # Errors
+/// What would be right.
+pub fn parse_length(text: &str) -> Result<(BigRational, LengthUnit), String> {
+    let length = units::length(text)?;
+    Ok((length.value, if length.has_unit { LengthUnit::Metre } else { LengthUnit::Spacing }))
+}
+
 /// A list with its place in the file.
 pub(super) type List = Spanned<Vec<Text>>;
 

@@ -17,7 +17,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
+pub use contribution::{Effect, Factor, Parts, TurningMass, Weighing, all_turning_masses, mass_radius, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};

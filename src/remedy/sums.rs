@@ -113,6 +113,11 @@ impl Subject {
         &self.layout
     }
 
+    /// Whether the layout names its rods.
+    pub fn rods_known(&self) -> bool {
+        self.rods_known
+    }
+
     /// The vector of one order and sense, each force weighed by its position.
     pub fn sums(&self, weighing: Weighing, order: u32, sense: Sense) -> Sums {
         Sums::new(loads::sums(&self.layout, weighing, order, sense))
