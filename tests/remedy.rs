@@ -89,7 +89,8 @@ fn the_planes_of_the_moment_stand_where_the_theory_says() {
 
 #[test]
 fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_the_cross_plane() {
-    for (text, place, expected) in [(I3, ratio(12, 100), 0.595_392_5), (CROSS, ratio(21, 100), 1.310_086_5)] {
+    let cases = [(I3, ratio(12, 100), 0.595_392_5, 3.665_785), (CROSS, ratio(21, 100), 1.310_086_5, 8.420_173)];
+    for (text, place, expected, shaft) in cases {
         let layout = read(text);
         let remedy = remedy(&layout, &planes(place.clone(), -place)).expect("a remedy");
         assert_balanced(text, &remedy);
@@ -98,6 +99,7 @@ fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_t
         for weight in weights {
             assert_near(weight.mass_at_crank_radius(&remedy.subject).expect("numbers"), expected);
         }
+        assert_near(remedy.crankshaft_mass().expect("numbers"), shaft);
     }
 }
 
@@ -192,6 +194,9 @@ fn no_set_with_a_shaft_less_balances() {
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
     assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
+    let short = format!("{I3}\n[crankshaft]\nlength = '0.2 m'");
+    let refused = remedy(&read(&short), &planes(ratio(1, 10), ratio(-11, 100))).err();
+    assert_eq!(refused, Some(Refused::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
     let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
     assert!(matches!(many.err(), Some(Refused::TooMany { given: 4, throws: 3, .. })));
 }

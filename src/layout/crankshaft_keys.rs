@@ -86,7 +86,7 @@ impl Tables<'_> {
                 let message = "both a balance factor and counterweights are given";
                 return Err(LayoutError::new(message, "a balance factor makes the counterweights itself", place(list)));
             }
-            (Some(factors), None) => self.from_factors(factors, layout, &throws)?,
+            (Some(factors), None) => self.make_counterweights(factors, layout, &throws)?,
             (None, Some(list)) => {
                 for table in list.get_ref() {
                     let weight = self.counterweight(table, layout, &throws)?;
@@ -141,7 +141,7 @@ impl Tables<'_> {
     }
 
     /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane.
-    fn from_factors(&self, list: &Column, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
+    fn make_counterweights(&self, list: &Column, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
         let Some(keys) = self.crankshaft.as_ref().map(|table| &table.get_ref().0) else { return Ok(()) };
         let Some(radii) = &keys.counterweight_radius else {
             let right = "add counterweight_radius, the distance of their centres of gravity from the axis";

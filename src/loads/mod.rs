@@ -4,6 +4,7 @@
 
 mod contribution;
 mod needed;
+mod roll;
 mod swing;
 mod vector;
 mod waveform;
@@ -40,6 +41,9 @@ pub struct Loads {
     pub moment: Waveform,
     /// The inertia torque, where the file asks for it.
     pub torque: Option<Torque>,
+    /// The roll moment on the frame, −torque and the balancer shafts, where the engine has any and the file asks for the
+    /// torque.
+    pub roll: Option<Torque>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
     pub scale: Option<Scale>,
     /// How many values of the motion's coefficients were computed: the cost of the scene.
@@ -214,11 +218,14 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
         moment: Waveform::new(moment),
     });
     let torque = layout.effects.torque.then(|| torque(layout, &motion, orders));
+    let has_shafts = !layout.crankshaft.balancers.is_empty();
+    let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, orders));
     Ok(Loads {
         effects: effects.collect(),
         force,
         moment,
         torque,
+        roll,
         scale: scale(layout),
         orders: total,
         coefficients: motion.computed.get(),

@@ -1,5 +1,6 @@
 //! What does `remedy` show on a terminal? The weights, a row each, and what they come to.
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::super::calculation::Rows;
@@ -18,13 +19,12 @@ pub fn remedy_rows(remedy: &Remedy) -> Rows {
     header.extend(in_numbers.then(|| "U in kg·m".to_owned()));
     let row = |part: words::Part<'_>| {
         let weight = part.weight;
-        let size = words::size(remedy, weight).plain();
         let mut cells = vec![
             part.name.to_owned(),
             words::speed(weight),
             number(&weight.position),
-            format!("{size} {}", words::unit(weight)),
-            words::direction(remedy, weight).map_or_else(|| "that of c".to_owned(), |bearing| bearing.plain()),
+            words::size(remedy, weight),
+            words::direction(remedy, weight),
         ];
         cells.extend(in_numbers.then(|| {
             weight.mass_radius(&remedy.subject).map_or_else(String::new, |size| format!("≈ {}", significant(size)))
@@ -64,6 +64,7 @@ pub fn remedy_lines(remedy: &Remedy) -> Vec<String> {
         ));
     }
     lines.extend(partial_line(remedy));
+    lines.extend(crankshaft_lines(remedy));
     lines
 }
 
@@ -77,6 +78,37 @@ fn partial_line(remedy: &Remedy) -> Option<String> {
         decimal_after(bare.peak_decimal),
         decimal_after(least.peak_decimal)
     ))
+}
+
+/// Mass, balance factors and bob weights, where the layout gives numbers.
+fn crankshaft_lines(remedy: &Remedy) -> Vec<String> {
+    let layout = remedy.subject.layout();
+    let mut lines = Vec::new();
+    if layout.crankshaft.counterweights.iter().any(|weight| weight.throw.is_some()) {
+        let factors = layout.balance_factors();
+        let factors = factors.iter().map(|factor| factor.as_ref().map_or_else(|| "none".to_owned(), number));
+        let factors = factors.collect::<Vec<_>>().join(", ");
+        lines.push(format!("Balance factors of the throws, by the counterweights in the layout file: {factors}."));
+    }
+    if let (Some(bare), Some(with)) = (layout.crankshaft_mass(), remedy.crankshaft_mass()) {
+        let bare = bare.to_f64().unwrap_or(f64::NAN);
+        lines.push(format!(
+            "Mass in the balance equations (throws with rotating and half the reciprocating masses, and counterweights): ≈ {} kg, with the remedy's counterweights at the crank radius ≈ {} kg.",
+            significant(bare),
+            significant(with)
+        ));
+    }
+    let half = BigRational::new(1.into(), 2.into());
+    if let Some(bob) = layout.bob_weight(0, &half) {
+        let one = bob.per_cylinder.first().map_or(f64::NAN, |mass| mass.to_f64().unwrap_or(f64::NAN));
+        let all = bob.per_throw.to_f64().unwrap_or(f64::NAN);
+        lines.push(format!(
+            "Bob weight of throw 1 with half the reciprocating masses: ≈ {} kg a cylinder, ≈ {} kg for the throw.",
+            significant(one),
+            significant(all)
+        ));
+    }
+    lines
 }
 
 fn decimal_after(value: f64) -> String {

@@ -1,8 +1,10 @@
 //! What are the weights of a remedy called, and how are their sizes written?
 
-use num_traits::ToPrimitive;
+use num_traits::Zero;
 
 use super::super::typeset::{Amount, Bearing};
+use crate::loads::Factor;
+use crate::numbers;
 use crate::proof::Sense;
 use crate::remedy::{Kind, Remedy, Shaft, Weight};
 
@@ -44,41 +46,30 @@ pub(super) fn speed(weight: &Weight) -> String {
     format!("{}×, {sense} the crank", weight.order)
 }
 
-/// What a mass-radius is a multiple of: m r, or m r |c_k|.
-pub(super) fn unit(weight: &Weight) -> String {
-    match weight.vector.only() {
-        Some((Some(rod), _)) if num_traits::Zero::is_zero(&rod.offset) => format!("m r |c_{}|", weight.order),
-        Some((Some(_), _)) => format!("m r |c_{}|", weight.order),
-        _ => "m r".to_owned(),
+/// The mass-radius in multiples of m r or of m r |c_k|: `= √3/4 ≈ 0.4330 m r`.
+pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
+    let amount = |decimal: f64| Amount { exact: weight.modulus(), decimal }.plain();
+    match (weight.vector.only(), weight.decimals(&remedy.subject)) {
+        (Some((None, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
+        (Some((Some(_), sum)), _) => format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order),
+        (None, Some([size, _])) => format!("{} m r", amount(size)),
+        (None, None) => format!("depends on c_{}", weight.order),
     }
 }
 
-/// The mass-radius as an amount; in multiples of [`unit`].
-pub(super) fn size(remedy: &Remedy, weight: &Weight) -> Amount {
-    match weight.vector.only() {
-        Some((_, sum)) => Amount { exact: weight.modulus(), decimal: crate::numbers::evaluate(sum).norm() },
-        None => Amount {
-            exact: weight.modulus(),
-            decimal: weight.decimals(&remedy.subject).map_or(f64::NAN, |[size, _]| size),
-        },
-    }
-}
-
-/// The direction at θ = 0; none where it is not known.
-pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> Option<Bearing> {
+/// The direction at θ = 0.
+pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
     let exact = weight.direction();
-    let decimal = match (weight.decimals(&remedy.subject), &exact, weight.vector.only()) {
-        (Some([_, degrees]), ..) => degrees,
-        (None, Some(crate::numbers::Direction::Turn(turn)), _) => {
-            super::super::typeset::signed_degrees(turn).to_f64().unwrap_or(f64::NAN)
-        }
-        (None, Some(_), Some((factor, sum))) => {
-            let value = crate::numbers::evaluate(sum);
-            // The sign of c_k is that of c_2 or of c_4, by turns.
+    let centric = |factor: &Factor| factor.as_ref().is_none_or(|rod| rod.offset.is_zero());
+    let decimal = match (weight.decimals(&remedy.subject), weight.vector.only()) {
+        (Some([_, degrees]), _) => degrees,
+        (None, Some((factor, sum))) if centric(factor) => {
+            let value = numbers::evaluate(sum);
+            // c_4, c_8, … are below 0 (theory, section 2).
             let value = if factor.is_some() && weight.order % 4 == 0 { -value } else { value };
             value.arg().to_degrees()
         }
-        _ => return None,
+        (None, _) => return format!("depends on c_{}", weight.order),
     };
-    Some(Bearing { exact, decimal })
+    Bearing { exact, decimal }.plain()
 }
