@@ -266,11 +266,18 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
 }
 
-/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position.
+/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins
+/// are numbered from 0 without gaps.
 fn number_pins(cylinders: &mut [SymbolicCylinder]) {
     let mut pins: BTreeMap<Linear, usize> = BTreeMap::new();
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
         cylinder.pin = *pins.entry(cylinder.position.clone()).or_insert(MOST_CYLINDERS + 1 + index);
+    }
+    let mut numbers: Vec<usize> = cylinders.iter().map(|cylinder| cylinder.pin).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    for cylinder in cylinders {
+        cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
     }
 }
 

@@ -107,12 +107,13 @@ impl TurningMass {
     }
 }
 
-/// All masses of an engine that turn, their mass-radii in multiples of m r.
+/// All masses of an engine that turn and weigh something, their mass-radii in multiples of m r.
 pub fn all_turning_masses(layout: &Layout) -> Vec<TurningMass> {
     let unit = unit_mass(layout) * unit_radius(layout);
     let of_effect = |effect| turning_masses(layout, effect);
     let all = [Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers].into_iter();
-    all.flat_map(of_effect).map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
+    let weighing = all.flat_map(of_effect).filter(|mass| !mass.mass_radius.is_zero());
+    weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
 }
 
 /// The masses of an effect that turn.
