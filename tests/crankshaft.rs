@@ -1,4 +1,5 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
+#![allow(clippy::disallowed_types)]
 
 use crankstar::layout::{Layout, find, parse, throws};
 use crankstar::loads::{Effect, Loads, Missing, Outcome, loads};

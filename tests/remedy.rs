@@ -1,4 +1,5 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
+#![allow(clippy::disallowed_types)]
 
 use std::f64::consts::TAU;
 

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use num_rational::BigRational;
-use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
+use super::balancer_keys;
 use super::crankshaft_keys;
 use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::error::LayoutError;
@@ -18,7 +18,6 @@ use super::linear::Linear;
 use super::mechanism::{self, Mechanism};
 use super::quantities;
 use super::title_block;
-use super::units;
 use super::written::{Table, Text, place, read};
 
 /// The highest order that is answered.
@@ -42,7 +41,7 @@ struct File {
     mechanism: Option<Table<mechanism::Keys>>,
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
-    balancer: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::BalancerKeys>>>>>,
+    balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -255,7 +254,7 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
             reciprocating_mass: table
                 .reciprocating_mass
                 .as_ref()
-                .map_or(Ok(BigRational::from_integer(1.into())), mass)?,
+                .map_or(Ok(BigRational::from_integer(1.into())), quantities::mass)?,
             crank_radius: BigRational::from_integer(1.into()),
             pin: table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize,
         })
@@ -279,15 +278,6 @@ fn number_pins(cylinders: &mut [SymbolicCylinder]) {
     for cylinder in cylinders {
         cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
     }
-}
-
-fn mass(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let mass = units::mass(written).map_err(|right| quantities::misread("mass", written, right, text))?;
-    if mass.is_negative() {
-        return Err(quantities::misread("mass", written, "a mass is 0 or more".to_owned(), text));
-    }
-    Ok(mass)
 }
 
 fn cylinder_name(text: &Text) -> Result<String, LayoutError> {

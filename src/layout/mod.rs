@@ -2,6 +2,7 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod balancer_keys;
 mod catalogue;
 mod crankshaft;
 mod crankshaft_keys;

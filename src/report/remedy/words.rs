@@ -66,7 +66,7 @@ pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
         (None, Some((factor, sum))) if centric(factor) => {
             let value = numbers::evaluate(sum);
             // c_4, c_8, … are below 0 (theory, section 2).
-            let value = if factor.is_some() && weight.order % 4 == 0 { -value } else { value };
+            let value = if factor.is_some() && weight.order.is_multiple_of(4) { -value } else { value };
             value.arg().to_degrees()
         }
         (None, _) => return format!("depends on c_{}", weight.order),
