@@ -29,7 +29,7 @@ pub struct Remedy {
     /// Print the remedy as JSON with its certificates, for `verify`
     #[arg(long, conflicts_with = "output")]
     json: bool,
-    /// Folder for remedy.md
+    /// Folder for remedy.md and its drawing
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -47,11 +47,9 @@ impl Remedy {
         }
         let summary = terminal::remedy(&layout, &remedy);
         let Some(folder) = &self.output else { return write::to_stdout(&summary) };
-        let section = report::remedy_section(&remedy, Dialect::GithubMarkdown);
-        let title = Dialect::GithubMarkdown.quoted(&layout.title);
-        let file = report::File { name: "remedy.md".to_owned(), text: format!("# {title}\n\n{section}") };
-        write::to_folder(folder, std::slice::from_ref(&file))?;
-        write::to_stdout(&format!("{summary}\nWritten: {}\n", folder.join(&file.name).display()))
+        let files = report::remedy_files(&remedy, Dialect::GithubMarkdown);
+        write::to_folder(folder, &files)?;
+        write::to_stdout(&format!("{summary}\nWritten: {}\n", folder.join(&files[0].name).display()))
     }
 
     fn wish(&self, layout: &Layout, orders: Vec<u32>) -> Result<Wish, Failure> {

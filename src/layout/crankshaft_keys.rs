@@ -140,12 +140,12 @@ impl Tables<'_> {
             None => None,
         };
         let two = BigRational::from_integer(2.into());
+        let Some(wholes) = layout.throw_mass_radii() else {
+            let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
+            return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
+        };
         for (index, throw) in throws.iter().enumerate() {
-            let Some(whole) = layout.throw_mass_radius(index) else {
-                let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
-                return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
-            };
-            let mass = whole * &factors[index] / &radii[index];
+            let mass = &wholes[index] * &factors[index] / &radii[index];
             let weight = |mass: BigRational, position: BigRational| Counterweight {
                 throw: Some(index),
                 angle: throw.angle.opposite(),

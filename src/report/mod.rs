@@ -39,6 +39,6 @@ pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
-pub use remedy::{RemedyPage, remedy_document, remedy_lines, remedy_rows, remedy_section};
+pub use remedy::{RemedyPage, remedy_document, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
 pub use svg::svg;
 pub use tikz::tikz;

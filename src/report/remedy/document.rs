@@ -20,6 +20,10 @@ pub struct RemedyPage {
     weights_in_decimals: Vec<WeightEntry>,
     pair_heights: Vec<HeightEntry>,
     partial_balance: Option<PartialEntry>,
+    /// As the layout file has it; null where it gives no masses.
+    balance_factors: Vec<Option<f64>>,
+    /// The masses in the balance equations, and with the counterweights of the remedy at the crank radius.
+    crankshaft_mass_kg: Option<[f64; 2]>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -73,6 +77,8 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyPage {
         weights_in_decimals: words::parts(remedy).into_iter().map(|part| entry(remedy, &part)).collect(),
         pair_heights: remedy.heights.iter().map(height).collect(),
         partial_balance,
+        balance_factors: layout.balance_factors().into_iter().map(|factor| factor?.to_f64()).collect(),
+        crankshaft_mass_kg: layout.crankshaft_mass().and_then(|mass| Some([mass.to_f64()?, remedy.crankshaft_mass()?])),
         remedy: proof(remedy),
     }
 }

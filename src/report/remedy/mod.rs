@@ -7,4 +7,4 @@ mod words;
 
 pub use document::{RemedyPage, remedy_document};
 pub use rows::{remedy_lines, remedy_rows};
-pub use section::remedy_section;
+pub use section::{remedy_figure, remedy_files, remedy_section};
