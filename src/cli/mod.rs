@@ -8,6 +8,7 @@ mod failure;
 mod layouts;
 mod list;
 mod loads;
+mod remedy;
 mod report;
 mod search;
 mod terminal;
@@ -58,9 +59,11 @@ enum Command {
     Bearings(bearings::Bearings),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
+    /// Find counterweights and balancer shafts that take away what is left
+    Remedy(remedy::Remedy),
     /// Write the report with the proofs
     Report(report::Report),
-    /// Check every certificate in the output of `classify --json`
+    /// Check every certificate in the output of `classify --json` or `remedy --json`
     Verify {
         /// The JSON file, or - for standard input
         file: PathBuf,
@@ -131,6 +134,7 @@ pub fn run() -> ExitCode {
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
+        Command::Remedy(remedy) => remedy.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

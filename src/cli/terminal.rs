@@ -5,6 +5,7 @@ use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
+use crankstar::remedy::Remedy;
 use crankstar::report::{self, AccuracyCase};
 use crankstar::verdict::OrderBalance;
 
@@ -102,6 +103,22 @@ pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
     }
     out.push_str("Errors are parts of the peak; ● no other method is both faster and more accurate.\n");
     out
+}
+
+/// The title and a table of weights, with what they come to.
+pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
+    let lines = report::remedy_lines(remedy).join("\n");
+    let rows = report::remedy_rows(remedy);
+    if rows.rows.is_empty() {
+        return format!("{}\n{lines}\n", layout.title);
+    }
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row);
+    }
+    format!("{}\n{table}\n{lines}\n", layout.title)
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

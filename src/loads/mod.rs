@@ -5,6 +5,7 @@
 mod bearing;
 mod contribution;
 mod needed;
+mod roll;
 mod shares;
 mod swing;
 mod vector;
@@ -17,11 +18,10 @@ use std::fmt;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
-pub(crate) use contribution::mass_radius;
-pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
+pub use contribution::{Effect, Factor, Parts, TurningMass, Weighing, all_turning_masses, mass_radius, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
@@ -49,6 +49,9 @@ pub struct Loads {
     /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives
     /// no bearings.
     pub bearings: Option<[BearingLoads; 2]>,
+    /// The roll moment on the frame, −torque and the balancer shafts, where the engine has any and the file asks for the
+    /// torque.
+    pub roll: Option<Torque>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
     pub scale: Option<Scale>,
     /// How many values of the motion's coefficients were computed: the cost of the scene.
@@ -236,12 +239,15 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
         false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
     };
     let torque = layout.effects.torque.then(|| torque(layout, &motion, orders));
+    let has_shafts = !layout.crankshaft.balancers.is_empty();
+    let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, orders));
     Ok(Loads {
         effects: effects.collect(),
         force,
         moment,
         torque,
         bearings,
+        roll,
         scale: scale(layout),
         orders: total,
         coefficients: motion.computed.get(),

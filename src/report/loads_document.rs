@@ -19,6 +19,9 @@ pub struct LoadsDocument {
     coefficients: Vec<CoefficientEntry>,
     orders: Vec<OrderEntry>,
     torque: Vec<TorqueEntry>,
+    /// On the frame: −torque and the balancer shafts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    roll: Vec<TorqueEntry>,
     peaks: Peaks,
     coefficients_computed: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -124,13 +127,16 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         let c = order.coefficient.as_ref()?.to_complex();
         Some(CoefficientEntry { order: order.order, re: c.re, im: c.im })
     };
-    let torque = loads.torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
-        order: order.order,
-        vanishes: vanishes(&order.vector),
-        amplitude: order.vector.value.norm() * torque_factor,
-        phase_deg: angle(&order.vector),
-        dimensionless: order.vector.value.norm(),
-    });
+    let torque_orders = |torque: &Option<crate::loads::Torque>| -> Vec<TorqueEntry> {
+        let orders = torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
+            order: order.order,
+            vanishes: vanishes(&order.vector),
+            amplitude: order.vector.value.norm() * torque_factor,
+            phase_deg: angle(&order.vector),
+            dimensionless: order.vector.value.norm(),
+        });
+        orders.collect()
+    };
     let effects = |part: fn(&crate::loads::EffectLoads) -> &Waveform, peak: &Peak| {
         let shares =
             loads.effects.iter().map(|effect| (effect_name(effect.effect), share(part(effect), peak) * factor));
@@ -157,7 +163,8 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         effects: loads.effects.iter().map(|effect| effect_name(effect.effect)).collect(),
         coefficients: loads.orders.iter().filter_map(coefficient).collect(),
         orders: rows.collect(),
-        torque: torque.collect(),
+        torque: torque_orders(&loads.torque),
+        roll: torque_orders(&loads.roll),
         peaks: Peaks {
             force: entry(force, effects(|effect| &effect.force, &force), factor),
             moment: entry(moment, effects(|effect| &effect.moment, &moment), factor),
