@@ -17,7 +17,7 @@ use std::fmt;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
 pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
