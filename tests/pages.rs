@@ -20,7 +20,9 @@ fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     let orders = verdict::classify(layout, &layout.orders, false);
-    for file in report::report(report::Subject { layout, orders: &orders, family: None, needed: None }, dialect) {
+    for file in
+        report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
+    {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     folder

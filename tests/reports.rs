@@ -23,9 +23,9 @@ fn judged(entry: Entry, layout: Layout) -> (Entry, Layout, Vec<OrderBalance>) {
 /// The files of an engine's folder, by name.
 fn written(layout: &Layout, orders: &[OrderBalance]) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
-    let files = dialects
-        .into_iter()
-        .flat_map(|dialect| report::report(report::Subject { layout, orders, family: None, needed: None }, dialect));
+    let files = dialects.into_iter().flat_map(|dialect| {
+        report::report(report::Subject { layout, orders, family: None, needed: None, accuracy: None }, dialect)
+    });
     files.map(|file| (file.name, file.text)).collect()
 }
 
@@ -117,7 +117,10 @@ fn compare_layouts(below: &str) {
                     let open = open.map(|open| (family::classify(&open, &engine.orders), open));
                     let orders = verdict::classify(&engine, &engine.orders, false);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
-                    report::report(report::Subject { layout: &engine, orders: &orders, family, needed: None }, dialect)
+                    report::report(
+                        report::Subject { layout: &engine, orders: &orders, family, needed: None, accuracy: None },
+                        dialect,
+                    )
                 }
                 Engine::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
             };

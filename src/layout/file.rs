@@ -186,7 +186,10 @@ fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
     for text in list {
         match text.get_ref().0.as_str() {
             "torque" => effects.torque = true,
-            other => return Err(quantities::misread("effect", other, "\"torque\"".to_owned(), text)),
+            "remedy" => effects.remedy = true,
+            other => {
+                return Err(quantities::misread("effect", other, "\"torque\" or \"remedy\"".to_owned(), text));
+            }
         }
     }
     Ok(effects)

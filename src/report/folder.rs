@@ -6,6 +6,7 @@ use super::calculation;
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
 use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
+use super::remedy::remedy_figure;
 use super::{left, render};
 use crate::family::OpenOrder;
 use crate::layout::{Entry, Family, Layout};
@@ -28,6 +29,14 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
         return vec![File { name: "report.tex".into(), text }];
     }
     let mut drawn = figures(subject.layout, subject.orders);
+    if let Some(Ok(remedy)) = subject.remedy() {
+        let figure = remedy_figure(&remedy);
+        drawn.extend(figure.map(|(name, figure)| NamedFigure {
+            name: name.into(),
+            caption: "Partial balance".into(),
+            figure,
+        }));
+    }
     let torque = torque_verdicts(subject.layout, subject.orders);
     drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
     if let Some(Ok(loads)) = &loads {

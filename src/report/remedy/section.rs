@@ -18,7 +18,7 @@ const FIGURE: &str = "partial-balance";
 /// Steps of its curves.
 const STEPS: u32 = 40;
 
-/// The section, its heading two marks deep in Markdown; in LaTeX a `\section*`. Markdown shows the drawing of
+/// The section, its heading two marks deep in Markdown; in LaTeX a `\section`. Markdown shows the drawing of
 /// [`remedy_figure`] by its file name, LaTeX holds it.
 pub fn remedy_section(remedy: &Remedy, dialect: Dialect) -> String {
     let mut parts = vec![heading(dialect, "Remedies")];
@@ -99,7 +99,7 @@ fn partial_table(partial: &Partial, dialect: Dialect) -> String {
 
 fn heading(dialect: Dialect, words: &str) -> String {
     match dialect {
-        Dialect::Latex => format!("\\section*{{{words}}}"),
+        Dialect::Latex => format!("\\section{{{words}}}"),
         Dialect::GithubMarkdown | Dialect::DollarMarkdown => format!("## {words}"),
     }
 }
@@ -112,9 +112,19 @@ fn table(dialect: Dialect, header: &[String], rows: &[Vec<String>]) -> String {
         Dialect::Latex => {
             let lines = rows.iter().map(|cells| format!("{} \\\\", quoted(cells).join(" & ")));
             let lines = lines.collect::<Vec<_>>().join("\n");
-            let columns = "l".repeat(header.len());
+            // The closed forms of the table of weights need columns that break lines.
+            let ragged = |widths: &[u32]| -> String {
+                widths.iter().map(|width| format!(">{{\\raggedright\\arraybackslash}}p{{{width}mm}}")).collect()
+            };
+            let columns = match header.len() {
+                5 => ragged(&[22, 24, 18, 42, 44]),
+                6 => ragged(&[20, 22, 18, 33, 36, 18]),
+                count => "l".repeat(count),
+            };
             let head = quoted(header).join(" & ");
-            format!("\\begin{{tabular}}{{{columns}}}\n{head} \\\\\n\\hline\n{lines}\n\\end{{tabular}}")
+            format!(
+                "{{\\footnotesize\n\\begin{{longtable}}{{@{{}}{columns}@{{}}}}\n\\toprule\n{head} \\\\\n\\midrule\n\\endhead\n{lines}\n\\bottomrule\n\\end{{longtable}}}}"
+            )
         }
         Dialect::GithubMarkdown | Dialect::DollarMarkdown => {
             let line = format!("|{}", " --- |".repeat(header.len()));

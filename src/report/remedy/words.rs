@@ -46,9 +46,14 @@ pub(super) fn speed(weight: &Weight) -> String {
     format!("{}×, {sense} the crank", weight.order)
 }
 
+/// Letters of the longest closed form of a mass-radius that is shown.
+const LONGEST_FORM: usize = 24;
+
 /// The mass-radius in multiples of m r or of m r |c_k|: `= √3/4 ≈ 0.4330 m r`.
 pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
-    let amount = |decimal: f64| Amount { exact: weight.modulus(), decimal }.plain();
+    // A form whose digits only repeat those of the layout's masses and lengths says nothing more than its decimals.
+    let exact = weight.modulus().filter(|form| form.to_string().chars().count() <= LONGEST_FORM);
+    let amount = |decimal: f64| Amount { exact: exact.clone(), decimal }.plain();
     match (weight.vector.only(), weight.decimals(&remedy.subject)) {
         (Some((None, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
         (Some((Some(_), sum)), _) => format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order),
