@@ -193,6 +193,29 @@ fn no_set_with_a_shaft_less_balances() {
 }
 
 #[test]
+fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
+    let at = |throw: &str, position: &str, mass: u32| {
+        format!(
+            "[[cylinder]]\nthrow = '{throw} turn'\nbank = 0\nposition = '{position}'\nreciprocating_mass = {mass}\n"
+        )
+    };
+    // All in one plane, whatever the angles; like throws in two planes; a force and a moment that no one plane fits.
+    let one = at("1/1000003", "7", 1) + &at("5/1000003", "7", 2);
+    let like = at("1/8", "0", 1) + &at("1/8", "3", 2) + &at("3/8", "2", 1);
+    let both = at("0", "0", 1) + &at("1/4", "3", 2);
+    let weights = |text: &str| {
+        let found = remedy(&read(text), &wish(&[1])).expect("a remedy").crankshaft.expect("counterweights");
+        (found.kind, found.weights.iter().map(|weight| weight.position.to_string()).collect::<Vec<_>>())
+    };
+    assert_eq!(weights(&one), (Kind::Force, vec!["7".to_owned()]));
+    assert_eq!(weights(&like), (Kind::Force, vec!["2".to_owned()]));
+    assert_eq!(weights(&both), (Kind::ForceAndMoment, vec!["3".to_owned(), "0".to_owned()]));
+    // Triangles: 1 + e^{120°} at 1 and e^{240°} at 0 act as −e^{240°} does, at a place between.
+    let hidden = at("0", "1", 2) + &at("1/3", "1", 2) + &at("2/3", "0", 1);
+    assert_eq!(weights(&hidden), (Kind::Force, vec!["2".to_owned()]));
+}
+
+#[test]
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
     assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
