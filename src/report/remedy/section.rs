@@ -112,9 +112,11 @@ fn table(dialect: Dialect, header: &[String], rows: &[Vec<String>]) -> String {
         Dialect::Latex => {
             let lines = rows.iter().map(|cells| format!("{} \\\\", quoted(cells).join(" & ")));
             let lines = lines.collect::<Vec<_>>().join("\n");
-            let columns = "l".repeat(header.len());
+            let columns = ">{\\raggedright\\arraybackslash}X".repeat(header.len());
             let head = quoted(header).join(" & ");
-            format!("\\begin{{tabular}}{{{columns}}}\n{head} \\\\\n\\hline\n{lines}\n\\end{{tabular}}")
+            format!(
+                "{{\\small\\begin{{tabularx}}{{\\textwidth}}{{@{{}}{columns}@{{}}}}\n\\toprule\n{head} \\\\\n\\midrule\n{lines}\n\\bottomrule\n\\end{{tabularx}}}}"
+            )
         }
         Dialect::GithubMarkdown | Dialect::DollarMarkdown => {
             let line = format!("|{}", " --- |".repeat(header.len()));
