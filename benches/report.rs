@@ -28,6 +28,7 @@ fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
         let orders = verdict::classify(black_box(&layout), &layout.orders, false);
-        report::report(&layout, &orders, None, Dialect::GithubMarkdown).len()
+        let subject = report::Subject { layout: &layout, orders: &orders, family: None, needed: None };
+        report::report(subject, Dialect::GithubMarkdown).len()
     });
 }

@@ -247,3 +247,24 @@ fn completions_are_printed_for_every_shell() {
 fn the_console_examples_of_the_readme_are_what_the_program_prints() {
     trycmd::TestCases::new().case("README.md");
 }
+
+#[test]
+fn accuracy_tells_errors_and_times_and_writes_a_page() {
+    let folder = scratch("accuracy").join("page");
+    let arguments = ["accuracy", "I1", "--rod-ratio", "0.2,0.3", "--json", "--output", text(&folder)];
+    let document: serde_json::Value = serde_json::from_str(&succeeds(&arguments)).expect("JSON");
+    let force = &document["cases"][1]["loads"][0];
+    let digits = force["peak_low"].as_str().expect("a number");
+    assert!(digits.starts_with("1.29999999999999999999") || digits.starts_with("1.30000000000000000000"), "{digits}");
+    assert!(force["methods"].as_array().expect("methods").iter().all(|method| method["seconds"].is_f64()));
+    let page = fs::read_to_string(folder.join("accuracy.md")).expect("the page");
+    for name in ["force-1.svg", "inertia-torque-1.svg", "force-2.svg", "inertia-torque-2.svg"] {
+        assert!(page.contains(&format!("({name})")) && folder.join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn accuracy_needs_rods_and_says_so() {
+    assert!(fails(&["accuracy", "I4"], 1).contains("--rod-ratio 0.3"));
+    assert!(fails(&["accuracy", "I4", "--rod-ratio", "1"], 2).contains("from 0 to below 1"));
+}

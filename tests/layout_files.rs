@@ -191,6 +191,16 @@ fn a_unit_anywhere_makes_the_layout_metric() {
 }
 
 #[test]
+fn main_bearings_stand_where_the_file_says_in_its_order() {
+    let layout = read("bearings = [0.15, '-5 cm', '1/20']\n[inline]\nthrows = [0, 120]\nspacing = 0.1");
+    assert_eq!(layout.bearings, ["3/20", "-1/20", "1/20"].map(fraction));
+    assert_eq!(layout.length_unit, LengthUnit::Metre);
+    let family = "bearings = [1, 0]\nvalues = { a = '2' }\n[inline]\nthrows = [0, 120]\nspacing = 'a'";
+    assert_eq!(read(family).bearings, ["1", "0"].map(fraction));
+    assert!(read("inline.throws = [0]").bearings.is_empty());
+}
+
+#[test]
 fn the_reference_plane_is_the_middle_unless_given() {
     let middle = read("[inline]\nthrows = [0, 0, 0]\npositions = [5, 0, 1]");
     assert_eq!((middle.reference_plane.clone(), middle.reference_plane_given), (fraction("5/2"), false));

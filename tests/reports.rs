@@ -23,7 +23,9 @@ fn judged(entry: Entry, layout: Layout) -> (Entry, Layout, Vec<OrderBalance>) {
 /// The files of an engine's folder, by name.
 fn written(layout: &Layout, orders: &[OrderBalance]) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
-    let files = dialects.into_iter().flat_map(|dialect| report::report(layout, orders, None, dialect));
+    let files = dialects
+        .into_iter()
+        .flat_map(|dialect| report::report(report::Subject { layout, orders, family: None, needed: None }, dialect));
     files.map(|file| (file.name, file.text)).collect()
 }
 
@@ -103,27 +105,36 @@ families! {
     reports_on_radials_are_as_stored: "radial";
 }
 
-#[test]
-fn reports_on_families_are_as_stored() {
-    let families =
-        fs::read_dir(folder().join("families")).expect("families").map(|entry| entry.expect("an entry").path());
-    for family in families {
-        let layout = fs::read_to_string(family.join("layout.toml")).expect("a layout file");
+/// Compares the folders below this one, each of which holds the layout file that its report is about.
+fn compare_layouts(below: &str) {
+    let folders = fs::read_dir(folder().join(below)).expect("folders").map(|entry| entry.expect("an entry").path());
+    for folder in folders {
+        let layout = fs::read_to_string(folder.join("layout.toml")).expect("a layout file");
         let mut files = BTreeMap::from([("layout.toml".to_owned(), layout.clone())]);
         for dialect in [Dialect::GithubMarkdown, Dialect::Latex] {
             let written = match layout::parse_engine("layout.toml", &layout).expect("it reads") {
                 Engine::Known(engine, open) => {
-                    let open = open.expect("its lengths are open");
-                    let verdicts = family::classify(&open, &engine.orders);
+                    let open = open.map(|open| (family::classify(&open, &engine.orders), open));
                     let orders = verdict::classify(&engine, &engine.orders, false);
-                    report::report(&engine, &orders, Some((&open, &verdicts)), dialect)
+                    let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
+                    report::report(report::Subject { layout: &engine, orders: &orders, family, needed: None }, dialect)
                 }
                 Engine::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
             };
             files.extend(written.into_iter().map(|file| (file.name, file.text)));
         }
-        compare(&family, &files);
+        compare(&folder, &files);
     }
+}
+
+#[test]
+fn reports_on_families_are_as_stored() {
+    compare_layouts("families");
+}
+
+#[test]
+fn reports_on_examples_with_numbers_are_as_stored() {
+    compare_layouts("examples");
 }
 
 #[test]
@@ -135,7 +146,8 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
     for path in folders.filter(|path| path.is_dir()) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         assert!(
-            ["claims", "families"].contains(&name.as_str()) || layout::find(&name).is_some(),
+            ["accuracy", "claims", "examples", "families", "stability"].contains(&name.as_str())
+                || layout::find(&name).is_some(),
             "reports/{name} belongs to no engine"
         );
     }

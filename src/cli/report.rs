@@ -8,6 +8,7 @@ use crankstar::report::{self, Dialect};
 use crankstar::verdict;
 
 use super::failure::Failure;
+use super::loads::Auto;
 use super::{Format, Math, Subject, terminal, write};
 
 /// Arguments of `report`.
@@ -24,6 +25,8 @@ pub struct Report {
     /// Folder for the report and its diagrams; without it the text alone goes to standard output
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    auto: Auto,
 }
 
 impl Report {
@@ -37,10 +40,13 @@ impl Report {
         };
         let (files, summary) = match &engine {
             Engine::Known(layout, family) => {
-                let balances = verdict::classify(layout, &orders, false);
-                let open = family.as_ref().map(|family| (family.as_ref(), family::classify(family, &orders)));
-                let open = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
-                (report::report(layout, &balances, open, dialect), terminal::summary(layout, &balances))
+                let needed = self.auto.needed(layout)?;
+                let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
+                let balances = verdict::classify(layout, orders, false);
+                let open = family.as_ref().map(|family| (family.as_ref(), family::classify(family, orders)));
+                let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
+                let subject = report::Subject { layout, orders: &balances, family, needed: needed.as_ref() };
+                (report::report(subject, dialect), terminal::summary(layout, &balances))
             }
             Engine::Open(family) => {
                 let verdicts = family::classify(family, &orders);

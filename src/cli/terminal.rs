@@ -4,9 +4,9 @@ use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
-use crankstar::loads::{Loads, Needed};
+use crankstar::loads::{BearingLoads, Loads, Needed};
 use crankstar::remedy::Remedy;
-use crankstar::report;
+use crankstar::report::{self, AccuracyCase};
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -19,7 +19,7 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
     table.set_header(header);
     for order in orders {
         let mut row = vec![
-            Cell::new(order.order),
+            Cell::new(report::order_name(order)),
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
@@ -61,6 +61,48 @@ pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String 
     }
     let lines = report::loads_lines(layout, loads, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", layout.title)
+}
+
+/// The title, the peaks of every bearing, and the largest value of each order.
+pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
+    let table = |rows: report::Rows| {
+        let mut table = Table::new();
+        table.load_style(UTF8_HORIZONTAL_ONLY);
+        table.set_header(rows.header);
+        for row in rows.rows {
+            table.add_row(row.into_iter().map(|text| {
+                let vanishes = text == "0";
+                verdict_cell(text, vanishes)
+            }));
+        }
+        table
+    };
+    let peaks = table(report::bearings_rows(layout, continuous, determinate));
+    let orders = table(report::bearings_tables(continuous));
+    let lines = report::bearings_lines(continuous, determinate).join("\n");
+    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+}
+
+/// A table a rod ratio and load: a row a method.
+pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
+    let mut out = format!("{}\n", layout.title);
+    for case in cases {
+        for study in &case.studies {
+            out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
+            if study.rows.is_empty() {
+                continue;
+            }
+            let mut table = Table::new();
+            table.load_style(UTF8_HORIZONTAL_ONLY);
+            table.set_header(report::ACCURACY_HEADER);
+            for row in report::accuracy_rows(layout, study) {
+                table.add_row(row);
+            }
+            out.push_str(&format!("{table}\n"));
+        }
+    }
+    out.push_str("Errors are parts of the peak; ● no other method is both faster and more accurate.\n");
+    out
 }
 
 /// The title and a table of weights, with what they come to.

@@ -85,6 +85,8 @@ pub struct Family {
     pub cycle: Option<Cycle>,
     /// Whether the file says where the cylinders stand.
     pub positions_given: bool,
+    /// Positions of the main bearings; none where the file says nothing of them, or while an unknown is open.
+    pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
     pub mechanism: Mechanism,
     /// What is asked for beyond force and moment.
@@ -133,6 +135,7 @@ impl Family {
             length_unit: self.length_unit,
             orders: self.orders.clone(),
             positions_given: self.positions_given,
+            bearings: self.bearings.clone(),
             mechanism: self.mechanism.clone(),
             crankshaft: Crankshaft::default(),
             effects: self.effects,

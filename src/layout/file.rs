@@ -8,6 +8,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::balancer_keys;
+use super::bearings;
 use super::crankshaft_keys;
 use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::error::LayoutError;
@@ -36,6 +37,7 @@ struct File {
     firing_order: Option<Spanned<firing::Order>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
     speed: Option<Text>,
+    bearings: Option<quantities::List>,
     effects: Option<Vec<Text>>,
     document: Option<Table<title_block::Keys>>,
     mechanism: Option<Table<mechanism::Keys>>,
@@ -111,6 +113,8 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
     let values = values(&file.values, &mut length_unit)?;
     let given_plane =
         file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
+    let given_bearings = file.bearings.as_ref();
+    let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
     let family = Family {
         title: file.title.as_ref().map_or_else(|| name.to_owned(), |title| title.get_ref().0.clone()),
         source: file.source.as_ref().map(|source| source.get_ref().0.clone()),
@@ -121,6 +125,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         cylinders: expanded.cylinders,
         cycle,
         positions_given: expanded.positions_given,
+        bearings: bearings.transpose()?.unwrap_or_default(),
         mechanism,
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
@@ -140,6 +145,9 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
                 "give the unknowns values below [values]",
                 Some(span),
             ));
+        }
+        if let Some(list) = given_bearings {
+            return Err(bearings::of_open_layout(list));
         }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
             None => Ok(Engine::Open(Box::new(family.with(&values)))),

@@ -3,6 +3,7 @@
 #![doc = include_str!("README.md")]
 
 mod balancer_keys;
+mod bearings;
 mod catalogue;
 mod crankshaft;
 mod crankshaft_keys;

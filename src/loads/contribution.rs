@@ -28,6 +28,12 @@ pub enum Effect {
     Balancers,
 }
 
+impl Effect {
+    /// All effects of masses.
+    pub const ALL: [Effect; 5] =
+        [Effect::Reciprocating, Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers];
+}
+
 /// The coefficient of a sum: none is 1; else c_k of this rod, whose offset is not negative above order 1.
 pub type Factor = Option<Rod>;
 

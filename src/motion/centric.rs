@@ -16,7 +16,7 @@ use num_rational::BigRational;
 use super::ball::Ball;
 
 /// `a_m` for 0 < λ < 1 with this many bits; none if they are too few to tell λ from 1.
-pub(super) fn harmonic(ratio: &BigRational, m: u32, bits: u32) -> Option<Ball> {
+pub(super) fn harmonic(ratio: &BigRational, m: u64, bits: u32) -> Option<Ball> {
     let square = ratio * ratio;
     let integer = |number: i64| BigRational::from_integer(number.into());
     let complement = Ball::rational(&(integer(1) - &square), bits);
@@ -29,7 +29,7 @@ pub(super) fn harmonic(ratio: &BigRational, m: u32, bits: u32) -> Option<Ball> {
     let second = difference.times(&Ball::rational(&(integer(1) / (integer(3) * &square)), bits));
     let middle = Ball::rational(&(integer(8) / &square - integer(4)), bits);
     let mut pair = (first, second);
-    for n in 1..i64::from(m) {
+    for n in 1..m as i64 {
         let sum = &middle.times(&pair.1).times_integer(n) + &pair.0.times_integer(2 * n - 3);
         let next = -sum.over_integer(2 * n.unsigned_abs() + 3);
         pair = (pair.1, next);

@@ -3,8 +3,11 @@
 /// The harmonics `c_0 … c_highest` of a centric crank's shaking force in floats; all NaN unless `0 ≤ ratio < 1`.
 ///
 /// With `κ' = √(1−λ²)` and `ρ = (1−κ')/(1+κ')` the m-th harmonic of the root is
-/// `½(1+κ') Σ_j C(½,j) C(½,j+m) ρ^{2j+m}`, all terms of one sign. Where ρ is so near to 1 that this takes long, the recurrence of the
-/// guaranteed coefficients is steady, and used.
+/// `½(1+κ') Σ_j C(½,j) C(½,j+m) ρ^{2j+m}`; the first term outweighs the others, which have the other sign. Where
+/// `ρ^{highest/2}` is above ½ this takes long, and the recurrence of the guaranteed coefficients is steady enough.
+///
+/// Relative errors, measured against those at 500 values of λ from 0.01 to 1 − 10⁻¹²: for highest orders 8, 20, 100 below
+/// 4e-15, 1e-14, 5e-14 by the series and 2e-14, 2e-13, 5e-12 by the recurrence (which order 8 needs above λ = 0.998).
 pub fn coefficients_fast(ratio: f64, highest_order: u32) -> Vec<f64> {
     let count = highest_order as usize + 1;
     if !(0.0..1.0).contains(&ratio) {
@@ -33,7 +36,7 @@ pub fn coefficients_fast(ratio: f64, highest_order: u32) -> Vec<f64> {
     coefficients
 }
 
-/// `a_0 … a_highest` by the series in ρ, with `h_j = C(½,j) (−ρ)^j`… of one sign from `h_1` on.
+/// `a_0 … a_highest` by the series in ρ, from `h_j = C(½,j) (−ρ)^j`.
 fn by_series(complement: f64, rho: f64, highest: usize) -> Vec<f64> {
     // The terms fall at least like ρ^{2j}: as many as there are bits in a float.
     let terms = (f64::MANTISSA_DIGITS as f64 / (-2.0 * rho.log2())).ceil() as usize + 2;
@@ -45,7 +48,7 @@ fn by_series(complement: f64, rho: f64, highest: usize) -> Vec<f64> {
     let scale = 0.5 * (1.0 + complement);
     let harmonic = |m: usize| {
         let sum: f64 = h.iter().zip(&h[m..]).map(|(one, other)| one * other).rev().sum();
-        // h_j is C(½,j) (−ρ)^j; the harmonic wants the sign of C(½,m).
+        // The product h_j h_{j+m} has the sign (−1)^m too many.
         if m.is_multiple_of(2) { scale * sum } else { -scale * sum }
     };
     (0..=highest).map(harmonic).collect()

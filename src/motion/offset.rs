@@ -32,7 +32,7 @@ impl Factor {
 }
 
 /// The harmonic of `ζ^k`, k ≥ 1, with this many bits; none if they are too few.
-pub(super) fn harmonic(ratio: &BigRational, offset: &BigRational, k: u32, bits: u32) -> Option<Ball> {
+pub(super) fn harmonic(ratio: &BigRational, offset: &BigRational, k: u64, bits: u32) -> Option<Ball> {
     let [first, second] = [Factor::new(ratio, offset, bits)?, Factor::new(ratio, &-offset, bits)?];
     let lambda = Ball::rational(ratio, bits);
     let [p, q] = [first.inverse.times(&lambda), second.inverse.times(&lambda)];
@@ -43,7 +43,7 @@ pub(super) fn harmonic(ratio: &BigRational, offset: &BigRational, k: u32, bits: 
     for (one, other) in h.iter().take(terms).zip(&h[k as usize..]) {
         sum = &sum + &one.times(other);
     }
-    let exponent = u32::try_from(2 * terms).ok()?.checked_add(k)?;
+    let exponent = u32::try_from(2 * terms as u64 + k).ok()?;
     let gap = (&Ball::integer(1, bits) - &largest.times(largest)).reciprocal()?;
     let rest = largest.power(exponent).times(&gap).high();
     let scale = first.inverse.times(&second.inverse).sqrt().times_integer(2).reciprocal()?;
@@ -51,10 +51,10 @@ pub(super) fn harmonic(ratio: &BigRational, offset: &BigRational, k: u32, bits: 
 }
 
 /// How many terms make the rest as small as the last bit, about: only the cost depends on it, not the guarantee.
-fn enough_terms(largest: &Ball, k: u32, bits: u32) -> usize {
+fn enough_terms(largest: &Ball, k: u64, bits: u32) -> usize {
     let size = BigRational::new(largest.high(), BigInt::from(1) << bits).to_f64().unwrap_or(0.0);
     let bits_a_power = -size.log2();
-    let powers = f64::from(bits) / bits_a_power - f64::from(k);
+    let powers = f64::from(bits) / bits_a_power - k as f64;
     (powers / 2.0).max(1.0).ceil() as usize + 1
 }
 

@@ -23,12 +23,12 @@ pub(super) fn harmonic(
     ratio: &BigRational,
     offset: &BigRational,
     n: u32,
-    force: impl Fn(u32) -> Enclosure,
+    force: impl Fn(u64) -> Enclosure,
 ) -> Coefficient {
-    let over = |k: u32| force(k).times(&BigRational::new(1.into(), k.into()));
-    let mut sum = over(n + 1);
+    let over = |k: u64| force(k).times(&BigRational::new(1.into(), k.into()));
+    let mut sum = over(u64::from(n) + 1);
     if n > 1 {
-        sum = sum.plus(&over(n - 1));
+        sum = sum.plus(&over(u64::from(n) - 1));
     }
     let along = sum.times(&BigRational::new((-i64::from(n)).into(), 2.into()));
     let across = across(ratio, offset, n).times(&BigRational::from_integer(n.into()));

@@ -29,6 +29,21 @@ impl Dialect {
         }
     }
 
+    /// A line of a file, word for word: spaces and signs as they stand.
+    pub fn verbatim(self, line: &str) -> String {
+        match self {
+            Dialect::Latex => {
+                if line.is_empty() {
+                    return "~".to_owned();
+                }
+                let begin = line.len() - line.trim_start().len();
+                let quotes: Vec<String> = line[begin..].split('"').map(latex_text).collect();
+                format!("{}{}", "~".repeat(begin), quotes.join("\\textquotedbl{}").replace("  ", "~~"))
+            }
+            _ => line.to_owned(),
+        }
+    }
+
     /// A formula in the line.
     fn formula(self, tex: &str) -> String {
         match self {

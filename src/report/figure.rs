@@ -109,12 +109,10 @@ pub enum Mark {
         /// Line.
         stroke: Stroke,
     },
-    /// A filled rectangle without an outline, its sides along the page.
-    Rectangle {
-        /// Lower left corner.
-        low: Point,
-        /// Upper right corner.
-        high: Point,
+    /// Filled rectangles of one colour, without outlines, their sides along the page.
+    Rectangles {
+        /// Lower left and upper right corners.
+        corners: Vec<(Point, Point)>,
         /// Colour inside.
         fill: Ink,
     },
@@ -175,9 +173,9 @@ impl Figure {
         self.marks.push(Mark::Path { points, stroke });
     }
 
-    /// Fills a rectangle.
-    pub fn rectangle(&mut self, low: Point, high: Point, fill: Ink) {
-        self.marks.push(Mark::Rectangle { low, high, fill });
+    /// Fills rectangles, given by their lower left and upper right corners.
+    pub fn rectangles(&mut self, corners: Vec<(Point, Point)>, fill: Ink) {
+        self.marks.push(Mark::Rectangles { corners, fill });
     }
 
     /// Writes a text.

@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
+use super::calculation;
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
-use super::page::{Page, figures, intervals};
-use super::{left, render, svg};
+use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
+use super::{left, render};
 use crate::family::OpenOrder;
 use crate::layout::{Entry, Family, Layout};
 use crate::verdict::OrderBalance;
@@ -19,31 +20,21 @@ pub struct File {
     pub text: String,
 }
 
-/// The text of a report alone.
-pub fn text(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> String {
-    render::report(&Page::new(layout, orders, None, dialect), dialect)
-}
-
 /// A report with its diagrams: `report.md` with SVG files, or `report.tex`, which holds its own.
-///
-/// Where the file gives values to symbols, its family adds what holds for all values.
-pub fn report(
-    layout: &Layout,
-    orders: &[OrderBalance],
-    family: Option<(&Family, &[OpenOrder])>,
-    dialect: Dialect,
-) -> Vec<File> {
-    let text = render::report(&Page::new(layout, orders, family, dialect), dialect);
+pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
+    let loads = subject.loads();
+    let text = render::report(&Page::new(subject, loads.as_ref(), dialect), dialect);
     if dialect == Dialect::Latex {
         return vec![File { name: "report.tex".into(), text }];
     }
-    let mut files = vec![File { name: "report.md".into(), text }];
-    files.extend(
-        figures(layout, orders)
-            .into_iter()
-            .map(|named| File { text: svg::svg(&named.figure, &named.caption), name: format!("{}.svg", named.name) }),
-    );
-    files
+    let mut drawn = figures(subject.layout, subject.orders);
+    let torque = torque_verdicts(subject.layout, subject.orders);
+    drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
+    if let Some(Ok(loads)) = &loads {
+        drawn.extend(calculation::figures(subject.layout, loads));
+        drawn.extend(calculation::bearing_figures(loads));
+    }
+    [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
 }
 
 /// The report of a family: one file, without diagrams, for its angles are open.

@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use crate::layout::Layout;
-use crate::loads::{Arm, Effect, Loads, Needed, Outcome, Peak, Swing, Vector, Waveform};
+use crate::loads::{Arm, Effect, Loads, Needed, Outcome, Peak, Scale, Swing, Vector, Waveform};
 
 /// The loads of an engine as data.
 #[derive(Clone, Debug, Serialize)]
@@ -30,10 +30,10 @@ pub struct LoadsDocument {
 
 /// What the numbers are counted in.
 #[derive(Clone, Debug, Serialize)]
-struct Units {
-    force: &'static str,
-    moment: &'static str,
-    torque: &'static str,
+pub(super) struct Units {
+    pub force: &'static str,
+    pub moment: &'static str,
+    pub torque: &'static str,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -152,7 +152,7 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         title: layout.title.clone(),
         reference_plane: layout.reference_plane.to_string(),
         amplitudes: "zero-to-peak",
-        units: units(layout, loads),
+        units: units(layout, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {
             mass_kg: scale.mass.to_f64().unwrap_or(f64::NAN),
             crank_radius_m: scale.crank_radius.to_f64().unwrap_or(f64::NAN),
@@ -244,8 +244,8 @@ pub(super) fn effect_name(effect: Effect) -> &'static str {
     }
 }
 
-fn units(layout: &Layout, loads: &Loads) -> Units {
-    match (&loads.scale, Arm::of(layout)) {
+pub(super) fn units(layout: &Layout, scale: Option<&Scale>) -> Units {
+    match (scale, Arm::of(layout)) {
         (Some(_), Arm::Metre) => Units { force: "N", moment: "N m", torque: "N m" },
         (Some(_), Arm::Spacing) => Units { force: "N", moment: "N a", torque: "N m" },
         (None, Arm::Metre) => Units { force: "m r ω²", moment: "m r ω² · 1 m", torque: "m r² ω²" },

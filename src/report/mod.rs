@@ -2,7 +2,11 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
+mod accuracy_document;
+mod accuracy_page;
+mod accuracy_words;
 mod argument;
+mod bearings;
 mod calculation;
 mod claim_page;
 mod claim_words;
@@ -29,16 +33,23 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use accuracy_document::{AccuracyDocument, accuracy_document};
+pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
+pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
+pub use bearings::{
+    BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
+};
 pub use calculation::{Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use dialect::Dialect;
 pub use document::{document, theorem_claims};
-pub use folder::{File, index, open_report, report, text};
-pub use left::{LEGEND, force_summary, moment_summary, torque_summary};
+pub use folder::{File, index, open_report, report};
+pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
+pub use page::Subject;
 pub use remedy::{RemedyPage, remedy_document, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
 pub use svg::svg;
 pub use tikz::tikz;

@@ -63,14 +63,14 @@ fn element(mark: &Mark, height: f64) -> String {
             format!("<polyline points=\"{}\" {attributes}/>", coordinates(points, height))
         }
         // Without crisp edges the cells of a map would show seams.
-        Mark::Rectangle { low, high, fill } => format!(
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>",
-            x(low),
-            y(high),
-            coordinate(high.re - low.re),
-            coordinate(high.im - low.im),
-            colour(*fill)
-        ),
+        Mark::Rectangles { corners, fill } => {
+            let one = |(low, high): &(Point, Point)| {
+                let (wide, tall) = (coordinate(high.re - low.re), coordinate(high.im - low.im));
+                format!("M{},{}h{wide}v{tall}h-{wide}z", x(low), y(high))
+            };
+            let outlines: String = corners.iter().map(one).collect();
+            format!("<path d=\"{outlines}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>", colour(*fill))
+        }
         Mark::Text { at, text, anchor, bold, .. } => {
             let anchor = match anchor {
                 Anchor::Start => "start",

@@ -35,7 +35,7 @@ impl Table {
 }
 
 /// Letters of a cell as it is set: bold marks, braces and dollars are not, a TeX command is about one letter.
-fn letters(cell: &str) -> usize {
+pub(super) fn letters(cell: &str) -> usize {
     let mut count = 0;
     let mut in_command = false;
     for letter in cell.chars() {
@@ -65,9 +65,13 @@ fn size(width: usize) -> &'static str {
 /// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros are.
 pub(super) fn summary(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
+    let firm = |order: &OrderBalance| match order.class {
+        None => firmness::summary(layout, order),
+        Some(_) => "–".to_owned(),
+    };
     let row = |order: &OrderBalance| {
         let [force, moment] = left::summary_prose(order);
-        vec![order.order.to_string(), bold(force), bold(moment), firmness::summary(layout, order)]
+        vec![left::order_name(order), bold(force), bold(moment), firm(order)]
     };
     Table::new(dialect, &["Order", "Force", "Moment", "How firm"], orders.iter().map(row).collect())
 }

@@ -37,8 +37,14 @@ fn command(mark: &Mark) -> String {
             format!("\\draw[{}{},line join=round] {} -- cycle;", outline(stroke), inside(fill), corners.join(" -- "))
         }
         Mark::Path { points, stroke } => path(points, stroke),
-        Mark::Rectangle { low, high, fill } => {
-            format!("\\fill[{}] {} rectangle {};", colour(*fill), point(low), point(high))
+        Mark::Rectangles { corners, fill } => {
+            let one = |(low, high): &(Point, Point)| format!("{}rectangle{}", point(low), point(high));
+            let fills = corners.chunks(LONGEST_PATH).map(|chunk| {
+                let lines = chunk.chunks(POINTS_A_LINE / 2);
+                let lines: Vec<String> = lines.map(|line| line.iter().map(one).collect()).collect();
+                format!("\\fill[{}] {};", colour(*fill), lines.join("\n"))
+            });
+            fills.collect::<Vec<_>>().join("\n")
         }
         Mark::Text { at, text, prose, anchor, bold } => {
             let anchor = match anchor {
@@ -76,8 +82,8 @@ fn outline(stroke: &Stroke) -> String {
     let dash = match stroke.dash {
         Dash::Solid => "",
         Dash::Dashed => ",dashed",
-        Dash::Dotted => ",densely dotted",
-        Dash::DashDotted => ",dash dot",
+        Dash::Dotted => ",dash pattern=on 0.4mm off 0.8mm",
+        Dash::DashDotted => ",dash pattern=on 2mm off 0.7mm on 0.4mm off 0.7mm",
     };
     format!("{},line width={}mm{dash}", colour(stroke.ink), coordinate(stroke.width))
 }

@@ -3,13 +3,21 @@
 //! Figures are rounded to eight digits and the result is worked out from the rounded figures, so that a reader who
 //! types them in gets the printed result.
 
+use super::super::table::letters;
+
 /// An arithmetic expression that is printed twice, with symbols and with figures.
 #[derive(Clone, Debug)]
 pub(super) enum Expression {
     /// A quantity: its symbol in TeX and its value.
     Quantity(String, f64),
+    /// An angle: its symbol in TeX and its value in degrees.
+    Degrees(String, f64),
     /// A whole number of the formula.
-    Number(u32),
+    Number(u64),
+    /// What a series leaves out: nothing, as far as the printed digits go.
+    Dots,
+    /// The opposite.
+    Minus(Box<Expression>),
     /// π, which has no figure.
     Pi,
     /// A product.
@@ -59,16 +67,20 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The line in TeX: `s = formula = figures ≈ result unit`.
+    /// The line in TeX, aligned: `s = formula ≈ figures ≈ result unit`.
     pub fn tex(&self) -> String {
         let (formula, figures) = (self.expression.symbols(), self.expression.figures());
         let result = significant(self.value(), RESULT_DIGITS);
         let unit = if self.unit.is_empty() { String::new() } else { format!("\\ \\mathrm{{{}}}", self.unit) };
-        match &self.expression {
-            // A quantity by itself has no formula to show.
-            Quantity(..) => format!("{} \\approx {result}{unit}", self.symbol),
-            _ => format!("{} = {formula} \\approx {figures} \\approx {result}{unit}", self.symbol),
-        }
+        let lines = match &self.expression {
+            Quantity(symbol, _) if symbol.is_empty() => format!("{} &\\approx {result}{unit}", self.symbol),
+            Quantity(symbol, _) => format!("{} &= {symbol} \\approx {result}{unit}", self.symbol),
+            _ if letters(&formula) + letters(&figures) < WIDE => {
+                format!("{} &= {formula} \\approx {figures} \\approx {result}{unit}", self.symbol)
+            }
+            _ => format!("{} &= {formula} \\\\\n&\\approx {figures} \\\\\n&\\approx {result}{unit}", self.symbol),
+        };
+        format!("\\begin{{aligned}}\n{lines}\n\\end{{aligned}}")
     }
 
     /// The result, from the figures as printed.
@@ -81,13 +93,18 @@ impl Line {
 const FIGURE_DIGITS: usize = 8;
 /// Digits of a result.
 const RESULT_DIGITS: usize = 6;
+/// Letters of formula and figures that still stand on one line.
+const WIDE: usize = 52;
 
 impl Expression {
     /// The value, from the figures as printed.
     fn value(&self) -> f64 {
         match self {
             Quantity(_, value) => rounded(*value, FIGURE_DIGITS),
-            Number(number) => f64::from(*number),
+            Degrees(_, value) => rounded(*value, FIGURE_DIGITS),
+            Number(number) => *number as f64,
+            Dots => 0.0,
+            Minus(of) => -of.value(),
             Pi => std::f64::consts::PI,
             Product(factors) => factors.iter().map(Expression::value).product(),
             Sum(terms) => terms.iter().map(Expression::value).sum(),
@@ -99,16 +116,23 @@ impl Expression {
     }
 
     fn symbols(&self) -> String {
-        self.print(&|symbol, _| symbol.to_owned(), "\\,")
+        self.print(&|symbol, _, _| symbol.to_owned(), "\\,")
     }
 
     fn figures(&self) -> String {
-        self.print(&|_, value| significant(value, FIGURE_DIGITS), " \\cdot ")
+        let figure = |_: &str, value: f64, unit: &str| format!("{}{unit}", significant(value, FIGURE_DIGITS));
+        self.print(&figure, " \\cdot ")
     }
 
-    fn print(&self, quantity: &impl Fn(&str, f64) -> String, times: &str) -> String {
+    fn print(&self, quantity: &impl Fn(&str, f64, &str) -> String, times: &str) -> String {
         match self {
-            Quantity(symbol, value) => quantity(symbol, *value),
+            Quantity(symbol, value) => quantity(symbol, *value, ""),
+            Degrees(symbol, value) => quantity(symbol, *value, "^{\\circ}"),
+            Dots => "\\dots".to_owned(),
+            Minus(of) => match of.print(quantity, times) {
+                text if matches!(**of, Sum(_)) || text.starts_with('-') => format!("-\\left({text}\\right)"),
+                text => format!("-{text}"),
+            },
             Number(number) => number.to_string(),
             Pi => "\\pi".to_owned(),
             Product(factors) => {
@@ -123,12 +147,19 @@ impl Expression {
                 factors.iter().map(print).collect::<Vec<_>>().join(times)
             }
             Sum(terms) => {
+                let terms = terms.iter().map(|term| term.print(quantity, times));
                 let mut text = String::new();
-                for (index, term) in terms.iter().enumerate() {
-                    let term = term.print(quantity, times);
+                let mut length = 0;
+                for (index, term) in terms.enumerate() {
+                    length += letters(&term) + 3;
+                    // A sum too long for a line goes on in the next.
+                    let space = if length > WIDE && index > 0 { " \\\\\n&\\quad " } else { " " };
+                    if length > WIDE {
+                        length = letters(&term);
+                    }
                     match term.strip_prefix('-') {
-                        Some(size) if index > 0 => text.push_str(&format!(" - {size}")),
-                        _ if index > 0 => text.push_str(&format!(" + {term}")),
+                        Some(size) if index > 0 => text.push_str(&format!("{space}- {size}")),
+                        _ if index > 0 => text.push_str(&format!("{space}+ {term}")),
                         _ => text.push_str(&term),
                     }
                 }

@@ -1,7 +1,328 @@
 //! How are the numbers of an engine shown, so that a reader can work them out again? A calculation report.
+//!
+//! `inputs → equations → lines (symbol = formula = figures = result) → tables and plots → limits`
 
 mod amounts;
+mod equations;
 mod expression;
+mod inputs;
+mod plots;
+mod results;
 mod summary;
+mod words;
 
+use serde::Serialize;
+
+pub(super) use amounts::{Unit, digits, largest, vector};
+pub(super) use plots::figures;
 pub use summary::{Rows, loads_lines, loads_rows};
+
+use super::bearings;
+use super::dialect::Dialect;
+use super::loads_document::share;
+use super::page::NamedFigure;
+use super::table::Table;
+use crate::layout::Layout;
+use crate::loads::{Effect, Loads, Missing, Needed, Peak, Waveform};
+use crate::proof::Quantity;
+use expression::Line;
+use results::Group;
+
+/// The section with the numbers, as finished strings.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Calculation {
+    missing: Option<String>,
+    results: Option<Results>,
+}
+
+/// What a calculation report holds besides title block and layout file.
+#[derive(Clone, Debug, Serialize)]
+struct Results {
+    effects: Table,
+    shares: String,
+    inputs: Table,
+    turning: Option<Table>,
+    source: Option<String>,
+    assumptions: Vec<String>,
+    nomenclature: Table,
+    equations: Vec<Equation>,
+    derived: Vec<String>,
+    vectors: Table,
+    ellipses: Table,
+    units: String,
+    orders: Vec<Lines>,
+    peaks: Vec<Lines>,
+    torque: Option<TorqueSection>,
+    bearings: Option<BearingSection>,
+    needed: Option<String>,
+    plots: Vec<super::page::Drawing>,
+    limits: Vec<String>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Equation {
+    words: String,
+    formula: String,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Lines {
+    heading: String,
+    words: String,
+    lines: Vec<String>,
+}
+
+/// What the main bearings feel.
+#[derive(Clone, Debug, Serialize)]
+struct BearingSection {
+    words: Vec<String>,
+    peaks: Table,
+    orders: Table,
+    assumptions: Vec<String>,
+    plots: Vec<super::page::Drawing>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct TorqueSection {
+    table: Table,
+    lines: Vec<String>,
+    peak: String,
+}
+
+/// The loads of a layout that holds numbers; none where the file gives none.
+pub(super) fn loads_of(layout: &Layout, orders: &[u32]) -> Option<Result<Loads, Missing>> {
+    let asks = layout.mechanism.given.iter().any(|given| given.quantity != crate::layout::Measure::Speed);
+    asks.then(|| crate::loads::loads(layout, orders))
+}
+
+impl Calculation {
+    /// Sets the numbers of an engine; `plots` are the drawings of [`figures`].
+    pub fn new(
+        layout: &Layout,
+        loads: &Result<Loads, Missing>,
+        needed: Option<&Needed>,
+        plots: Vec<super::page::Drawing>,
+        dialect: Dialect,
+    ) -> Self {
+        match loads {
+            Err(missing) => {
+                Calculation { missing: Some(dialect.prose(&format!("No numbers: {missing}."))), results: None }
+            }
+            Ok(loads) => {
+                Calculation { missing: None, results: Some(Results::new(layout, loads, needed, plots, dialect)) }
+            }
+        }
+    }
+}
+
+impl Results {
+    fn new(
+        layout: &Layout,
+        loads: &Loads,
+        needed: Option<&Needed>,
+        plots: Vec<super::page::Drawing>,
+        dialect: Dialect,
+    ) -> Self {
+        let display = |line: &Line| dialect.display(&line.tex());
+        let lines = |group: Group, words: String| Lines {
+            heading: group.heading,
+            words: dialect.prose(&words),
+            lines: group.lines.iter().map(display).collect(),
+        };
+        let prose = |lines: Vec<String>| lines.iter().map(|line| dialect.prose(line)).collect();
+        let peak = |quantity: Quantity, name: &str, waveform: &Waveform| {
+            let words = format!(
+                "Largest {name} of all orders: {}.",
+                summary::peak(&waveform.peak(), Unit::of(layout, loads, quantity))
+            );
+            let group =
+                results::peak(layout, loads, quantity).unwrap_or(Group { heading: String::new(), lines: Vec::new() });
+            lines(group, words)
+        };
+        let equation =
+            |(words, tex): (&str, String)| Equation { words: dialect.prose(words), formula: dialect.display(&tex) };
+        Results {
+            effects: effects_table(layout, loads, dialect),
+            shares: dialect.prose(
+                "The share is what the effect adds, along the direction of the peak, where the peak stands; the shares of a column sum to the peak.",
+            ),
+            inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
+            turning: turning_table(layout, dialect),
+            source: layout.mechanism.source.as_ref().map(|source| dialect.quoted(source)),
+            assumptions: prose(words::assumptions(layout, loads)),
+            nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
+            equations: equations::equations(layout, loads).into_iter().map(equation).collect(),
+            derived: inputs::lines(layout, loads).iter().map(display).collect(),
+            vectors: vectors_table(layout, loads, dialect),
+            ellipses: ellipses_table(layout, loads, dialect),
+            units: dialect.prose(&units(layout, loads)),
+            orders: results::orders(layout, loads).into_iter().map(|group| lines(group, String::new())).collect(),
+            peaks: vec![
+                peak(Quantity::Force, "force", &loads.force),
+                peak(Quantity::Moment, "moment", &loads.moment),
+            ],
+            torque: torque_section(layout, loads, dialect),
+            bearings: bearing_section(layout, loads, dialect),
+            needed: needed.map(|needed| dialect.prose(&summary::needed_sentence(needed))),
+            plots,
+            limits: prose(words::limits(layout, loads, needed.is_some())),
+        }
+    }
+}
+
+/// The masses on the crankshaft and the balancer shafts, where there are any.
+fn turning_table(layout: &Layout, dialect: Dialect) -> Option<Table> {
+    let header = ["Turning mass", "Mass in kg", "Radius in m", "Angle at θ = 0", "Position z", "Turns a revolution"];
+    let rows = inputs::turning(layout);
+    (!rows.is_empty()).then(|| Table::new(dialect, &header, rows))
+}
+
+/// The table of inputs with a person's words in the given column: nothing in them is markup.
+fn quoted(mut rows: Vec<Vec<String>>, column: usize) -> Vec<Vec<String>> {
+    for row in &mut rows {
+        row[column] = row[column].replace(['$', '*', '|', '`'], " ");
+    }
+    rows
+}
+
+fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
+    let peaks: [(Peak, Unit); 2] = [
+        (loads.force.peak(), Unit::of(layout, loads, Quantity::Force)),
+        (loads.moment.peak(), Unit::of(layout, loads, Quantity::Moment)),
+    ];
+    let shares = |effect: Effect| {
+        let loads = loads.effects.iter().find(|loads| loads.effect == effect);
+        let cell = |place: usize| {
+            let (peak, unit) = &peaks[place];
+            match loads.map(|loads| [&loads.force, &loads.moment][place]) {
+                Some(waveform) if peak.value == 0.0 || waveform.harmonics().is_empty() => "0".to_owned(),
+                Some(waveform) => format!("≈ {} {}", amounts::digits(share(waveform, peak) * unit.factor), unit.name),
+                None => "–".to_owned(),
+            }
+        };
+        [cell(0), cell(1)]
+    };
+    let row = |row: words::EffectRow| {
+        let inside = if row.inside { "yes" } else { "no" };
+        let shares = row.effect.map_or_else(|| ["–".to_owned(), "–".to_owned()], shares);
+        [row.name.to_owned(), inside.to_owned(), row.why].into_iter().chain(shares).collect()
+    };
+    let rows = words::effects(layout, loads).into_iter().map(row);
+    let header = ["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"];
+    Table::new(dialect, &header, rows.collect())
+}
+
+fn vectors_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
+    let (force, moment) = (Unit::of(layout, loads, Quantity::Force), Unit::of(layout, loads, Quantity::Moment));
+    let row = |order: &crate::loads::OrderLoads| {
+        vec![
+            order.order.to_string(),
+            amounts::vector(&order.force.direct, force),
+            amounts::vector(&order.force.reverse, force),
+            amounts::vector(&order.moment.direct, moment),
+            amounts::vector(&order.moment.reverse, moment),
+        ]
+    };
+    let header = ["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"];
+    Table::new(dialect, &header, loads.orders.iter().map(row).collect())
+}
+
+fn ellipses_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
+    let mut rows = Vec::new();
+    for order in &loads.orders {
+        for (name, quantity, swing) in
+            [("force", Quantity::Force, &order.force), ("moment", Quantity::Moment, &order.moment)]
+        {
+            let unit = Unit::of(layout, loads, quantity);
+            let mut row = vec![order.order.to_string(), name.to_owned(), amounts::largest(swing, unit)];
+            if swing.vanishes() {
+                row.extend(["0", "–", "0", "0", "0"].map(str::to_owned));
+            } else {
+                let largest = swing.largest();
+                // A part below the rounding of the largest is the zero of a line or a circle.
+                let part = |value: f64| match value > 1e-12 * largest {
+                    true => amounts::amount(value, unit),
+                    false => "≈ 0".to_owned(),
+                };
+                row.push(part(swing.smallest()));
+                row.push(
+                    swing.direction().map_or("–".to_owned(), |degrees| format!("≈ {}°", amounts::digits(degrees))),
+                );
+                row.push(part(swing.along()));
+                row.push(part(swing.across()));
+                row.push(format!("≈ {}", amounts::digits(largest)));
+            }
+            rows.push(row);
+        }
+    }
+    let header = ["Order", "Quantity", "Largest", "Smallest", "Direction", "Along", "Across", "Largest / unit"];
+    Table::new(dialect, &header, rows)
+}
+
+fn units(layout: &Layout, loads: &Loads) -> String {
+    let (force, moment) = (Unit::of(layout, loads, Quantity::Force), Unit::of(layout, loads, Quantity::Moment));
+    let arm = if crate::loads::Arm::of(layout) == crate::loads::Arm::Metre { "1 m" } else { "the spacing a" };
+    format!(
+        "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times {arm}. All amplitudes are \
+         zero-to-peak. 0 is exact and proved, ≈ stands before decimals. Along: the component in the reference direction, the bisector of the banks \
+         of a V; across: at right angles to it. The moment of the forces along it is the pitching moment, that of the forces across it the \
+         yawing moment. Angles of the vectors are those at θ = 0.",
+        force.name, moment.name
+    )
+}
+
+fn bearing_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
+    let [continuous, determinate] = loads.bearings.as_ref()?;
+    let table = |rows: Rows| {
+        let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
+        Table::new(dialect, &header, rows.rows)
+    };
+    Some(BearingSection {
+        words: bearings::bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
+        peaks: table(bearings::bearings_rows(layout, continuous, determinate)),
+        orders: table(bearings::bearings_tables(continuous)),
+        assumptions: bearings::ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),
+        plots: bearing_figures(loads).into_iter().map(|figure| super::page::drawing(figure, dialect)).collect(),
+    })
+}
+
+/// The plots of the main bearings, where the scene has any.
+pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
+    let continuous = loads.bearings.iter().map(|[continuous, _]| continuous);
+    continuous.flat_map(bearings::drawings).flatten().collect()
+}
+
+fn torque_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<TorqueSection> {
+    let torque = loads.torque.as_ref()?;
+    let unit = Unit::of(layout, loads, Quantity::Torque);
+    let row = |order: &crate::loads::TorqueOrder| {
+        let angle = match order.vector.outcome {
+            crate::loads::Outcome::Zero => "–".to_owned(),
+            _ => format!("≈ {}°", amounts::digits(order.vector.value.arg().to_degrees())),
+        };
+        let dimensionless = match order.vector.outcome {
+            crate::loads::Outcome::Zero => "0".to_owned(),
+            _ => format!("≈ {}", amounts::digits(order.vector.value.norm())),
+        };
+        vec![order.order.to_string(), summary::torque_amplitude(order, unit), angle, dimensionless]
+    };
+    let header = [
+        "Order".to_owned(),
+        format!("Amplitude in {}", unit.name),
+        "Phase at θ = 0".to_owned(),
+        "In m r² ω²".to_owned(),
+    ];
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    Some(TorqueSection {
+        table: Table::new(dialect, &header, torque.orders.iter().map(row).collect()),
+        lines: results::torque(layout, loads)
+            .into_iter()
+            .flat_map(|group| group.lines)
+            .map(|line| dialect.display(&line.tex()))
+            .collect(),
+        peak: dialect.prose(&format!(
+            "Largest inertia torque of all orders: {}.",
+            summary::peak(&torque.waveform.real_peak(), unit)
+        )),
+    })
+}

@@ -47,7 +47,7 @@ pub struct Ruler {
     pub small: Vec<f64>,
 }
 
-/// Values beyond this, or positive ones below its inverse, are not used: sums of them could overflow.
+/// Values larger than this, or smaller than its inverse, are not used: what is reckoned with them could overflow.
 const FARTHEST: f64 = 1e280;
 /// Values closer than this part of the largest are the same.
 const SAME: f64 = 1e-9;
@@ -83,7 +83,7 @@ impl Axis {
     /// The axis over these values, with about so many steps between ticks. Values that have no place are passed over.
     pub fn ruler(&self, values: impl IntoIterator<Item = f64>, steps: usize) -> Ruler {
         let usable = |value: &f64| match self.scale {
-            Scale::Linear => value.abs() < FARTHEST,
+            Scale::Linear => *value == 0.0 || (FARTHEST.recip()..FARTHEST).contains(&value.abs()),
             Scale::Log => (FARTHEST.recip()..FARTHEST).contains(value),
         };
         let mut own: Vec<f64> = self.ticks.iter().flatten().copied().filter(usable).collect();

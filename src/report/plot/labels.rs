@@ -42,18 +42,33 @@ impl Labels {
         self.taken.push(Area { low: at - half, high: at + half });
     }
 
-    /// Writes a text at the best of these places, the first of equals, on white where it covers a line.
+    /// Writes a text at the best of these places, the first of equals, on white where it covers cells.
     pub fn write(&mut self, figure: &mut Figure, text: &str, places: &[Place]) -> Option<Place> {
         let cost = |place: &&Place| self.cost(&area(text, place));
         let best = *places.iter().min_by_key(cost)?;
         let area = area(text, &best);
-        let covers = |mark: &Mark| matches!(mark, Mark::Rectangle { low, high, .. } if area.meets(&Area { low: *low, high: *high }));
+        let covers = |mark: &Mark| match mark {
+            Mark::Rectangles { corners, .. } => corners.iter().any(|&(low, high)| area.meets(&Area { low, high })),
+            _ => false,
+        };
         if figure.marks.iter().any(covers) {
-            figure.rectangle(area.low, area.high, Ink::Shade(0));
+            figure.rectangles(vec![(area.low, area.high)], Ink::Shade(0));
         }
         figure.text(best.0, text, best.1);
         self.taken.push(area);
         Some(best)
+    }
+
+    /// Writes texts that belong together, such as the numbers of an axis: each at its place of the best row of places.
+    pub fn write_row(&mut self, figure: &mut Figure, texts: &[String], rows: &[Vec<Place>]) {
+        let cost = |row: &&Vec<Place>| {
+            let areas: Vec<Area> = texts.iter().zip(row.iter()).map(|(text, place)| area(text, place)).collect();
+            let neighbours = areas.windows(2).filter(|pair| pair[0].meets(&pair[1])).count();
+            areas.iter().map(|area| self.cost(area)).sum::<usize>() + COLLISION * neighbours
+        };
+        for (text, place) in texts.iter().zip(rows.iter().min_by_key(cost).into_iter().flatten()) {
+            self.write(figure, text, &[*place]);
+        }
     }
 
     /// Writes the name of a point beside it, farther off with a thin line to it where there is no room nearer.

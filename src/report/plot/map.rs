@@ -1,9 +1,12 @@
 //! How do values lie over a plane? Cells in shades of grey, the darker the higher, and the bar of their scale.
 
+use std::collections::BTreeMap;
+
 use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use super::axis::{Axis, Ruler};
 use super::curve::{Area, Curve, pieces};
-use super::frame::{BELOW, Frame, Head, Key, LABEL_ABOVE, WIDTH};
+use super::frame::{BELOW, Frame, LABEL_ABOVE, LABEL_UP, WIDTH};
+use super::head::{Head, Key};
 use super::labels::Labels;
 use super::number::text_width;
 use super::{HEIGHT, PointMark, STEPS, draw_marks, draw_pieces};
@@ -65,16 +68,17 @@ impl Map {
         }
         frame.axes(&mut figure, &self.x.label, &self.y.label);
         draw_bar(&mut figure, &frame.area, &value);
-        let end = Point::new(WIDTH - 2.0, frame.area.high.im + 2.9);
+        let end = Point::new(WIDTH - 2.0, frame.area.high.im + LABEL_UP);
         figure.text(end, self.value.label.clone(), Anchor::End);
         draw_marks(&mut figure, &self.marks, &frame, &mut labels);
         figure
     }
 
-    /// Neighbours of one shade in a row are drawn as one rectangle.
+    /// Neighbours of one shade in a row are one rectangle, and all of one shade are one mark.
     fn draw_cells(&self, figure: &mut Figure, area: &Area, value: &Ruler, (columns, rows): (usize, usize)) {
         let size = area.high - area.low;
         let (wide, high) = (size.re / columns.max(1) as f64, size.im / rows.max(1) as f64);
+        let mut of_shade: BTreeMap<u8, Vec<(Point, Point)>> = BTreeMap::new();
         let mut crossed = Vec::new();
         for (index, row) in self.rows.iter().take(rows).enumerate() {
             let shades: Vec<Option<u8>> = (0..columns).map(|column| shade(value, *row.get(column)?)).collect();
@@ -83,23 +87,25 @@ impl Map {
                 let low = area.low + Point::new(wide * start as f64, high * index as f64);
                 let far = Point::new(low.re + wide * run.len() as f64, low.im + high);
                 match run[0] {
-                    Some(percent) => {
-                        let reach = far + Point::new(OVERLAP, OVERLAP);
-                        let reach = Point::new(reach.re.min(area.high.re), reach.im.min(area.high.im));
-                        figure.rectangle(low, reach, Ink::Shade(percent));
-                    }
+                    Some(percent) => of_shade.entry(percent).or_default().push((low, reach_under(far, area))),
                     None => crossed.push((low, far)),
                 }
                 start += run.len();
             }
         }
-        for (low, high) in crossed {
-            figure.rectangle(low, high, Ink::Shade(0));
-            let thin = Stroke::solid(Ink::Grey, 0.1);
+        for (percent, corners) in of_shade {
+            figure.rectangles(corners, Ink::Shade(percent));
+        }
+        let thin = Stroke::solid(Ink::Grey, 0.1);
+        for &(low, high) in &crossed {
             figure.line(low, high, thin);
             figure.line(Point::new(low.re, high.im), Point::new(high.re, low.im), thin);
         }
     }
+}
+
+fn reach_under(corner: Point, area: &Area) -> Point {
+    Point::new((corner.re + OVERLAP).min(area.high.re), (corner.im + OVERLAP).min(area.high.im))
 }
 
 /// The shade of a value, at the ends of the scale beyond it.
@@ -119,7 +125,7 @@ fn draw_bar(figure: &mut Figure, area: &Area, value: &Ruler) {
         let ends = [part - 0.5 / LEVELS, part + 0.5 / LEVELS].map(|end| level(end.clamp(0.0, 1.0)));
         let percent = (SHADES.0 + (SHADES.1 - SHADES.0) * part).round() as u8;
         let top = (ends[1] + OVERLAP).min(high.im);
-        figure.rectangle(Point::new(low.re, ends[0]), Point::new(high.re, top), Ink::Shade(percent));
+        figure.rectangles(vec![(Point::new(low.re, ends[0]), Point::new(high.re, top))], Ink::Shade(percent));
     }
     let thin = Stroke::solid(Ink::Black, 0.2);
     figure.polygon(vec![low, Point::new(high.re, low.im), high, Point::new(low.re, high.im)], thin, None);

@@ -16,6 +16,7 @@
 mod axis;
 mod curve;
 mod frame;
+mod head;
 mod labels;
 mod map;
 mod number;
@@ -28,7 +29,8 @@ pub use polar::Polar;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use curve::pieces;
-use frame::{BELOW, Frame, Head, Key, LABEL_ABOVE, WIDTH};
+use frame::{BELOW, Frame, LABEL_ABOVE, WIDTH};
+use head::{Head, Key};
 use labels::Labels;
 
 /// Height of the frame in millimetres.

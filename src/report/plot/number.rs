@@ -71,15 +71,15 @@ fn in_powers(value: f64, power: i32) -> String {
     }
 }
 
-/// About the width of a text on the page in millimetres, as Helvetica and Latin Modern set it in these drawings.
+/// About the width of a text on the page in millimetres, in the widest face that stands in for Helvetica.
 pub(super) fn text_width(text: &str) -> f64 {
     let width = |letter: char| match letter {
-        THIN => 0.5,
-        'i' | 'j' | 'l' | 't' | 'f' | 'I' | '.' | ',' | ';' | ':' | '·' | '\'' | '(' | ')' | ' ' | '/' => 0.95,
-        'm' | 'w' | 'M' | 'W' => 2.6,
+        THIN => 0.6,
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | '.' | ',' | ';' | ':' | '·' | '\'' | '(' | ')' | ' ' | '/' => 1.05,
+        'm' | 'w' | 'M' | 'W' | '−' | '+' | '=' | '≈' => 2.6,
         'A'..='Z' => 2.1,
-        letter if letter == '⁻' || SUPERSCRIPTS.contains(&letter) => 1.1,
-        _ => 1.68,
+        letter if letter == '⁻' || SUPERSCRIPTS.contains(&letter) => 1.2,
+        _ => 1.88,
     };
     text.chars().map(width).sum()
 }

@@ -3,8 +3,8 @@
 use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::axis::Axis;
 use super::curve::{Area, Curve, pieces};
-use super::frame::{Head, Key};
-use super::labels::{LINE, Labels};
+use super::head::{Head, Key};
+use super::labels::{LINE, Labels, Place};
 use super::{PointMark, draw_pieces};
 
 /// The curves of the tips of vectors that begin at the centre.
@@ -79,10 +79,11 @@ impl Polar {
         for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
             labels.name_point(&mut figure, &mark.label, *at);
         }
-        for tick in circles {
-            let reach = RADIUS * tick.value / full;
-            labels.write(&mut figure, &tick.label, &along_axes(centre, reach));
-        }
+        let texts: Vec<String> = circles.iter().map(|tick| tick.label.clone()).collect();
+        let of_circles: Vec<_> = circles.iter().map(|tick| along_axes(centre, RADIUS * tick.value / full)).collect();
+        let rows: Vec<Vec<_>> =
+            (0..PLACES).map(|side| of_circles.iter().map(|places| places[side]).collect()).collect();
+        labels.write_row(&mut figure, &texts, &rows);
         figure.text(Point::new(centre.re, LINE / 2.0 + 1.0), self.label.clone(), Anchor::Middle);
         figure
     }
@@ -105,17 +106,19 @@ impl Polar {
     }
 }
 
-/// Places inside a circle beside the axes.
-fn along_axes(centre: Point, reach: f64) -> Vec<(Point, Anchor)> {
+/// Places inside a circle on both sides of the four half axes.
+const PLACES: usize = 8;
+
+fn along_axes(centre: Point, reach: f64) -> [Place; PLACES] {
     let (right, up) = (Point::new(reach - 0.7, 0.0), Point::new(0.0, reach - 2.3));
     let (aside, above) = (Point::new(0.8, 0.0), Point::new(0.0, 2.3));
-    vec![
+    [
         (centre + right - above, Anchor::End),
         (centre + right + above, Anchor::End),
-        (centre + up + aside, Anchor::Start),
-        (centre + up - aside, Anchor::End),
         (centre - right - above, Anchor::Start),
         (centre - right + above, Anchor::Start),
+        (centre + up + aside, Anchor::Start),
+        (centre + up - aside, Anchor::End),
         (centre - up + aside, Anchor::Start),
         (centre - up - aside, Anchor::End),
     ]

@@ -1,0 +1,45 @@
+//! `bearings`: what do the main bearings feel?
+
+use std::path::PathBuf;
+
+use crankstar::layout::Engine;
+use crankstar::loads::{Method, bearing_loads};
+use crankstar::report;
+
+use super::failure::Failure;
+use super::{Subject, print_json, terminal, write};
+
+/// Arguments of `bearings`.
+#[derive(clap::Args)]
+pub struct Bearings {
+    #[command(flatten)]
+    subject: Subject,
+    /// Print the loads as JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    /// Folder for the page with its plots
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+impl Bearings {
+    /// Prints the loads, and writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        let (engine, orders) = self.subject.read()?;
+        let Engine::Known(layout, _) = engine else {
+            return Err(Failure::new("bearing loads need an engine without unknowns; give them values below [values]"));
+        };
+        let solve = |method| bearing_loads(&layout, &orders, method).map_err(Failure::new);
+        let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
+        if self.json {
+            return print_json(&report::bearings_document(&layout, &continuous, &determinate));
+        }
+        let mut text = terminal::bearings(&layout, &continuous, &determinate);
+        if let Some(folder) = &self.output {
+            let files = report::bearings_page(&layout, &continuous, &determinate);
+            write::to_folder(folder, &files)?;
+            text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+        }
+        write::to_stdout(&text)
+    }
+}

@@ -1,0 +1,63 @@
+//! Where do the main bearings stand? What the key `bearings` says: positions along the shaft, two or more.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use serde_spanned::Spanned;
+
+use super::engine::LengthUnit;
+use super::error::LayoutError;
+use super::quantities::{self, List, misread};
+use super::written::{Text, place};
+
+/// The most bearings that are read: 100 spans.
+const MOST_BEARINGS: usize = 101;
+
+/// The positions, in the order of the file, by the rules of the cylinders' positions.
+///
+/// `positions_given` says whether the file tells where the cylinders stand: where it does not, they stand one spacing
+/// apart, and a bearing in metres has no place among them.
+pub(super) fn read(list: &List, unit: &mut LengthUnit, positions_given: bool) -> Result<Vec<BigRational>, LayoutError> {
+    let texts = list.get_ref();
+    if !(2..=MOST_BEARINGS).contains(&texts.len()) {
+        let message = format!("{} {}", texts.len(), if texts.len() == 1 { "main bearing" } else { "main bearings" });
+        return Err(LayoutError::new(message, format!("a shaft lies in 2 to {MOST_BEARINGS}"), place(list)));
+    }
+    let mut places: BTreeMap<BigRational, usize> = BTreeMap::new();
+    let mut positions = Vec::new();
+    for (index, text) in texts.iter().enumerate() {
+        let position = position(text, unit, positions_given)?;
+        if let Some(first) = places.insert(position.clone(), index) {
+            let message = format!("main bearings {} and {} both stand at {position}", first + 1, index + 1);
+            return Err(LayoutError::new(message, "each needs a position of its own", place(text)));
+        }
+        positions.push(position);
+    }
+    Ok(positions)
+}
+
+fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result<BigRational, LayoutError> {
+    let mut own = LengthUnit::Spacing;
+    let length = quantities::length(text, &mut own)?;
+    let written = &text.get_ref().0;
+    let Some(known) = length.as_known() else {
+        return Err(misread("position", written, "a bearing stands at a known length".to_owned(), text));
+    };
+    if own == LengthUnit::Metre {
+        if !positions_given {
+            let message = "a main bearing in metres, but the cylinders stand in multiples of their spacing";
+            return Err(LayoutError::new(message, "add the spacing or the positions of the cylinders", place(text)));
+        }
+        *unit = own;
+    }
+    Ok(known.clone())
+}
+
+/// Bearings of a layout that leaves an angle or a position open.
+pub(super) fn of_open_layout<T>(list: &Spanned<T>) -> LayoutError {
+    LayoutError::new(
+        "the loads of main bearings cannot be told while an angle or position is open",
+        "give the unknowns values, or leave the bearings out",
+        place(list),
+    )
+}

@@ -1,0 +1,148 @@
+//! Which forces do the main bearings feel, order by order and through a revolution?
+//!
+//! A bearing carries a rational part of a force that acts at a position of the shaft ([`crate::beam`]), so each order of
+//! each reaction is again an exact sum: that of the force, each term weighed by its part (theory, section 8).
+//! Inertia forces along the cylinder axes only: no gas force, no weight, no side force of the pistons; rigid collinear
+//! bearings without clearance.
+
+use std::collections::BTreeMap;
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::contribution::{self, Effect, Parts, Weighing};
+use super::shares::{Shares, in_equilibrium};
+use super::{Missing, Motion, Peak, Scale, Swing, Waveform};
+use crate::beam::Beam;
+use crate::exact::PhasorSum;
+use crate::layout::Layout;
+use crate::proof::Sense;
+
+/// How a load is shared among the bearings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// One continuous beam of constant EI: [`Beam::influence`].
+    Continuous,
+    /// Each span a beam of its own, which is statically determinate: [`Beam::determinate`].
+    Determinate,
+}
+
+/// The loads of all main bearings, in multiples of m r ω².
+#[derive(Clone, Debug)]
+pub struct BearingLoads {
+    /// How loads are shared.
+    pub method: Method,
+    /// The bearings, in the order of the file.
+    pub bearings: Vec<BearingLoad>,
+    /// The part that each bearing carries of a unit load, by the load's position: exact.
+    pub parts: BTreeMap<BigRational, Vec<BigRational>>,
+    /// Indices of those with the largest peak; none where no bearing feels anything.
+    pub worst: Vec<usize>,
+    /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
+    pub scale: Option<Scale>,
+}
+
+/// What one main bearing feels: the force in the direction of the load, not the one that it answers with.
+#[derive(Clone, Debug)]
+pub struct BearingLoad {
+    /// Where it stands, in the unit of the layout's positions.
+    pub position: BigRational,
+    /// The orders, rising.
+    pub orders: Vec<BearingOrder>,
+    /// All of them together.
+    pub waveform: Waveform,
+    /// The largest force in a revolution.
+    pub peak: Peak,
+    /// The largest size of the component along direction 0, y.
+    pub along: Peak,
+    /// The largest size of the component across it, x; to the right it is the imaginary part with its sign changed.
+    pub across: Peak,
+}
+
+/// One order of what a bearing feels.
+#[derive(Clone, Debug)]
+pub struct BearingOrder {
+    /// The order k.
+    pub order: u32,
+    /// P⁺ and P⁻ as exact sums by their coefficient, in multiples of m r.
+    pub sums: [Parts; 2],
+    /// The two vectors, in multiples of m r ω².
+    pub swing: Swing,
+}
+
+/// Peaks closer than this part are equal.
+const EQUAL: f64 = 1e-9;
+
+/// Computes what the main bearings of an engine feel at these orders.
+///
+/// Every order is checked, exactly, against the force of the engine and its moment: the reactions sum to both.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
+    if layout.bearings.is_empty() {
+        return Err(Missing::Bearings);
+    }
+    let beam = Beam::new(layout.bearings.clone()).map_err(Missing::Beam)?;
+    let motion = Motion::new(layout)?;
+    let shares = Shares::new(beam, method);
+    let scene: Vec<Effect> =
+        contribution::effects_of(layout).into_iter().filter(|effect| loads_the_shaft(*effect)).collect();
+    let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings.iter().map(|_| Vec::new()).collect();
+    for &order in orders {
+        let solved = [Sense::Direct, Sense::Reverse].map(|sense| {
+            let sum = |weighing: Weighing| {
+                let of = |&effect: &Effect| contribution::parts(layout, effect, weighing, order, sense);
+                collected(super::merged(&scene.iter().map(of).collect::<Vec<Parts>>()))
+            };
+            let parts: Vec<Parts> =
+                (0..layout.bearings.len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
+            let loads = [sum(&|_| BigRational::one()), sum(&Clone::clone)];
+            if !in_equilibrium(&layout.bearings, &parts, &loads) {
+                unreachable!("the reactions of order {order} sum to the force and its moment")
+            }
+            parts
+        });
+        let [direct, reverse] = solved;
+        for ((loads, direct), reverse) in by_bearing.iter_mut().zip(direct).zip(reverse) {
+            let swing = Swing {
+                direct: motion.vector(&direct, order, Sense::Direct),
+                reverse: motion.vector(&reverse, order, Sense::Reverse),
+            };
+            loads.push(BearingOrder { order, sums: [direct, reverse], swing });
+        }
+    }
+    let bearings: Vec<BearingLoad> =
+        layout.bearings.iter().zip(by_bearing).map(|(at, orders)| BearingLoad::new(at.clone(), orders)).collect();
+    let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
+    let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
+    let worst = (0..bearings.len()).filter(is_worst).collect();
+    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(layout) })
+}
+
+/// Whether the forces of an effect reach the crankshaft.
+fn loads_the_shaft(effect: Effect) -> bool {
+    match effect {
+        Effect::Reciprocating | Effect::Rotating | Effect::Crankshaft | Effect::Counterweights => true,
+        // A balancer shaft stands in bearings of its own.
+        Effect::Balancers => false,
+    }
+}
+
+/// The same sums with each direction once.
+fn collected(parts: Parts) -> Parts {
+    parts.into_iter().map(|(factor, sum)| (factor, PhasorSum::new(sum.collected()))).collect()
+}
+
+impl BearingLoad {
+    fn new(position: BigRational, orders: Vec<BearingOrder>) -> Self {
+        let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
+        let component = |direction: Complex<f64>| {
+            let peak = waveform.turned(direction.conj()).real_peak();
+            Peak { vector: peak.vector * direction, ..peak }
+        };
+        let (along, across) = (component(Complex::new(1.0, 0.0)), component(Complex::i()));
+        BearingLoad { position, orders, peak: waveform.peak(), along, across, waveform }
+    }
+}

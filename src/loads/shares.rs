@@ -1,0 +1,63 @@
+//! Which part of a force does each main bearing carry, and do all of them together balance it?
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::bearing::Method;
+use super::contribution::Parts;
+use crate::beam::{Beam, Mistake};
+use crate::exact::PhasorSum;
+
+/// The parts that the bearings carry of a load, by its position; each position is solved once.
+pub(super) struct Shares {
+    beam: Beam,
+    method: Method,
+    known: RefCell<BTreeMap<BigRational, Vec<BigRational>>>,
+}
+
+impl Shares {
+    pub fn new(beam: Beam, method: Method) -> Self {
+        Shares { beam, method, known: RefCell::default() }
+    }
+
+    /// What one bearing carries of a unit load.
+    pub fn part(&self, bearing: usize, position: &BigRational) -> BigRational {
+        let mut known = self.known.borrow_mut();
+        if let Some(parts) = known.get(position) {
+            return parts[bearing].clone();
+        }
+        let parts = self.solve(position).unwrap_or_else(|mistake| unreachable!("a beam without ends: {mistake}"));
+        let part = parts[bearing].clone();
+        known.insert(position.clone(), parts);
+        part
+    }
+
+    /// All that was solved.
+    pub fn into_known(self) -> BTreeMap<BigRational, Vec<BigRational>> {
+        self.known.into_inner()
+    }
+
+    fn solve(&self, position: &BigRational) -> Result<Vec<BigRational>, Mistake> {
+        match self.method {
+            Method::Continuous => self.beam.influence(position),
+            Method::Determinate => self.beam.determinate(position),
+        }
+    }
+}
+
+/// Whether the reactions sum to the force, and their moments about position 0 to its moment; all are exact sums.
+pub(super) fn in_equilibrium(positions: &[BigRational], reactions: &[Parts], [force, moment]: &[Parts; 2]) -> bool {
+    let balances = |load: &Parts, arm: &dyn Fn(&BigRational) -> BigRational| {
+        let weighed = reactions.iter().zip(positions).map(|(parts, at)| {
+            let arm = arm(at);
+            parts.iter().map(|(factor, sum)| (factor.clone(), sum.scaled(&arm))).collect::<Parts>()
+        });
+        let minus = load.iter().map(|(factor, sum)| (factor.clone(), sum.scaled(&-BigRational::one()))).collect();
+        let all: Vec<Parts> = weighed.chain([minus]).collect();
+        super::merged(&all).values().all(PhasorSum::vanishes)
+    };
+    balances(force, &|_| BigRational::one()) && balances(moment, &Clone::clone)
+}

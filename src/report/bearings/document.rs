@@ -1,0 +1,148 @@
+//! What does `bearings --json` hold? Peaks, orders with their exact sums, the parts of a load.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::super::calculation::Unit;
+use super::amounts::unit_of;
+use crate::layout::Layout;
+use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Factor, Outcome, Parts, Peak, Vector};
+
+/// What the main bearings feel, as data.
+#[derive(Clone, Debug, Serialize)]
+pub struct BearingsDocument {
+    title: String,
+    amplitudes: &'static str,
+    sign: &'static str,
+    unit: &'static str,
+    /// Newtons a multiple of m r ω²; null where the layout does not say.
+    newtons_per_multiple: Option<f64>,
+    continuous: Solution,
+    determinate: Solution,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Solution {
+    /// Numbers of the bearings with the largest peak, from 1.
+    worst: Vec<usize>,
+    /// Position of a load to the parts of it that the bearings carry.
+    parts: BTreeMap<String, Vec<String>>,
+    bearings: Vec<Bearing>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Bearing {
+    bearing: usize,
+    position: String,
+    peak: PeakEntry,
+    y: PeakEntry,
+    x: PeakEntry,
+    orders: Vec<Order>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct PeakEntry {
+    value: f64,
+    crank_angle_deg: Option<f64>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Order {
+    order: u32,
+    largest: f64,
+    direct: Turning,
+    reverse: Turning,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Turning {
+    amplitude: f64,
+    angle_deg: Option<f64>,
+    /// `true` proved zero, `false` proved not zero, null not decided.
+    vanishes: Option<bool>,
+    /// The vector in multiples of m r ω² is half the sum of these, each times its coefficient.
+    sums: Vec<Sum>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Sum {
+    coefficient: String,
+    terms: Vec<Term>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Term {
+    turn: String,
+    weight: String,
+}
+
+/// What the main bearings feel as data, in newtons where the layout gives mass, crank radius and speed.
+pub fn bearings_document(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
+    let unit = unit_of(continuous);
+    BearingsDocument {
+        title: layout.title.clone(),
+        amplitudes: "zero-to-peak",
+        sign: "the force that the bearing feels; y in the reference direction, x across it",
+        unit: unit.name,
+        newtons_per_multiple: continuous.scale.as_ref().map(|scale| scale.force()),
+        continuous: solution(continuous, unit),
+        determinate: solution(determinate, unit),
+    }
+}
+
+fn solution(loads: &BearingLoads, unit: Unit) -> Solution {
+    let text = |parts: &Vec<num_rational::BigRational>| parts.iter().map(ToString::to_string).collect();
+    let bearing = |(index, bearing): (usize, &BearingLoad)| Bearing {
+        bearing: index + 1,
+        position: bearing.position.to_string(),
+        peak: peak(&bearing.peak, unit),
+        y: peak(&bearing.along, unit),
+        x: peak(&bearing.across, unit),
+        orders: bearing.orders.iter().map(|entry| order(entry, unit)).collect(),
+    };
+    Solution {
+        worst: loads.worst.iter().map(|index| index + 1).collect(),
+        parts: loads.parts.iter().map(|(at, parts)| (at.to_string(), text(parts))).collect(),
+        bearings: loads.bearings.iter().enumerate().map(bearing).collect(),
+    }
+}
+
+fn peak(peak: &Peak, unit: Unit) -> PeakEntry {
+    PeakEntry { value: peak.value * unit.factor, crank_angle_deg: peak.angle.filter(|_| peak.value > 0.0) }
+}
+
+fn order(order: &BearingOrder, unit: Unit) -> Order {
+    let [direct, reverse] = &order.sums;
+    Order {
+        order: order.order,
+        largest: order.swing.largest() * unit.factor,
+        direct: turning(&order.swing.direct, direct, unit),
+        reverse: turning(&order.swing.reverse, reverse, unit),
+    }
+}
+
+fn turning(vector: &Vector, parts: &Parts, unit: Unit) -> Turning {
+    let vanishes = match vector.outcome {
+        Outcome::Zero => Some(true),
+        Outcome::NotZero => Some(false),
+        Outcome::Undecided { .. } => None,
+    };
+    let terms = |sum: &crate::exact::PhasorSum| {
+        sum.terms()
+            .iter()
+            .map(|term| Term { turn: term.angle.turns().to_string(), weight: term.weight.to_string() })
+            .collect()
+    };
+    Turning {
+        amplitude: vector.value.norm() / 2.0 * unit.factor,
+        angle_deg: (vector.value.norm_sqr() > 0.0).then(|| vector.value.arg().to_degrees()),
+        vanishes,
+        sums: parts.iter().map(|(factor, sum)| Sum { coefficient: coefficient(factor), terms: terms(sum) }).collect(),
+    }
+}
+
+/// `1`, or c_k of which rod.
+fn coefficient(factor: &Factor) -> String {
+    factor.as_ref().map_or("1".to_owned(), |rod| format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset))
+}

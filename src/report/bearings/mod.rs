@@ -1,0 +1,13 @@
+//! What do the main bearings feel, as a person reads it? Tables, plots, a page, a JSON document.
+
+mod amounts;
+mod document;
+mod page;
+mod plots;
+mod tables;
+
+pub use document::{BearingsDocument, bearings_document};
+pub(super) use page::ASSUMPTIONS;
+pub use page::{bearings_lines, bearings_page};
+pub(super) use plots::drawings;
+pub use tables::{bearings_rows, bearings_tables};

@@ -1,0 +1,181 @@
+//! What goes into a calculation? The values of the layout file, and what follows from them line by line.
+
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::expression::{Expression, Line, fraction, power, quantity};
+use crate::exact::Turn;
+use crate::layout::{Given, Layout, Measure};
+use crate::loads::{Loads, Scale};
+use crate::proof::Sense;
+use crate::report::typeset;
+
+/// Lines are written for each cylinder only up to this many; beyond, the table of inputs holds the values.
+const MOST_LINES: usize = 12;
+
+/// Name, symbol in TeX and unit of a quantity.
+pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static str) {
+    match measure {
+        Measure::Speed => ("speed", "n", "rpm"),
+        Measure::Stroke => ("stroke", "s", "m"),
+        Measure::CrankRadius => ("crank radius", "r", "m"),
+        Measure::RodLength => ("rod length between centres", "l", "m"),
+        Measure::RodRatio => ("rod ratio", "\\lambda", ""),
+        Measure::PinOffset => ("offset of the cylinder axis", "e", "m"),
+        Measure::OffsetRatio => ("offset ratio", "\\delta", ""),
+        Measure::ReciprocatingMass => ("reciprocating mass of a cylinder", "m", "kg"),
+        Measure::PistonMass => ("piston with rings", "m_{\\mathrm{P}}", "kg"),
+        Measure::PinMass => ("piston pin", "m_{\\mathrm{B}}", "kg"),
+        Measure::RodMass => ("rod", "m_{\\mathrm{R}}", "kg"),
+        Measure::RodCentre => ("centre of gravity of the rod from its big end", "x_{\\mathrm{G}}", "m"),
+        Measure::RotatingMass => ("rotating mass at the crankpin, a cylinder", "m_{\\mathrm{rot}}", "kg"),
+    }
+}
+
+/// Rows of the table of inputs: quantity, symbol, value in SI units, as written, cylinder.
+pub(super) fn rows(layout: &Layout) -> Vec<Vec<String>> {
+    let row = |given: &Given| {
+        let (name, symbol, unit) = words(given.quantity);
+        let value = typeset::number(&given.value);
+        let of = given.cylinder.map_or("all".to_owned(), |index| layout.cylinders[index].name.clone());
+        vec![
+            name.to_owned(),
+            format!("${symbol}$"),
+            format!("{value} {unit}").trim().to_owned(),
+            given.written.clone(),
+            of,
+        ]
+    };
+    layout.mechanism.given.iter().map(row).collect()
+}
+
+/// Rows of the table of turning masses: what, mass, radius, angle at θ = 0, position, speed.
+pub(super) fn turning(layout: &Layout) -> Vec<Vec<String>> {
+    let crankshaft = &layout.crankshaft;
+    let row = |name: String, mass: String, radius: String, angle: &Turn, position: &BigRational, speed: &str| {
+        vec![name, mass, radius, typeset::angle(angle), typeset::number(position), speed.to_owned()]
+    };
+    let throws = crate::layout::throws(layout);
+    let named = |index: usize| format!("throw {}", index + 1);
+    let pins = crankshaft.pins.iter().zip(&throws).enumerate().map(|(index, (mass, throw))| {
+        row(format!("pin, {}", named(index)), typeset::number(mass), "r".into(), &throw.angle, &throw.position, "1")
+    });
+    let webs = crankshaft.webs.iter().zip(&throws).enumerate().map(|(index, (web, throw))| {
+        let (mass, radius) = (typeset::number(&web.mass), typeset::number(&web.radius));
+        row(format!("webs, {}", named(index)), mass, radius, &throw.angle, &throw.position, "1")
+    });
+    let weights = crankshaft.counterweights.iter().map(|weight| {
+        let of = weight.throw.map_or_else(String::new, |throw| format!(", {}", named(throw)));
+        let (mass, radius) = (typeset::number(&weight.mass), typeset::number(&weight.radius));
+        row(format!("counterweight{of}"), mass, radius, &weight.angle, &weight.position, "1")
+    });
+    let shafts = crankshaft.balancers.iter().map(|shaft| {
+        let speed = match shaft.sense {
+            Sense::Direct => shaft.order.to_string(),
+            Sense::Reverse => format!("−{}", shaft.order),
+        };
+        let product = format!("{} kg·m", typeset::number(&shaft.mass_radius));
+        row("balancer shaft".into(), product, "–".into(), &shaft.angle, &shaft.position, &speed)
+    });
+    pins.chain(webs).chain(weights).chain(shafts).collect()
+}
+
+/// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².
+pub(super) fn lines(layout: &Layout, loads: &Loads) -> Vec<Line> {
+    let by_cylinder = layout.mechanism.given.iter().any(|given| given.cylinder.is_some());
+    let cylinders = if by_cylinder { layout.cylinders.len() } else { 1 };
+    let mut lines = Vec::new();
+    if cylinders <= MOST_LINES {
+        for index in 0..cylinders {
+            lines.extend(of_cylinder(layout, index, by_cylinder));
+        }
+    }
+    if let Some(scale) = &loads.scale {
+        lines.extend(of_engine(scale));
+    }
+    lines
+}
+
+fn of_cylinder(layout: &Layout, index: usize, by_cylinder: bool) -> Vec<Line> {
+    let value = |measure: Measure| {
+        let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
+        layout.mechanism.given.iter().find(of).and_then(|given| given.value.to_f64())
+    };
+    let subscript = if by_cylinder { format!("_{{{}}}", layout.cylinders[index].name) } else { String::new() };
+    let named = |symbol: &str| match symbol.split_once('_') {
+        Some((letter, below)) if by_cylinder => {
+            format!(
+                "{letter}_{{{}{},{}}}",
+                "",
+                below.trim_matches(['{', '}']).replace("\\mathrm{", ""),
+                layout.cylinders[index].name
+            )
+        }
+        _ => format!("{symbol}{subscript}"),
+    };
+    let of = |measure: Measure| value(measure).map(|value| quantity(named(words(measure).1), value));
+    let line = |symbol: &str, expression, unit| Line { symbol: named(symbol), expression, unit };
+    let mut lines = Vec::new();
+    if let Some(stroke) = of(Measure::Stroke) {
+        lines.push(line("r", fraction(stroke, Expression::Number(2)), "m"));
+    }
+    let radius = value(Measure::CrankRadius).or(value(Measure::Stroke).map(|stroke| stroke / 2.0));
+    let radius = radius.map(|radius| quantity(named("r"), radius));
+    if let (Some(radius), Some(length)) = (radius.clone(), of(Measure::RodLength)) {
+        lines.push(line("\\lambda", fraction(radius, length), ""));
+    }
+    if let Some(offset) = of(Measure::PinOffset) {
+        match (of(Measure::RodLength), radius, of(Measure::RodRatio)) {
+            (Some(length), ..) => lines.push(line("\\delta", fraction(offset, length), "")),
+            (None, Some(radius), Some(ratio)) => {
+                lines.push(line("\\delta", fraction(Expression::Product(vec![offset, ratio]), radius), ""));
+            }
+            _ => {}
+        }
+    }
+    lines.extend(masses(&of, &line));
+    lines
+}
+
+/// The rod as two masses (theory, section 7).
+fn masses(
+    of: &impl Fn(Measure) -> Option<Expression>,
+    line: &impl Fn(&str, Expression, &'static str) -> Line,
+) -> Vec<Line> {
+    let Some(piston) = of(Measure::PistonMass) else { return Vec::new() };
+    let mut terms = vec![piston];
+    terms.extend(of(Measure::PinMass));
+    let mut lines = Vec::new();
+    if let (Some(rod), Some(centre), Some(length)) =
+        (of(Measure::RodMass), of(Measure::RodCentre), of(Measure::RodLength))
+    {
+        let part = |numerator| fraction(Expression::Product(vec![rod.clone(), numerator]), length.clone());
+        terms.push(part(centre.clone()));
+        let rest = Expression::Sum(vec![length.clone(), Expression::Minus(Box::new(centre))]);
+        lines.push(line("m_{\\mathrm{rot}}", part(rest), "kg"));
+    }
+    let sum = if terms.len() == 1 { terms.remove(0) } else { Expression::Sum(terms) };
+    lines.insert(0, line("m", sum, "kg"));
+    lines
+}
+
+fn of_engine(scale: &Scale) -> Vec<Line> {
+    let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
+    let speed = quantity("n", float(&scale.speed));
+    let omega =
+        fraction(Expression::Product(vec![Expression::Number(2), Expression::Pi, speed]), Expression::Number(60));
+    let force = Expression::Product(vec![
+        quantity("m", float(&scale.mass)),
+        quantity("r", float(&scale.crank_radius)),
+        power(quantity("\\omega", scale.omega()), 2),
+    ]);
+    let mut lines = vec![
+        Line { symbol: "\\omega".to_owned(), expression: omega, unit: "rad\\,s^{-1}" },
+        Line { symbol: "K".to_owned(), expression: force, unit: "N" },
+    ];
+    // An engine without reciprocating masses is counted in multiples of one kilogram.
+    if scale.mass.is_zero() {
+        lines.clear();
+    }
+    lines
+}

@@ -1,0 +1,301 @@
+//! What comes out, order by order and summed, each line worked out from the figures that it prints?
+
+use num_traits::{ToPrimitive, Zero};
+
+use super::amounts::Unit;
+use super::expression::{Expression, Line, fraction, half, power, quantity};
+use crate::layout::Layout;
+use crate::loads::{Harmonic, Loads, OrderLoads, Outcome, Swing, Vector, Waveform};
+use crate::motion;
+use crate::numbers;
+use crate::phasor;
+use crate::proof::{Quantity, Sense};
+
+/// Most terms of the series of a coefficient that are printed.
+const MOST_TERMS: usize = 7;
+/// The part of a coefficient that a printed series may leave out.
+const SMALLEST_TAIL: f64 = 2e-7;
+
+/// Lines with what they are about.
+pub(super) struct Group {
+    pub heading: String,
+    pub lines: Vec<Line>,
+}
+
+/// The lines of every order that is left, forces before moments.
+pub(super) fn orders(layout: &Layout, loads: &Loads) -> Vec<Group> {
+    loads.orders.iter().filter_map(|order| of_order(layout, loads, order)).collect()
+}
+
+fn of_order(layout: &Layout, loads: &Loads, order: &OrderLoads) -> Option<Group> {
+    if order.force.vanishes() && order.moment.vanishes() {
+        return None;
+    }
+    let mut lines: Vec<Line> = coefficient(layout, order).into_iter().collect();
+    for (quantity, swing) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
+        if swing.vanishes() {
+            continue;
+        }
+        for (sense, vector) in [(Sense::Direct, &swing.direct), (Sense::Reverse, &swing.reverse)] {
+            lines.extend(length(layout, order, quantity, sense, vector));
+        }
+        lines.extend(extremes(layout, loads, order.order, quantity, swing));
+        lines.extend(textbook(layout, loads, order, quantity, swing));
+    }
+    Some(Group { heading: format!("Order {}", order.order), lines })
+}
+
+/// `c_2 = λ + λ³/4 + …` of equal centric cranks; the value alone where the series is long or the crank offset.
+fn coefficient(layout: &Layout, order: &OrderLoads) -> Option<Line> {
+    let value = order.coefficient.as_ref()?.to_complex();
+    let rod = layout.mechanism.rods.first()?;
+    let symbol = format!("c_{{{}}}", order.order);
+    if order.order == 1 && rod.offset.is_zero() {
+        return None;
+    }
+    if !rod.offset.is_zero() {
+        let symbol = format!("\\left|{symbol}\\right|");
+        return Some(Line { symbol, expression: quantity("", value.norm()), unit: "" });
+    }
+    let series = (1..=MOST_TERMS).map(|terms| motion::series(order.order, terms)).find(|series| {
+        let tail = series.tail(&rod.ratio).and_then(|tail| tail.to_f64()).unwrap_or(1.0);
+        tail.abs() <= SMALLEST_TAIL * value.re.abs()
+    });
+    let expression = series.map_or_else(|| quantity("", value.re), |series| expansion(&series, rod.ratio.to_f64()));
+    Some(Line { symbol, expression, unit: "" })
+}
+
+fn expansion(series: &motion::Series, ratio: Option<f64>) -> Expression {
+    let ratio = quantity("\\lambda", ratio.unwrap_or(f64::NAN));
+    let term = |(exponent, coefficient): &(u32, num_rational::BigRational)| {
+        let whole = |number: &num_bigint::BigInt| Expression::Number(number.magnitude().to_u64().unwrap_or(u64::MAX));
+        let raised = if *exponent == 1 { ratio.clone() } else { power(ratio.clone(), *exponent) };
+        let above = match coefficient.numer().magnitude().to_u64() {
+            Some(1) => raised,
+            _ => Expression::Product(vec![whole(coefficient.numer()), raised]),
+        };
+        let size = if coefficient.is_integer() { above } else { fraction(above, whole(coefficient.denom())) };
+        if *coefficient < num_rational::BigRational::zero() { Expression::Minus(Box::new(size)) } else { size }
+    };
+    let mut terms: Vec<Expression> = series.terms().iter().map(term).collect();
+    terms.push(Expression::Dots);
+    Expression::Sum(terms)
+}
+
+/// The symbol of a rotating vector: V of the force, W of the moment.
+fn vector_symbol(order: u32, quantity: Quantity, sense: Sense) -> String {
+    let letter = if quantity == Quantity::Moment { "W" } else { "V" };
+    format!("\\left|{letter}_{{{order}}}^{{{}}}\\right|", sign(sense))
+}
+
+fn sign(sense: Sense) -> &'static str {
+    match sense {
+        Sense::Direct => "+",
+        Sense::Reverse => "-",
+    }
+}
+
+/// `|V| = |c| |P|`, where the star of the verdicts is all that adds to it.
+fn length(layout: &Layout, order: &OrderLoads, of: Quantity, sense: Sense, vector: &Vector) -> Option<Line> {
+    if vector.outcome == Outcome::Zero {
+        return None;
+    }
+    let symbol = vector_symbol(order.order, of, sense);
+    let star = numbers::evaluate(&phasor::sum(layout, of, order.order, Some(sense))).norm();
+    let letter = if of == Quantity::Moment { "C" } else { "P" };
+    let star_symbol = format!("\\left|{letter}_{{{}}}^{{{}}}\\right|", order.order, sign(sense));
+    let c = order.coefficient.as_ref().map(|coefficient| coefficient.to_complex().norm());
+    // Other masses than the reciprocating ones add to the vector of order 1.
+    let is_star = c.is_some_and(|c| (c * star - vector.value.norm()).abs() <= 1e-12 * vector.value.norm());
+    let expression = match (is_star, c, order.order) {
+        (true, Some(1.0), 1) => quantity(star_symbol, star),
+        (true, Some(c), _) => Expression::Product(vec![
+            quantity(format!("\\left|c_{{{}}}\\right|", order.order), c),
+            quantity(star_symbol, star),
+        ]),
+        _ => with_rotating(layout, order, sense, star_symbol, star, vector)
+            .unwrap_or_else(|| quantity("", vector.value.norm())),
+    };
+    Some(Line { symbol, expression, unit: "" })
+}
+
+/// `|V_1⁺| = (1 + 2 m_rot/m) |P_1⁺|` of equal centric cylinders with equal rotating masses and no others.
+fn with_rotating(
+    layout: &Layout,
+    order: &OrderLoads,
+    sense: Sense,
+    star_symbol: String,
+    star: f64,
+    vector: &Vector,
+) -> Option<Expression> {
+    let mechanism = &layout.mechanism;
+    let rotating = mechanism.rotating_masses.first()?.to_f64()?;
+    let mass = mechanism.mass.as_ref()?.to_f64()?;
+    let inner = Expression::Sum(vec![
+        Expression::Number(1),
+        fraction(
+            Expression::Product(vec![Expression::Number(2), quantity("m_{\\mathrm{rot}}", rotating)]),
+            quantity("m", mass),
+        ),
+    ]);
+    let whole = (1.0 + 2.0 * rotating / mass) * star;
+    let alike = (whole - vector.value.norm()).abs() <= 1e-12 * whole;
+    let is_so = (order.order, sense) == (1, Sense::Direct) && alike;
+    is_so.then(|| Expression::Product(vec![inner, quantity(star_symbol, star)]))
+}
+
+fn force_letter(of: Quantity) -> &'static str {
+    if of == Quantity::Moment { "M" } else { "F" }
+}
+
+/// Half of K times an expression, or half of it where there are no newtons.
+fn halved(loads: &Loads, inner: Expression) -> Expression {
+    let mut factors = vec![half()];
+    factors.extend(loads.scale.as_ref().map(|scale| quantity("K", scale.force())));
+    factors.push(inner);
+    Expression::Product(factors)
+}
+
+/// The largest and, where it differs and is not zero, the smallest length of an order.
+fn extremes(layout: &Layout, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
+    let unit = Unit::of(layout, loads, of).tex;
+    let letter = force_letter(of);
+    let vector = |sense, vector: &Vector| quantity(vector_symbol(order, of, sense), vector.value.norm());
+    let (direct, reverse) = (vector(Sense::Direct, &swing.direct), vector(Sense::Reverse, &swing.reverse));
+    let largest = |expression| Line { symbol: format!("\\hat {letter}_{{{order}}}"), expression, unit };
+    match (swing.direct.outcome == Outcome::Zero, swing.reverse.outcome == Outcome::Zero) {
+        (true, _) => vec![largest(halved(loads, reverse))],
+        (_, true) => vec![largest(halved(loads, direct))],
+        _ => {
+            let both = Expression::Sum(vec![direct.clone(), reverse.clone()]);
+            let mut lines = vec![largest(halved(loads, both))];
+            if swing.smallest() > 1e-9 * swing.largest() {
+                let (longer, shorter) = match swing.direct.value.norm() > swing.reverse.value.norm() {
+                    true => (direct, reverse),
+                    false => (reverse, direct),
+                };
+                let difference = Expression::Sum(vec![longer, Expression::Minus(Box::new(shorter))]);
+                let symbol = format!("\\check {letter}_{{{order}}}");
+                lines.push(Line { symbol, expression: halved(loads, difference), unit });
+            }
+            lines
+        }
+    }
+}
+
+/// The second order with `c_2 = λ` alone, as textbooks take it.
+fn textbook(layout: &Layout, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
+    let rod = layout.mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+    let c = order.coefficient.as_ref()?.to_complex().norm();
+    if order.order != 2 {
+        return None;
+    }
+    let star = (swing.direct.value.norm() + swing.reverse.value.norm()) / c;
+    let letter = if of == Quantity::Moment { "C" } else { "P" };
+    let inner = Expression::Product(vec![
+        quantity("\\lambda", rod.ratio.to_f64()?),
+        quantity(
+            format!("\\left(\\left|{letter}_{{2}}^{{+}}\\right| + \\left|{letter}_{{2}}^{{-}}\\right|\\right)"),
+            star,
+        ),
+    ]);
+    Some(Line {
+        symbol: format!("\\hat {}_{{2}}^{{c_2 = \\lambda}}", force_letter(of)),
+        expression: halved(loads, inner),
+        unit: Unit::of(layout, loads, of).tex,
+    })
+}
+
+/// The peak of the sum over the orders: both components at its angle, and their length.
+pub(super) fn peak(layout: &Layout, loads: &Loads, of: Quantity) -> Option<Group> {
+    let waveform = if of == Quantity::Moment { &loads.moment } else { &loads.force };
+    let peak = waveform.peak();
+    let angle = peak.angle.filter(|_| waveform.harmonics().len() > 1)?;
+    let unit = Unit::of(layout, loads, of);
+    let letter = force_letter(of);
+    let mut lines = Vec::new();
+    let mut squares = Vec::new();
+    for (mark, component) in [("\\parallel", 0), ("\\perp", 1)] {
+        let terms = components(waveform, component, letter, mark, angle, unit.factor);
+        if terms.is_empty() {
+            continue;
+        }
+        let expression = if let [only] = terms.as_slice() { only.clone() } else { Expression::Sum(terms) };
+        let line = Line { symbol: format!("{letter}_{{{mark}}}(\\theta^{{*}})"), expression, unit: unit.tex };
+        squares.push(power(quantity(line.symbol.clone(), line.value()), 2));
+        lines.push(line);
+    }
+    if squares.len() > 1 {
+        let expression = Expression::Root(Box::new(Expression::Sum(squares)));
+        lines.push(Line { symbol: format!("\\hat {letter}"), expression, unit: unit.tex });
+    }
+    Some(Group { heading: String::new(), lines })
+}
+
+/// `A_k cos(kθ + ε_k)` of one component: along direction 0, or across it.
+fn components(
+    waveform: &Waveform,
+    component: usize,
+    letter: &str,
+    mark: &str,
+    angle: f64,
+    factor: f64,
+) -> Vec<Expression> {
+    let largest = waveform.harmonics().iter().map(|h| h.direct.norm() + h.reverse.norm()).fold(0.0, f64::max);
+    let term = |harmonic: &Harmonic| {
+        // Re and Im of d e^{ikθ} + r e^{−ikθ} are Re((d + r̄) e^{ikθ}) and Re(−i(d − r̄) e^{ikθ}).
+        let phasor = match component {
+            0 => harmonic.direct + harmonic.reverse.conj(),
+            _ => (harmonic.direct - harmonic.reverse.conj()) * -num_complex::Complex::i(),
+        };
+        // What is left of a component that cancels is rounding.
+        let is_left = phasor.norm() > 1e-12 * largest;
+        is_left.then(|| cosine(harmonic.order, phasor * factor, letter, mark, angle))
+    };
+    waveform.harmonics().iter().filter_map(term).collect()
+}
+
+fn cosine(order: u32, phasor: num_complex::Complex<f64>, letter: &str, mark: &str, angle: f64) -> Expression {
+    let turned = Expression::Degrees("\\theta^{*}".to_owned(), angle);
+    let turned = match order {
+        1 => turned,
+        _ => Expression::Product(vec![Expression::Number(u64::from(order)), turned]),
+    };
+    let degrees = super::expression::rounded(phasor.arg().to_degrees(), 6);
+    let shifted = match degrees.abs() < 1e-9 {
+        true => turned,
+        false => Expression::Sum(vec![
+            turned,
+            Expression::Degrees(format!("\\varepsilon_{{{order}{mark}}}"), phasor.arg().to_degrees()),
+        ]),
+    };
+    let amplitude = quantity(format!("{letter}_{{{order}{mark}}}"), phasor.norm());
+    Expression::Product(vec![amplitude, Expression::Cosine(Box::new(shifted))])
+}
+
+/// The amplitude of each order of the inertia torque.
+pub(super) fn torque(layout: &Layout, loads: &Loads) -> Option<Group> {
+    let torque = loads.torque.as_ref()?;
+    let unit = Unit::of(layout, loads, Quantity::Torque);
+    let mut lines = Vec::new();
+    if let Some(scale) = &loads.scale {
+        let factors =
+            vec![quantity("K", scale.force()), quantity("r", scale.crank_radius.to_f64().unwrap_or(f64::INFINITY))];
+        lines.push(Line { symbol: "K\\,r".to_owned(), expression: Expression::Product(factors), unit: unit.tex });
+    }
+    for order in torque.orders.iter().filter(|order| order.vector.outcome != Outcome::Zero) {
+        let k = order.order;
+        let star = numbers::evaluate(&phasor::sum(layout, Quantity::Torque, k, None)).norm();
+        let mut factors: Vec<Expression> = loads.scale.iter().map(|scale| quantity("K\\,r", scale.torque())).collect();
+        match &order.coefficient {
+            Some(coefficient) => {
+                factors.push(quantity(format!("\\left|t_{{{k}}}\\right|"), coefficient.to_complex().norm()));
+                factors.push(quantity(format!("\\left|Q_{{{k}}}\\right|"), star));
+            }
+            None => factors.push(quantity(format!("\\left|t_{{{k}}} Q_{{{k}}}\\right|"), order.vector.value.norm())),
+        }
+        let symbol = format!("\\hat T_{{{k}}}");
+        lines.push(Line { symbol, expression: Expression::Product(factors), unit: unit.tex });
+    }
+    Some(Group { heading: "Inertia torque".to_owned(), lines })
+}

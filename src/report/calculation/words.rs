@@ -1,0 +1,154 @@
+//! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
+
+use num_traits::{Signed, Zero};
+
+use super::inputs;
+use super::summary::name;
+use crate::layout::{Layout, Measure};
+use crate::loads::{Arm, Effect, Loads};
+
+/// What every number rests on.
+pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
+    let mut lines = vec![
+        "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".to_owned(),
+        "All clearances are zero, and gravity and friction are left out.".to_owned(),
+    ];
+    let given = |measure: Measure| layout.mechanism.given.iter().any(|given| given.quantity == measure);
+    if given(Measure::RodMass) {
+        lines.push(
+            "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; its own moment of inertia is not met exactly by them.".to_owned(),
+        );
+    } else {
+        lines.push(
+            "The masses are given as reciprocating and rotating ones; how the rod is split is the giver's.".to_owned(),
+        );
+    }
+    if loads.effects.len() == 1 {
+        lines.push(
+            "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".to_owned(),
+        );
+    }
+    if layout.mechanism.rods.iter().all(|rod| rod.offset.is_zero()) {
+        lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".to_owned());
+    }
+    let common_axis = layout.form == crate::layout::Form::Radial;
+    if common_axis {
+        lines.push("All rods of a row work on the crankpin itself: no articulated rods.".to_owned());
+    }
+    if Arm::of(layout) == Arm::Spacing {
+        lines.push(
+            "The file does not say how far apart the cylinders stand: moments are in newtons times that spacing a."
+                .to_owned(),
+        );
+    }
+    lines.extend(layout.title_block.assumptions.iter().cloned());
+    lines
+}
+
+/// Symbols with their meaning and unit.
+pub(super) fn nomenclature(layout: &Layout, loads: &Loads) -> Vec<Vec<String>> {
+    let row =
+        |symbol: &str, meaning: &str, unit: &str| vec![format!("${symbol}$"), meaning.to_owned(), unit.to_owned()];
+    let mut rows = vec![
+        row("\\theta", "crank angle of the reference throw", "°"),
+        row("\\alpha,\\ \\beta", "angle of a cylinder axis; of its throw", "°"),
+        row("\\psi = \\theta + \\beta - \\alpha", "crank angle of a cylinder, 0 at top dead centre", "°"),
+    ];
+    let mut seen: Vec<Measure> = Vec::new();
+    for given in &layout.mechanism.given {
+        if !seen.contains(&given.quantity) {
+            seen.push(given.quantity);
+            let (meaning, symbol, unit) = inputs::words(given.quantity);
+            rows.push(row(symbol, meaning, if unit.is_empty() { "–" } else { unit }));
+        }
+    }
+    let has = |measure: Measure| seen.contains(&measure);
+    if !has(Measure::CrankRadius) && layout.mechanism.crank_radius.is_some() {
+        rows.push(row("r", "crank radius", "m"));
+    }
+    if !has(Measure::RodRatio) {
+        rows.push(row("\\lambda", "rod ratio r/l", "–"));
+    }
+    if !has(Measure::ReciprocatingMass) && layout.mechanism.mass.is_some() {
+        rows.push(row("m", "reciprocating mass of a cylinder", "kg"));
+    }
+    if layout.mechanism.rods.iter().any(|rod| !rod.offset.is_zero()) && !has(Measure::OffsetRatio) {
+        rows.push(row("\\delta", "offset ratio e/l", "–"));
+    }
+    if loads.scale.is_some() {
+        rows.push(row("\\omega", "angular speed", "rad/s"));
+        rows.push(row("K = m r \\omega^2", "unit of the forces", "N"));
+    }
+    rows.push(row("c_k", "coefficient of order k of the piston acceleration", "–"));
+    rows.push(row("P_k^{\\pm},\\ C_k^{\\pm}", "vector stars of force and moment, as in the proofs", "–; m"));
+    rows.push(row("V_k^{\\pm},\\ W_k^{\\pm}", "rotating vectors of force and moment with their coefficients", "–; m"));
+    rows.push(row("\\hat F_k,\\ \\check F_k", "largest and smallest force of order k in a revolution", "N"));
+    rows.push(row("\\hat M_k,\\ \\check M_k", "the same of the moment", "N m"));
+    rows.push(row("F_\\parallel,\\ F_\\perp", "force along and across the reference direction; so for M", "N"));
+    if loads.torque.is_some() {
+        rows.push(row("t_k,\\ Q_k", "coefficient and star of the inertia torque", "–"));
+        rows.push(row("\\hat T_k", "amplitude of order k of the inertia torque", "N m"));
+    }
+    rows
+}
+
+/// A row of the table of effects.
+pub(super) struct EffectRow {
+    /// What it is about.
+    pub name: &'static str,
+    /// Whether the file asks for it.
+    pub inside: bool,
+    /// Why, or why not.
+    pub why: String,
+    /// The effect of the loads that its shares are those of, if any.
+    pub effect: Option<Effect>,
+}
+
+/// What is in the scene and what is not, and why.
+pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<EffectRow> {
+    let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
+    let masses = Effect::ALL.into_iter().map(|effect| {
+        let inside = loads.effects.iter().any(|loads| loads.effect == effect);
+        let why = match (effect, inside) {
+            (Effect::Reciprocating, _) => format!("orders {}", orders.join(", ")),
+            (_, true) => "given in the file".to_owned(),
+            (_, false) => "none given".to_owned(),
+        };
+        EffectRow { name: name(effect), inside, why, effect: Some(effect) }
+    });
+    let row = |name, inside: bool, yes: &str, no: &str| EffectRow {
+        name,
+        inside,
+        why: if inside { yes } else { no }.to_owned(),
+        effect: None,
+    };
+    let first = layout.mechanism.rods.first();
+    let unequal = layout.mechanism.rods.iter().any(|rod| Some(rod) != first) || !layout.has_unit_masses();
+    let others = [
+        row("pin offset", layout.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
+        row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
+        row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
+        row("main bearings", !layout.bearings.is_empty(), "positions given", "no positions given"),
+        row("gas forces", false, "", "not part of this program"),
+    ];
+    masses.chain(others).collect()
+}
+
+/// Where the numbers end.
+pub(super) fn limits(layout: &Layout, loads: &Loads, dropped: bool) -> Vec<String> {
+    let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
+    let mut lines = vec![
+        format!("Forces and moments hold the orders {} and no others.", orders.join(", ")),
+        "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts, but their torque does.".to_owned(),
+        "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".to_owned(),
+        "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".to_owned(),
+    ];
+    let largest = layout.mechanism.rods.iter().map(|rod| &rod.ratio + rod.offset.abs()).max();
+    if largest.is_some_and(|ratio| ratio > num_rational::BigRational::new(1.into(), 2.into())) && !dropped {
+        lines.push("λ + |δ| is above ½: orders above those listed are not small.".to_owned());
+    }
+    if layout.mechanism.given.iter().any(|given| given.quantity == Measure::RodMass) {
+        lines.push("The inertia torque of a real rod differs from that of its two masses by the error of their moment of inertia.".to_owned());
+    }
+    lines
+}
