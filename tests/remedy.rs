@@ -230,7 +230,7 @@ fn planes_that_coincide_are_refused() {
 #[test]
 fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() {
     for degrees in (0..360).step_by(5) {
-        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}")));
+        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}"))).expect("centric");
         let angle = Turn::fraction(degrees, 360);
         let unit = |angle: Turn| Term { angle, weight: BigRational::one() };
         let twice_cosine = PhasorSum::new(vec![unit(angle.clone()), unit(-&angle)]);
@@ -255,12 +255,20 @@ fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() 
 
 #[test]
 fn a_single_peaks_at_the_larger_of_f_and_1_less_f() {
-    let single = Partial::new(&read("inline.throws = [0]"));
+    let single = Partial::new(&read("inline.throws = [0]")).expect("centric");
     for percent in 0..=100 {
         let part = ratio(percent, 100);
         let expected = if percent > 50 { part.clone() } else { BigRational::one() - &part };
         assert_eq!(single.ellipse(&part).peak.and_then(|form| form.as_rational()), Some(expected));
     }
+}
+
+#[test]
+fn partial_balance_is_told_of_centric_rods_alone_and_masses_that_are_there() {
+    let rods = |keys: &str| Partial::new(&read(&format!("inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\n{keys}")));
+    assert!(rods("offset_ratio = 0.01").is_none());
+    assert!(rods("").is_some_and(|partial| partial.minimum().is_some()));
+    assert!(rods("reciprocating_mass = 0").is_some_and(|partial| partial.minimum().is_none()));
 }
 
 /// The moment on the frame of pistons that push sideways on their cylinders, and of the pair, in multiples of m r² ω²:

@@ -80,7 +80,7 @@ pub fn remedy_figure(remedy: &Remedy) -> Option<(&'static str, Figure)> {
 /// one throw carries all.
 fn partial(remedy: &Remedy) -> Option<Partial> {
     let layout = remedy.subject.layout();
-    let partial = Partial::new(layout);
+    let partial = Partial::new(layout)?;
     let tells = crate::layout::throws(layout).len() == 1 || !partial.reverse.vanishes();
     (tells && remedy.orders.contains(&1) && !partial.direct.vanishes()).then_some(partial)
 }
