@@ -109,6 +109,9 @@ fn mistakes_in_what_turns_are_told_with_their_place() {
     }
     let turning = "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = ";
     assert_refused(&format!("inline.throws = [0, 180]\n{turning}'3 cm'"), 6, "one spacing apart");
+    let supported = format!("bearings = ['0.1 m', 0, '-0.1 m']\n{engine}{turning}");
+    assert_refused(&format!("{supported}'0.11 m'"), 10, "the shaft reaches from -1/10 to 1/10");
+    assert!(parse("layout.toml", &format!("{supported}'0.1 m'")).is_ok());
     assert_refused(&format!("inline = {{ throws = [0, 'phi'] }}\n{turning}0"), 2, "angles or positions are open");
     assert_refused(
         "inline.throws = [0]\n[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1",

@@ -193,6 +193,29 @@ fn no_set_with_a_shaft_less_balances() {
 }
 
 #[test]
+fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
+    let at = |throw: &str, position: &str, mass: u32| {
+        format!(
+            "[[cylinder]]\nthrow = '{throw} turn'\nbank = 0\nposition = '{position}'\nreciprocating_mass = {mass}\n"
+        )
+    };
+    // All in one plane, whatever the angles; like throws in two planes; a force and a moment that no one plane fits.
+    let one = at("1/1000003", "7", 1) + &at("5/1000003", "7", 2);
+    let like = at("1/8", "0", 1) + &at("1/8", "3", 2) + &at("3/8", "2", 1);
+    let both = at("0", "0", 1) + &at("1/4", "3", 2);
+    let weights = |text: &str| {
+        let found = remedy(&read(text), &wish(&[1])).expect("a remedy").crankshaft.expect("counterweights");
+        (found.kind, found.weights.iter().map(|weight| weight.position.to_string()).collect::<Vec<_>>())
+    };
+    assert_eq!(weights(&one), (Kind::Force, vec!["7".to_owned()]));
+    assert_eq!(weights(&like), (Kind::Force, vec!["2".to_owned()]));
+    assert_eq!(weights(&both), (Kind::ForceAndMoment, vec!["3".to_owned(), "0".to_owned()]));
+    // Triangles: 1 + e^{120°} at 1 and e^{240°} at 0 act as −e^{240°} does, at a place between.
+    let hidden = at("0", "1", 2) + &at("1/3", "1", 2) + &at("2/3", "0", 1);
+    assert_eq!(weights(&hidden), (Kind::Force, vec!["2".to_owned()]));
+}
+
+#[test]
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
     assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
@@ -207,12 +230,12 @@ fn planes_that_coincide_are_refused() {
 #[test]
 fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() {
     for degrees in (0..360).step_by(5) {
-        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}")));
+        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}"))).expect("centric");
         let angle = Turn::fraction(degrees, 360);
         let unit = |angle: Turn| Term { angle, weight: BigRational::one() };
         let twice_cosine = PhasorSum::new(vec![unit(angle.clone()), unit(-&angle)]);
         assert!(twin.reverse.minus(&twice_cosine).vanishes(), "{degrees}°");
-        for percent in 0..=100 {
+        for percent in (0..=100).step_by(5) {
             let part = ratio(percent, 100);
             let direct = PhasorSum::new(vec![Term { angle: Turn::zero(), weight: ratio(2, 1) - &part * ratio(4, 1) }]);
             assert!(twin.direct_at(&part).minus(&direct).vanishes(), "{degrees}°, {percent} %");
@@ -226,18 +249,26 @@ fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() 
         assert_eq!(twin.ellipse(&ratio(35, 100)), twin.ellipse(&ratio(65, 100)), "{degrees}°");
         let (part, least) = twin.minimum().expect("a minimum");
         assert_eq!(part, ratio(1, 2));
-        assert!(twin.curve(20).iter().all(|(_, ellipse)| ellipse.peak_decimal >= least.peak_decimal));
+        assert!(twin.curve(4).iter().all(|(_, ellipse)| ellipse.peak_decimal >= least.peak_decimal));
     }
 }
 
 #[test]
 fn a_single_peaks_at_the_larger_of_f_and_1_less_f() {
-    let single = Partial::new(&read("inline.throws = [0]"));
+    let single = Partial::new(&read("inline.throws = [0]")).expect("centric");
     for percent in 0..=100 {
         let part = ratio(percent, 100);
         let expected = if percent > 50 { part.clone() } else { BigRational::one() - &part };
         assert_eq!(single.ellipse(&part).peak.and_then(|form| form.as_rational()), Some(expected));
     }
+}
+
+#[test]
+fn partial_balance_is_told_of_centric_rods_alone_and_masses_that_are_there() {
+    let rods = |keys: &str| Partial::new(&read(&format!("inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\n{keys}")));
+    assert!(rods("offset_ratio = 0.01").is_none());
+    assert!(rods("").is_some_and(|partial| partial.minimum().is_some()));
+    assert!(rods("reciprocating_mass = 0").is_some_and(|partial| partial.minimum().is_none()));
 }
 
 /// The moment on the frame of pistons that push sideways on their cylinders, and of the pair, in multiples of m r² ω²:

@@ -153,11 +153,20 @@ impl Layout {
         Some(BobWeight { per_cylinder, per_throw })
     }
 
-    /// The ends of the crankshaft along z, where the file gives its length.
+    /// The ends of the crankshaft along z: by its length, or else the outermost main bearings and cylinders; `None` where the
+    /// file gives neither length nor bearings.
     pub fn shaft_ends(&self) -> Option<[BigRational; 2]> {
-        let half = self.crankshaft.length.as_ref()? / BigRational::from_integer(2.into());
         let positions = || self.cylinders.iter().map(|cylinder| &cylinder.position);
-        let middle = (positions().min()? + positions().max()?) / BigRational::from_integer(2.into());
-        Some([&middle - &half, middle + half])
+        if let Some(length) = &self.crankshaft.length {
+            let two = BigRational::from_integer(2.into());
+            let middle = (positions().min()? + positions().max()?) / &two;
+            let half = length / two;
+            return Some([&middle - &half, middle + half]);
+        }
+        if self.bearings.is_empty() {
+            return None;
+        }
+        let all = || positions().chain(&self.bearings);
+        Some([all().min()?.clone(), all().max()?.clone()])
     }
 }

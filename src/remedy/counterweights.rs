@@ -75,18 +75,24 @@ pub fn two_planes(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes:
 /// The one weight that takes both away, where the force acts in one plane: `C = z_0 P` with a rational position z_0.
 pub fn one_plane(order: u32, sense: Sense, force: &Sums, moment: &Sums) -> Option<Weight> {
     let (factor, sum) = force.parts().iter().next()?;
+    let fits = |position: &BigRational| moment.minus(&force.scaled(position)).vanishes();
     let position = match moment.parts().get(factor) {
-        None => BigRational::zero(),
-        Some(arm) => {
-            // C P̄ = z_0 |P|²: the means of their conjugates are as z_0 to 1, or z_0 is not rational.
-            let above = numbers::mean_of_conjugates(&arm.times(&sum.conjugate()))?;
-            let below = numbers::mean_of_conjugates(&sum.squared_modulus())?;
-            if below.is_zero() {
-                return None;
-            }
-            above / below
-        }
-    };
+        None => Some(BigRational::zero()).filter(fits),
+        Some(arm) => ratio_of_terms(arm, sum).filter(fits).or_else(|| ratio_of_means(arm, sum).filter(fits)),
+    }?;
     let vector = force.scaled(&-(BigRational::one() / doubled_square(order)));
-    moment.minus(&force.scaled(&position)).vanishes().then_some(Weight { order, sense, position, vector })
+    Some(Weight { order, sense, position, vector })
+}
+
+/// `z_0` where the sums are alike term by term: all that acts stands in one plane.
+fn ratio_of_terms(moment: &PhasorSum, force: &PhasorSum) -> Option<BigRational> {
+    let first = force.collected().into_iter().next()?;
+    let arm = moment.collected().into_iter().find(|term| term.angle == first.angle)?;
+    Some(arm.weight / first.weight)
+}
+
+/// `C P̄ = z_0 |P|²`: the means of their conjugates are as z_0 to 1, or z_0 is not rational; up to conductor 1000.
+fn ratio_of_means(moment: &PhasorSum, force: &PhasorSum) -> Option<BigRational> {
+    let below = numbers::mean_of_conjugates(&force.squared_modulus()).filter(|mean| !mean.is_zero())?;
+    Some(numbers::mean_of_conjugates(&moment.times(&force.conjugate()))? / below)
 }

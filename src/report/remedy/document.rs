@@ -1,6 +1,7 @@
 //! What does `remedy --json` hold? The weights in decimals for reading, and the remedy with its evidence, which `verify`
 //! checks.
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
@@ -10,7 +11,7 @@ use crate::loads::{self, Factor};
 use crate::proof::{
     CorrectedClaim, RemedyDocument, RodClaim, RodCylinder, Sense, TurningClaim, Vector, WeightClaim, WeightPart,
 };
-use crate::remedy::{Partial, Remedy, Weight};
+use crate::remedy::{Ellipse, Partial, Remedy, Weight};
 
 /// A remedy as data.
 #[derive(Clone, Debug, Serialize)]
@@ -60,14 +61,15 @@ struct PartialEntry {
 /// The data of a remedy; sums that do not vanish, if there are any, have evidence of that, which `verify` refuses.
 pub fn remedy_document(remedy: &Remedy) -> RemedyPage {
     let layout = remedy.subject.layout();
-    let partial = Partial::new(layout);
-    let partial_balance = partial.minimum().map(|(part, least)| PartialEntry {
+    let entry_of = |partial: &Partial, (part, least): (BigRational, Ellipse)| PartialEntry {
         least_peak: least.peak_decimal,
         at_part: part.to_f64().unwrap_or(f64::NAN),
         curve: (partial.curve(20).iter())
             .map(|(part, ellipse)| [part.to_f64().unwrap_or(f64::NAN), ellipse.peak_decimal, ellipse.least_decimal])
             .collect(),
-    });
+    };
+    let partial = Partial::new(layout);
+    let partial_balance = partial.and_then(|partial| Some(entry_of(&partial, partial.minimum()?)));
     let height = |height: &crate::remedy::PairHeight| HeightEntry {
         order: height.order,
         crank_radii: height.in_crank_radii,

@@ -70,7 +70,7 @@ pub fn remedy_lines(remedy: &Remedy) -> Vec<String> {
 
 /// What counterweights alone can do, where the first order of the force has a reverse vector.
 fn partial_line(remedy: &Remedy) -> Option<String> {
-    let partial = Partial::new(remedy.subject.layout());
+    let partial = Partial::new(remedy.subject.layout())?;
     let (_, least) = partial.minimum().filter(|_| remedy.orders.contains(&1) && !partial.reverse.vanishes())?;
     let bare = partial.ellipse(&num_traits::Zero::zero());
     Some(format!(

@@ -80,7 +80,7 @@ pub fn remedy_figure(remedy: &Remedy) -> Option<(&'static str, Figure)> {
 /// one throw carries all.
 fn partial(remedy: &Remedy) -> Option<Partial> {
     let layout = remedy.subject.layout();
-    let partial = Partial::new(layout);
+    let partial = Partial::new(layout)?;
     let tells = crate::layout::throws(layout).len() == 1 || !partial.reverse.vanishes();
     (tells && remedy.orders.contains(&1) && !partial.direct.vanishes()).then_some(partial)
 }
@@ -117,8 +117,8 @@ fn table(dialect: Dialect, header: &[String], rows: &[Vec<String>]) -> String {
                 widths.iter().map(|width| format!(">{{\\raggedright\\arraybackslash}}p{{{width}mm}}")).collect()
             };
             let columns = match header.len() {
-                5 => ragged(&[22, 24, 18, 42, 44]),
-                6 => ragged(&[20, 22, 18, 33, 36, 18]),
+                5 => ragged(&[22, 22, 20, 42, 44]),
+                6 => ragged(&[20, 21, 20, 33, 35, 18]),
                 count => "l".repeat(count),
             };
             let head = quoted(header).join(" & ");
