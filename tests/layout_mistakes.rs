@@ -56,6 +56,68 @@ const KEYS: &[(&str, usize, &str)] = &[
     ("inline.throws = [0]\n[inline]\nspacing = 1",                2, "duplicate key"),
 ];
 
+/// Mistakes in what turns; each file begins with an engine of two throws, its masses and its crank: four lines.
+#[rustfmt::skip]
+const CRANKSHAFT: &[(&str, usize, &str)] = &[
+    ("[[counterweight]]\nthrow = 3\nmass = 1\nradius = 1",          6, "there is no throw `3`"),
+    ("[[counterweight]]\nthrow = 3\nmass = 1\nradius = 1",          6, "throws 1 to 2"),
+    ("[[counterweight]]\nthrow = 0\nmass = 1\nradius = 1",          6, "there is no throw `0`"),
+    ("[[counterweight]]\nthrow = 1\nmass = -1\nradius = 1",         7, "a mass is 0 or more"),
+    ("[[counterweight]]\nthrow = 1\nmass = 1\nradius = 0",          8, "a length above 0"),
+    ("[[counterweight]]\nthrow = 1\nmass = 1\nradius = '-1 mm'",    8, "a length above 0"),
+    ("[[counterweight]]\nthrow = 1\nmass = 1",                      5, "`radius` is missing"),
+    ("[[counterweight]]\nthrow = 1\nradius = 1",                    5, "`mass` is missing"),
+    ("[[counterweight]]\nangle = 0\nmass = 1\nradius = 1",          5, "without a position"),
+    ("[[counterweight]]\nposition = 0\nmass = 1\nradius = 1",       5, "without a direction"),
+    ("[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '2b'", 9, "symbols have values"),
+    ("[crankshaft]\nlength = '0.2 m'\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '101 mm'", 11, "beyond the crankshaft"),
+    ("[crankshaft]\nlength = '0.2 m'\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '-101 mm'", 11, "from -1/10 to 1/10"),
+    ("[crankshaft]\nlength = 0",                                    6, "a length above 0"),
+    ("[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1\nlength = '0.2 m'\nweb_offset = '60 mm'", 9, "beyond the crankshaft"),
+    ("[crankshaft]\npin_mass = -1",                                 6, "a mass is 0 or more"),
+    ("[crankshaft]\npin_mass = [1, 2, 3]",                          6, "3 values for 2 throws"),
+    ("[crankshaft]\nweb_mass = 1",                                  6, "without its radius"),
+    ("[crankshaft]\nweb_radius = 1",                                6, "without a mass"),
+    ("[crankshaft]\nbalance_factor = 1",                            6, "add counterweight_radius"),
+    ("[crankshaft]\ncounterweight_radius = 1",                      6, "add it"),
+    ("[crankshaft]\nweb_offset = 1",                                6, "add it"),
+    ("[crankshaft]\nbalance_factor = -0.5\ncounterweight_radius = 1", 6, "a balance factor is 0 or more"),
+    ("[crankshaft]\nbalance_factor = 'half'\ncounterweight_radius = 1", 6, "cannot read the balance factor"),
+    ("[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 0",  7, "a length above 0"),
+    ("[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1", 8, "both a balance factor and counterweights"),
+    ("[crankshaft]\nmass = 1",                                      6, "unknown key `mass`"),
+    ("[[balancer]]\norder = 0.5\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0",   6, "once in two revolutions"),
+    ("[[balancer]]\norder = '1/2'\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0", 6, "no inertia force of the cranks has order 1/2"),
+    ("[[balancer]]\norder = 1.5\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0",   6, "whole numbers"),
+    ("[[balancer]]\norder = -2\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0",    6, "turns the other way"),
+    ("[[balancer]]\norder = 0\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0",     6, "from 1 to 1000"),
+    ("[[balancer]]\norder = 2\nsense = 'left'\nmass_radius = 1\nangle = 0\nposition = 0",     7, "\"with\" or \"against\""),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nangle = 0\nposition = 0",                      5, "without a weight"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nmass = 1\nangle = 0\nposition = 0",            8, "add radius"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nradius = 1\nangle = 0\nposition = 0",          8, "add mass"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nradius = 1\nmass = 1\nmass_radius = 1\nangle = 0\nposition = 0", 10, "given twice"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = '-1 kg m'\nangle = 0\nposition = 0", 8, "0 or more"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = '1 kg'\nangle = 0\nposition = 0", 8, "none of kg mm"),
+];
+
+#[test]
+fn mistakes_in_what_turns_are_told_with_their_place() {
+    let engine =
+        "inline = { throws = [0, 180], spacing = '0.1 m' }\n[mechanism]\nreciprocating_mass = 1\ncrank_radius = 0.05\n";
+    for (text, line, words) in CRANKSHAFT {
+        assert_refused(&format!("{engine}{text}"), *line, words);
+    }
+    let turning = "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = ";
+    assert_refused(&format!("inline.throws = [0, 180]\n{turning}'3 cm'"), 6, "one spacing apart");
+    assert_refused(&format!("inline = {{ throws = [0, 'phi'] }}\n{turning}0"), 2, "angles or positions are open");
+    assert_refused(
+        "inline.throws = [0]\n[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1",
+        3,
+        "without masses",
+    );
+    assert_refused("[[cylinder]]\nthrow = 0\nbank = 0\nposition = 0\npin = 0", 5, "number of the pin");
+}
+
 /// Mistakes in values that fit together badly.
 #[rustfmt::skip]
 const VALUES: &[(&str, usize, &str)] = &[

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::crankshaft::Crankshaft;
 use super::firing::Firing;
 use super::mechanism::Mechanism;
 use super::title_block::TitleBlock;
@@ -23,6 +24,8 @@ pub struct Cylinder {
     pub reciprocating_mass: BigRational,
     /// Crank radius, in multiples of that of the layout.
     pub crank_radius: BigRational,
+    /// Which pin of the crankshaft it works on: cylinders with the same number share it, or the parts of a split one.
+    pub pin: usize,
 }
 
 impl Cylinder {
@@ -92,6 +95,8 @@ pub struct Layout {
     pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
     pub mechanism: Mechanism,
+    /// Masses on the crankshaft, and the balancer shafts that it drives.
+    pub crankshaft: Crankshaft,
     /// What is asked for beyond force and moment.
     pub effects: Effects,
     /// What stands in the title block of a calculation report.

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
 
+use super::crankshaft::Crankshaft;
 use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::firing::Cycle;
 use super::linear::Linear;
@@ -31,6 +32,8 @@ pub struct SymbolicCylinder {
     pub reciprocating_mass: BigRational,
     /// Crank radius, in multiples of that of the layout.
     pub crank_radius: BigRational,
+    /// Which pin of the crankshaft it works on.
+    pub pin: usize,
 }
 
 impl SymbolicCylinder {
@@ -43,6 +46,7 @@ impl SymbolicCylinder {
             position: self.position.as_known()?.clone(),
             reciprocating_mass: self.reciprocating_mass.clone(),
             crank_radius: self.crank_radius.clone(),
+            pin: self.pin,
         })
     }
 
@@ -54,6 +58,7 @@ impl SymbolicCylinder {
             position: self.position.with(values),
             reciprocating_mass: self.reciprocating_mass.clone(),
             crank_radius: self.crank_radius.clone(),
+            pin: self.pin,
         }
     }
 }
@@ -132,6 +137,7 @@ impl Family {
             positions_given: self.positions_given,
             bearings: self.bearings.clone(),
             mechanism: self.mechanism.clone(),
+            crankshaft: Crankshaft::default(),
             effects: self.effects,
             title_block: self.title_block.clone(),
             file: self.file.clone(),

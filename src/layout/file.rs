@@ -9,6 +9,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::bearings;
+use super::crankshaft_keys;
 use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::error::LayoutError;
 use super::family::{DELTA, Family, PHI, SymbolicCylinder};
@@ -41,6 +42,9 @@ struct File {
     effects: Option<Vec<Text>>,
     document: Option<Table<title_block::Keys>>,
     mechanism: Option<Table<mechanism::Keys>>,
+    crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
+    counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
+    balancer: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::BalancerKeys>>>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -59,6 +63,7 @@ struct CylinderTable {
     bank: Text,
     position: Text,
     reciprocating_mass: Option<Text>,
+    pin: Option<Text>,
 }
 
 /// What a layout file describes.
@@ -128,9 +133,22 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         file: source.to_owned(),
     };
     check_values(&file.values, &family)?;
+    let turning = crankshaft_keys::Tables {
+        crankshaft: &file.crankshaft,
+        counterweights: &file.counterweight,
+        balancers: &file.balancer,
+        values: &values,
+    };
     let Some(mut layout) = family.with(&values).only() else {
         if let Some(list) = given_bearings {
             return Err(bearings::of_open_layout(list));
+        }
+        if let Some(span) = turning.place() {
+            return Err(LayoutError::new(
+                "masses on the crankshaft in an engine whose angles or positions are open",
+                "give the unknowns values below [values]",
+                Some(span),
+            ));
         }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
             None => Ok(Engine::Open(Box::new(family.with(&values)))),
@@ -141,6 +159,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
             )),
         };
     };
+    turning.read(&mut layout)?;
     layout.firing = firing(&file.firing_order, &file.firing_angles, cycle, &layout.cylinders)?;
     layout.reference_plane_given = given_plane.is_some();
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
@@ -246,11 +265,21 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
                 .as_ref()
                 .map_or(Ok(BigRational::from_integer(1.into())), mass)?,
             crank_radius: BigRational::from_integer(1.into()),
+            pin: table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize,
         })
     });
-    let cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
+    let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
+    number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
     Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
+}
+
+/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position.
+fn number_pins(cylinders: &mut [SymbolicCylinder]) {
+    let mut pins: BTreeMap<Linear, usize> = BTreeMap::new();
+    for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
+        cylinder.pin = *pins.entry(cylinder.position.clone()).or_insert(MOST_CYLINDERS + 1 + index);
+    }
 }
 
 fn mass(text: &Text) -> Result<BigRational, LayoutError> {

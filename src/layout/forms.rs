@@ -245,6 +245,7 @@ impl Radial {
                 position: position.clone(),
                 reciprocating_mass: one(),
                 crank_radius: one(),
+                pin: row as usize,
             })
         });
         let positions_given = rows == 1 || self.row_spacing.is_some();
@@ -272,22 +273,24 @@ fn fan(
         let message = format!("{} cylinders", banks.len() * pins.pins.len());
         return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
     }
-    let pairs: Vec<(&Bank, &(Linear, Linear))> = match numbering.map(|text| text.get_ref().0.as_str()) {
-        None | Some("by-bank") => banks.iter().flat_map(|bank| pins.pins.iter().map(move |pin| (bank, pin))).collect(),
-        Some("by-pin") => pins.pins.iter().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
+    let numbered = || pins.pins.iter().enumerate();
+    let pairs: Vec<(&Bank, (usize, &(Linear, Linear)))> = match numbering.map(|text| text.get_ref().0.as_str()) {
+        None | Some("by-bank") => banks.iter().flat_map(|bank| numbered().map(move |pin| (bank, pin))).collect(),
+        Some("by-pin") => numbered().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
         Some(other) => {
             let place = numbering.and_then(place);
             let message = format!("cannot read the numbering `{other}`");
             return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
         }
     };
-    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (throw, position)))| SymbolicCylinder {
+    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (pin, (throw, position))))| SymbolicCylinder {
         name: (index + 1).to_string(),
         throw: throw.plus(&bank.split),
         bank: bank.angle.clone(),
         position: position.plus(&bank.offset),
         reciprocating_mass: one(),
         crank_radius: one(),
+        pin,
     });
     let positions_given = pins.positions_given;
     Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given })

@@ -4,6 +4,8 @@
 
 mod bearings;
 mod catalogue;
+mod crankshaft;
+mod crankshaft_keys;
 mod engine;
 mod error;
 mod family;
@@ -14,11 +16,13 @@ mod linear;
 mod mechanism;
 mod number;
 mod quantities;
+mod throws;
 mod title_block;
 pub(crate) mod units;
 pub(crate) mod written;
 
 pub use catalogue::{Entry, catalogue, find};
+pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
 pub use engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 pub use error::LayoutError;
 pub use family::{DELTA, Family, PHI, SymbolicCylinder};
@@ -28,4 +32,5 @@ pub use firing::{Cycle, Firing, Shot};
 pub use linear::Linear;
 pub use mechanism::{Given, Measure, Mechanism, Rod};
 pub use number::{NumberError, parse_number};
+pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;

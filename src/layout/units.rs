@@ -26,6 +26,14 @@ const ANGLES: Units = &[
 ];
 const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("m", (1, 1))];
 const SPEEDS: Units = &[("rpm", (1, 1)), ("1/min", (1, 1)), ("rev/s", (60, 1)), ("Hz", (60, 1))];
+const MASS_RADII: Units = &[
+    ("kg mm", (1, 1000)),
+    ("kg m", (1, 1)),
+    ("kg·m", (1, 1)),
+    ("g mm", (1, 1_000_000)),
+    ("g cm", (1, 100_000)),
+    ("g m", (1, 1000)),
+];
 const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
@@ -44,6 +52,12 @@ pub(crate) fn length(text: &str) -> Result<Length, String> {
 /// A mass; kilograms where no unit stands.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")?;
+    Ok(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+/// A mass times a radius in kilogram-metres; kilogram-metres where no unit stands.
+pub(crate) fn mass_radius(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, MASS_RADII, "\"0.012\", \"0.012 kg m\", \"12 kg mm\" or \"1200 g cm\"")?;
     Ok(number * ratio(unit.unwrap_or((1, 1))))
 }
 

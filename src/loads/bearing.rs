@@ -87,7 +87,8 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     let beam = Beam::new(layout.bearings.clone()).map_err(Missing::Beam)?;
     let motion = Motion::new(layout)?;
     let shares = Shares::new(beam, method);
-    let scene: Vec<Effect> = super::effects_of(layout).into_iter().filter(|effect| loads_the_shaft(*effect)).collect();
+    let scene: Vec<Effect> =
+        contribution::effects_of(layout).into_iter().filter(|effect| loads_the_shaft(*effect)).collect();
     let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings.iter().map(|_| Vec::new()).collect();
     for &order in orders {
         let solved = [Sense::Direct, Sense::Reverse].map(|sense| {
@@ -120,10 +121,11 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(layout) })
 }
 
-/// Whether the forces of an effect reach the crankshaft.
+/// Whether the forces of an effect reach the crankshaft; a balancer shaft lies in bearings of its own.
 fn loads_the_shaft(effect: Effect) -> bool {
     match effect {
-        Effect::Reciprocating | Effect::Rotating => true,
+        Effect::Reciprocating | Effect::Rotating | Effect::Crankshaft | Effect::Counterweights => true,
+        Effect::Balancers => false,
     }
 }
 

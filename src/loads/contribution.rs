@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use crate::exact::{PhasorSum, Term};
-use crate::layout::{Cylinder, Layout, Rod};
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::{self, Balancer, Cylinder, Layout, Rod};
 use crate::phasor;
 use crate::proof::Sense;
 
@@ -18,8 +18,14 @@ use crate::proof::Sense;
 pub enum Effect {
     /// Pistons, pins, and the reciprocating part of the rods.
     Reciprocating,
-    /// Masses that turn with the crankpins.
+    /// Rotating parts of the rods, which turn with the crankpins.
     Rotating,
+    /// Pins and webs of the crankshaft.
+    Crankshaft,
+    /// Counterweights.
+    Counterweights,
+    /// Balancer shafts.
+    Balancers,
 }
 
 /// The coefficient of a sum: none is 1; else c_k of this rod, whose offset is not negative above order 1.
@@ -35,7 +41,7 @@ pub type Weighing<'a> = &'a dyn Fn(&BigRational) -> BigRational;
 pub(super) fn parts(layout: &Layout, effect: Effect, weighing: Weighing, order: u32, sense: Sense) -> Parts {
     match effect {
         Effect::Reciprocating => reciprocating(layout, weighing, order, sense),
-        Effect::Rotating => rotating(layout, weighing, order, sense),
+        _ => turning(layout, effect, weighing, order, sense),
     }
 }
 
@@ -68,18 +74,95 @@ pub(super) fn factor(rod: &Rod, order: u32) -> Option<(Factor, BigRational)> {
     }
 }
 
-/// A mass U at the crankpin adds `2U e^{iβ}` to the direct vector of order 1.
-fn rotating(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Parts {
-    if (order, sense) != (1, Sense::Direct) || layout.mechanism.rotating_masses.is_empty() {
-        return Parts::new();
+/// Masses that turn, in terms of weight `2n²U`, n the speed ratio (theory, section 3).
+fn turning(layout: &Layout, effect: Effect, weighing: Weighing, order: u32, sense: Sense) -> Parts {
+    let unit = unit_mass(layout) * unit_radius(layout);
+    let of_order = turning_masses(layout, effect).into_iter().filter(|mass| (mass.order, mass.sense) == (order, sense));
+    let terms: Vec<Term> = of_order
+        .map(|mass| Term { weight: mass.amount() / &unit * weighing(&mass.position), angle: mass.angle })
+        .collect();
+    if terms.is_empty() { Parts::new() } else { Parts::from([(None, PhasorSum::new(terms))]) }
+}
+
+/// A mass that turns at `order` times the crank speed.
+struct TurningMass {
+    order: u32,
+    sense: Sense,
+    /// U = m r, in the masses and crank radii of the layout.
+    mass_radius: BigRational,
+    angle: Turn,
+    position: BigRational,
+}
+
+impl TurningMass {
+    /// What it adds to its vector: a mass-radius U at angle γ adds `2n²U e^{iγ}`.
+    fn amount(&self) -> BigRational {
+        let order = BigRational::from_integer(self.order.into());
+        &order * &order * &self.mass_radius * BigRational::from_integer(2.into())
     }
-    let two = BigRational::from_integer(2.into());
-    let unit = unit_mass(layout);
-    let terms = layout.cylinders.iter().zip(&layout.mechanism.rotating_masses).map(|(cylinder, mass)| Term {
-        angle: cylinder.throw.clone(),
-        weight: &two * mass / &unit * &cylinder.crank_radius * weighing(&cylinder.position),
-    });
-    Parts::from([(None, PhasorSum::new(terms.collect()))])
+}
+
+/// The masses of an effect that turn.
+fn turning_masses(layout: &Layout, effect: Effect) -> Vec<TurningMass> {
+    let on_the_crank = |mass_radius: BigRational, angle: &Turn, position: &BigRational| TurningMass {
+        order: 1,
+        sense: Sense::Direct,
+        mass_radius,
+        angle: angle.clone(),
+        position: position.clone(),
+    };
+    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let radius = unit_radius(layout);
+    match effect {
+        Effect::Reciprocating => Vec::new(),
+        Effect::Rotating => {
+            let rods = layout.cylinders.iter().zip(&mechanism.rotating_masses);
+            let rods = rods.map(|(at, mass)| on_the_crank(mass * &radius * &at.crank_radius, &at.throw, &at.position));
+            rods.collect()
+        }
+        Effect::Crankshaft if crankshaft.pins.is_empty() && crankshaft.webs.is_empty() => Vec::new(),
+        Effect::Crankshaft => {
+            let throws = layout::throws(layout);
+            let pins = throws.iter().zip(&crankshaft.pins);
+            let pins = pins.map(|(at, mass)| on_the_crank(mass * &radius * &at.crank_radius, &at.angle, &at.position));
+            let webs = throws.iter().zip(&crankshaft.webs);
+            let webs = webs.map(|(at, web)| on_the_crank(&web.mass * &web.radius, &at.angle, &at.position));
+            pins.chain(webs).collect()
+        }
+        Effect::Counterweights => {
+            let weights = crankshaft.counterweights.iter();
+            weights.map(|weight| on_the_crank(weight.mass_radius(), &weight.angle, &weight.position)).collect()
+        }
+        Effect::Balancers => {
+            let shaft = |shaft: &Balancer| TurningMass {
+                order: shaft.order,
+                sense: shaft.sense,
+                mass_radius: shaft.mass_radius.clone(),
+                angle: shaft.angle.clone(),
+                position: shaft.position.clone(),
+            };
+            crankshaft.balancers.iter().map(shaft).collect()
+        }
+    }
+}
+
+/// The effects that a layout file calls for.
+pub(super) fn effects_of(layout: &Layout) -> Vec<Effect> {
+    let turning = [Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers];
+    let weighs = |effect: &Effect| turning_masses(layout, *effect).iter().any(|mass| !mass.mass_radius.is_zero());
+    [Effect::Reciprocating].into_iter().chain(turning.into_iter().filter(weighs)).collect()
+}
+
+/// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
+/// multiples of m r ω²: what they add where higher orders are left out.
+pub(super) fn faster_shafts(layout: &Layout, highest: u32) -> [BigRational; 2] {
+    let unit = unit_mass(layout) * unit_radius(layout) * BigRational::from_integer(2.into());
+    let shafts = turning_masses(layout, Effect::Balancers).into_iter().filter(|shaft| shaft.order > highest);
+    shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
+        let size = shaft.amount() / &unit;
+        let arm = (&shaft.position - &layout.reference_plane).abs();
+        [force + &size, moment + size * arm]
+    })
 }
 
 /// The sums of the inertia torque of one order, by rod: `Σ m r² e^{ik(β−α)}`, in multiples of m r².
@@ -101,7 +184,12 @@ fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
 }
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
-pub(super) fn unit_mass(layout: &Layout) -> BigRational {
+pub fn unit_mass(layout: &Layout) -> BigRational {
     let mass = layout.mechanism.mass.clone().filter(|mass| !mass.is_zero());
     mass.unwrap_or_else(|| BigRational::from_integer(1.into()))
+}
+
+/// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
+fn unit_radius(layout: &Layout) -> BigRational {
+    layout.mechanism.crank_radius.clone().unwrap_or_else(|| BigRational::from_integer(1.into()))
 }

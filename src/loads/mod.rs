@@ -20,7 +20,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
-pub use contribution::{Effect, Factor, Parts, Weighing};
+pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
@@ -146,6 +146,8 @@ pub enum Missing {
     Rods,
     /// The rotating masses cannot be compared with reciprocating ones that are not given.
     Masses,
+    /// The radii of webs, counterweights or balancer shafts cannot be compared with a crank radius that is not given.
+    CrankRadius,
     /// A crank that cannot turn round.
     Motion(String),
     /// No main bearings.
@@ -161,7 +163,10 @@ impl fmt::Display for Missing {
                 "the layout says nothing of its rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius",
             ),
             Missing::Masses => f.write_str(
-                "the layout gives rotating masses but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass",
+                "the layout gives rotating masses, on rods, crankshaft or balancer shafts, but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass",
+            ),
+            Missing::CrankRadius => f.write_str(
+                "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius",
             ),
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Bearings => f.write_str(
@@ -180,7 +185,7 @@ impl std::error::Error for Missing {}
 /// What the layout lacks.
 pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     let motion = Motion::new(layout)?;
-    let scene = effects_of(layout);
+    let scene = contribution::effects_of(layout);
     let mut total = Vec::new();
     let mut by_effect: Vec<[Vec<Harmonic>; 2]> = scene.iter().map(|_| Default::default()).collect();
     let whole = |_: &BigRational| BigRational::from_integer(1.into());
@@ -232,10 +237,27 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     })
 }
 
-/// The effects that a layout file calls for.
-fn effects_of(layout: &Layout) -> Vec<Effect> {
-    let rotates = layout.mechanism.rotating_masses.iter().any(|mass| !mass.is_zero());
-    [Effect::Reciprocating].into_iter().chain(rotates.then_some(Effect::Rotating)).collect()
+/// Whether the masses that turn can be compared with the reciprocating ones.
+///
+/// # Errors
+/// What the layout lacks for that.
+pub fn comparable(layout: &Layout) -> Result<(), Missing> {
+    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let in_metres =
+        !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
+    let turns = in_metres || !mechanism.rotating_masses.is_empty() || !crankshaft.pins.is_empty();
+    match (mechanism.mass.is_none() && turns, mechanism.crank_radius.is_none() && in_metres) {
+        (true, _) => Err(Missing::Masses),
+        (_, true) => Err(Missing::CrankRadius),
+        _ => Ok(()),
+    }
+}
+
+/// The exact sums of one order and sense, of all effects that the layout calls for, each force weighed by its position:
+/// by coefficient, in multiples of m r. They stand for an engine that is [`comparable`] and whose rods are known.
+pub fn sums(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Parts {
+    let of_effect = |effect| contribution::parts(layout, effect, weighing, order, sense);
+    merged(&contribution::effects_of(layout).into_iter().map(of_effect).collect::<Vec<_>>())
 }
 
 fn scale(layout: &Layout) -> Option<Scale> {
@@ -294,9 +316,7 @@ impl Motion {
         if mechanism.rods.is_empty() {
             return Err(Missing::Rods);
         }
-        if mechanism.mass.is_none() && !mechanism.rotating_masses.is_empty() {
-            return Err(Missing::Masses);
-        }
+        comparable(layout)?;
         let mut cranks = BTreeMap::new();
         for rod in &mechanism.rods {
             let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());

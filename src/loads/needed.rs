@@ -6,7 +6,7 @@
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::{Loads, Missing, OrderLoads, Swing, loads};
+use super::{Loads, Missing, OrderLoads, Swing, contribution, loads};
 use crate::layout::Layout;
 use crate::motion::SliderCrank;
 
@@ -51,7 +51,7 @@ pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> 
 
 /// Bounds of force and moment of all orders above the highest.
 fn rest(layout: &Layout, highest: u32) -> Result<[f64; 2], Missing> {
-    let mut bounds = [0.0, 0.0];
+    let mut bounds = contribution::faster_shafts(layout, highest).map(|size| size.to_f64().unwrap_or(f64::INFINITY));
     for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
         let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
         let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;

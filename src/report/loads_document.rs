@@ -231,6 +231,9 @@ pub(super) fn effect_name(effect: Effect) -> &'static str {
     match effect {
         Effect::Reciprocating => "reciprocating",
         Effect::Rotating => "rotating",
+        Effect::Crankshaft => "crankshaft",
+        Effect::Counterweights => "counterweights",
+        Effect::Balancers => "balancers",
     }
 }
 

@@ -79,6 +79,9 @@ pub(super) fn name(effect: Effect) -> &'static str {
     match effect {
         Effect::Reciprocating => "reciprocating masses",
         Effect::Rotating => "rotating masses",
+        Effect::Crankshaft => "pins and webs",
+        Effect::Counterweights => "counterweights",
+        Effect::Balancers => "balancer shafts",
     }
 }
 

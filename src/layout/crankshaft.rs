@@ -1,0 +1,164 @@
+//! What else turns? Pins, webs and counterweights on the crankshaft, and the balancer shafts that it drives.
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::engine::Layout;
+use super::throws::{Throw, throws};
+use crate::exact::Turn;
+use crate::proof::Sense;
+
+/// Masses on the crankshaft, and the balancer shafts that it drives.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Crankshaft {
+    /// Mass of each throw's pin in kilograms, at the crank radius; none where the file says nothing of it.
+    pub pins: Vec<BigRational>,
+    /// Both webs of each throw together; none where the file says nothing of them.
+    pub webs: Vec<Web>,
+    /// The counterweights: those of the file, or those that its balance factors make.
+    pub counterweights: Vec<Counterweight>,
+    /// The balance factor of each throw that the file asks for; none where it names its counterweights itself.
+    pub balance_factors: Vec<BigRational>,
+    /// The balancer shafts.
+    pub balancers: Vec<Balancer>,
+    /// Length of the crankshaft, whose middle is that of the cylinders, in the unit of the positions.
+    pub length: Option<BigRational>,
+}
+
+/// The webs of a throw, as one mass on the line from the shaft to the pin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Web {
+    /// Mass in kilograms.
+    pub mass: BigRational,
+    /// Distance of its centre of gravity from the axis in metres; negative on the side away from the pin.
+    pub radius: BigRational,
+}
+
+/// A counterweight.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Counterweight {
+    /// The throw that it belongs to, by its index; none for one that stands for itself.
+    pub throw: Option<usize>,
+    /// Its direction, from the reference direction at θ = 0.
+    pub angle: Turn,
+    /// Mass in kilograms.
+    pub mass: BigRational,
+    /// Distance of its centre of gravity from the axis in metres.
+    pub radius: BigRational,
+    /// Position along the crankshaft, in the unit of the positions.
+    pub position: BigRational,
+}
+
+impl Counterweight {
+    /// U = m r in kilogram-metres.
+    pub fn mass_radius(&self) -> BigRational {
+        &self.mass * &self.radius
+    }
+}
+
+/// A shaft with an eccentric weight, geared to the crankshaft.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Balancer {
+    /// How many times it turns in a revolution of the crankshaft.
+    pub order: u32,
+    /// Direct: with the crank; reverse: against it.
+    pub sense: Sense,
+    /// U = m r in kilogram-metres.
+    pub mass_radius: BigRational,
+    /// Direction of its weight at θ = 0.
+    pub angle: Turn,
+    /// Position of the weight along the crankshaft, in the unit of the positions.
+    pub position: BigRational,
+    /// Height of its axis over that of the crankshaft, along the reference direction, in metres.
+    pub height: BigRational,
+    /// Distance of its axis from that of the crankshaft to the left of the reference direction (along angle 90°), in metres.
+    pub offset: BigRational,
+}
+
+/// What is hung on a crankpin to balance a crankshaft on the machine of the workshop, in kilograms.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BobWeight {
+    /// For one cylinder: its rotating mass and the factor times its reciprocating mass.
+    pub per_cylinder: Vec<BigRational>,
+    /// For the throw: that of all cylinders that share it.
+    pub per_throw: BigRational,
+}
+
+impl Layout {
+    /// Crank radius of a throw in metres; `None` where the layout gives none.
+    fn radius_of(&self, throw: &Throw) -> Option<BigRational> {
+        Some(self.mechanism.crank_radius.as_ref()? * &throw.crank_radius)
+    }
+
+    /// Rotating and reciprocating mass of a cylinder in kilograms; `None` where the layout gives no masses.
+    fn masses_of(&self, cylinder: usize) -> Option<[BigRational; 2]> {
+        let rotating = self.mechanism.rotating_masses.get(cylinder).cloned().unwrap_or_else(BigRational::zero);
+        let unit = self.mechanism.mass.as_ref()?;
+        Some([rotating, unit * &self.cylinders[cylinder].reciprocating_mass])
+    }
+
+    /// What the counterweights of a throw of balance factor 1 hold in balance, in kilogram-metres:
+    /// `m_rot r + ½ n_rods m_rec r` (theory, section 7), with pin, webs and the rotating parts of the rods.
+    ///
+    /// `None` where the layout gives no masses or no crank radius. The index is that of [`throws`].
+    pub fn throw_mass_radius(&self, index: usize) -> Option<BigRational> {
+        let throw = throws(self).into_iter().nth(index)?;
+        self.mass_radius_of(index, &throw)
+    }
+
+    fn mass_radius_of(&self, index: usize, throw: &Throw) -> Option<BigRational> {
+        let two = BigRational::from_integer(2.into());
+        let mut at_pin = self.crankshaft.pins.get(index).cloned().unwrap_or_else(BigRational::zero);
+        for &cylinder in &throw.cylinders {
+            let [rotating, reciprocating] = self.masses_of(cylinder)?;
+            at_pin += rotating + reciprocating / &two;
+        }
+        let webs = self.crankshaft.webs.get(index).map_or_else(BigRational::zero, |web| &web.mass * &web.radius);
+        Some(at_pin * self.radius_of(throw)? + webs)
+    }
+
+    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Layout::throw_mass_radius`]
+    /// (theory, section 7); a skewed weight counts in full.
+    ///
+    /// `None` where the layout gives no masses or no crank radius, and for a throw without mass.
+    pub fn balance_factors(&self) -> Vec<Option<BigRational>> {
+        let factor = |(index, throw): (usize, Throw)| {
+            let whole = self.mass_radius_of(index, &throw).filter(|whole| !whole.is_zero())?;
+            let own = self.crankshaft.counterweights.iter().filter(|weight| weight.throw == Some(index));
+            Some(own.map(Counterweight::mass_radius).sum::<BigRational>() / whole)
+        };
+        throws(self).into_iter().enumerate().map(factor).collect()
+    }
+
+    /// The crankshaft's mass in the sense of the theory's source (section 7): what stands in the balance equations, the
+    /// masses of the throws brought to their crank radii, half the reciprocating ones among them, and the counterweights.
+    /// With the same mass D a throw and counterweights at the crank radius it is `N·D·(1 + BF)`. In kilograms.
+    pub fn crankshaft_mass(&self) -> Option<BigRational> {
+        let throw =
+            |(index, throw): (usize, Throw)| Some(self.mass_radius_of(index, &throw)? / self.radius_of(&throw)?);
+        let throws: Option<BigRational> = throws(self).into_iter().enumerate().map(throw).sum();
+        Some(throws? + self.crankshaft.counterweights.iter().map(|weight| &weight.mass).sum::<BigRational>())
+    }
+
+    /// The bob weights of a throw for a factor of the reciprocating masses, such as ½.
+    ///
+    /// Pin and webs are no part of it: they turn on the balancing machine themselves.
+    pub fn bob_weight(&self, index: usize, factor: &BigRational) -> Option<BobWeight> {
+        let throw = throws(self).into_iter().nth(index)?;
+        let of_cylinder = |&cylinder: &usize| {
+            let [rotating, reciprocating] = self.masses_of(cylinder)?;
+            Some(rotating + reciprocating * factor)
+        };
+        let per_cylinder = throw.cylinders.iter().map(of_cylinder).collect::<Option<Vec<_>>>()?;
+        let per_throw = per_cylinder.iter().sum();
+        Some(BobWeight { per_cylinder, per_throw })
+    }
+
+    /// The ends of the crankshaft along z, where the file gives its length.
+    pub fn shaft_ends(&self) -> Option<[BigRational; 2]> {
+        let half = self.crankshaft.length.as_ref()? / BigRational::from_integer(2.into());
+        let positions = || self.cylinders.iter().map(|cylinder| &cylinder.position);
+        let middle = (positions().min()? + positions().max()?) / BigRational::from_integer(2.into());
+        Some([&middle - &half, middle + half])
+    }
+}

@@ -1,0 +1,378 @@
+//! How are the masses on the crankshaft written? `[crankshaft]`, `[[counterweight]]`, `[[balancer]]`.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::crankshaft::{Balancer, Counterweight, Crankshaft, Web};
+use super::engine::{Layout, LengthUnit};
+use super::error::LayoutError;
+use super::file::HIGHEST_ORDER;
+use super::number::parse_number;
+use super::quantities::{self, misread};
+use super::throws::{Throw, throws};
+use super::units;
+use super::written::{Column, Table, Text, Values, place};
+use crate::exact::Turn;
+use crate::proof::Sense;
+
+/// `[crankshaft]`: each mass key holds one value for all throws, or a list with one a throw.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    length: Option<Text>,
+    pin_mass: Option<Column>,
+    web_mass: Option<Column>,
+    web_radius: Option<Column>,
+    balance_factor: Option<Column>,
+    counterweight_radius: Option<Column>,
+    web_offset: Option<Column>,
+}
+
+/// `[[counterweight]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CounterweightKeys {
+    throw: Option<Text>,
+    angle: Option<Text>,
+    mass: Text,
+    radius: Text,
+    position: Option<Text>,
+}
+
+/// `[[balancer]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct BalancerKeys {
+    order: Text,
+    sense: Text,
+    mass: Option<Text>,
+    radius: Option<Text>,
+    mass_radius: Option<Text>,
+    angle: Text,
+    position: Text,
+    height: Option<Text>,
+    offset: Option<Text>,
+}
+
+/// The tables of a file that speak of what turns, and what they refer to.
+pub(super) struct Tables<'a> {
+    pub crankshaft: &'a Option<Spanned<Table<Keys>>>,
+    pub counterweights: &'a Option<Spanned<Vec<Spanned<Table<CounterweightKeys>>>>>,
+    pub balancers: &'a Option<Spanned<Vec<Spanned<Table<BalancerKeys>>>>>,
+    pub values: &'a BTreeMap<String, BigRational>,
+}
+
+impl Tables<'_> {
+    /// The place of the first of them, if there is any.
+    pub fn place(&self) -> Option<Range<usize>> {
+        let crankshaft = self.crankshaft.as_ref().map(Spanned::span);
+        crankshaft.or(self.counterweights.as_ref().map(Spanned::span)).or(self.balancers.as_ref().map(Spanned::span))
+    }
+
+    /// Reads the tables for an engine that is known but for them, which may become one in metres.
+    pub fn read(&self, layout: &mut Layout) -> Result<(), LayoutError> {
+        let throws = throws(layout);
+        if let Some(table) = self.crankshaft {
+            self.masses(&table.get_ref().0, layout, &throws)?;
+        }
+        let asked = self.crankshaft.as_ref().and_then(|table| table.get_ref().0.balance_factor.as_ref());
+        match (asked, self.counterweights) {
+            (Some(_), Some(list)) => {
+                let message = "both a balance factor and counterweights are given";
+                return Err(LayoutError::new(message, "a balance factor makes the counterweights itself", place(list)));
+            }
+            (Some(factors), None) => self.from_factors(factors, layout, &throws)?,
+            (None, Some(list)) => {
+                for table in list.get_ref() {
+                    let weight = self.counterweight(table, layout, &throws)?;
+                    layout.crankshaft.counterweights.push(weight);
+                }
+            }
+            (None, None) => {}
+        }
+        for table in self.balancers.iter().flat_map(|list| list.get_ref()) {
+            let shaft = self.balancer(table, layout)?;
+            layout.crankshaft.balancers.push(shaft);
+        }
+        Ok(())
+    }
+
+    /// Length, pins and webs.
+    fn masses(&self, keys: &Keys, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
+        let mut crankshaft = Crankshaft::default();
+        if let Some(text) = &keys.length {
+            let length = self.along(text, layout)?;
+            if !length.is_positive() {
+                return Err(misread("length", &text.get_ref().0, "a length above 0".to_owned(), text));
+            }
+            crankshaft.length = Some(length);
+        }
+        if let Some(list) = &keys.pin_mass {
+            crankshaft.pins = each(list, throws, mass)?;
+        }
+        crankshaft.webs = match (&keys.web_mass, &keys.web_radius) {
+            (Some(masses), Some(radii)) => {
+                let pairs = each(masses, throws, mass)?.into_iter().zip(each(radii, throws, metres)?);
+                pairs.map(|(mass, radius)| Web { mass, radius }).collect()
+            }
+            (Some(list), None) => {
+                let right = "add web_radius, the distance of their centre of gravity from the axis";
+                return Err(LayoutError::new("a web mass without its radius", right, place(list)));
+            }
+            (None, Some(list)) => {
+                let right = "add web_mass, that of both webs of a throw";
+                return Err(LayoutError::new("a web radius without a mass", right, place(list)));
+            }
+            (None, None) => Vec::new(),
+        };
+        if let (None, Some(list)) =
+            (&keys.balance_factor, keys.counterweight_radius.as_ref().or(keys.web_offset.as_ref()))
+        {
+            let right = "they place the counterweights that a balance_factor makes: add it";
+            return Err(LayoutError::new("counterweights without their size", right, place(list)));
+        }
+        layout.crankshaft = crankshaft;
+        Ok(())
+    }
+
+    /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane.
+    fn from_factors(&self, list: &Column, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
+        let Some(keys) = self.crankshaft.as_ref().map(|table| &table.get_ref().0) else { return Ok(()) };
+        let Some(radii) = &keys.counterweight_radius else {
+            let right = "add counterweight_radius, the distance of their centres of gravity from the axis";
+            return Err(LayoutError::new(
+                "a balance factor without the radius of the counterweights",
+                right,
+                place(list),
+            ));
+        };
+        let radii = each(radii, throws, positive_metres)?;
+        let factors = each(list, throws, factor)?;
+        let offsets = match &keys.web_offset {
+            Some(list) => Some(each(list, throws, |text| self.along(text, layout))?),
+            None => None,
+        };
+        let two = BigRational::from_integer(2.into());
+        for (index, throw) in throws.iter().enumerate() {
+            let Some(whole) = layout.throw_mass_radius(index) else {
+                let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
+                return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
+            };
+            let mass = whole * &factors[index] / &radii[index];
+            let weight = |mass: BigRational, position: BigRational| Counterweight {
+                throw: Some(index),
+                angle: throw.angle.opposite(),
+                mass,
+                radius: radii[index].clone(),
+                position,
+            };
+            match offsets.as_ref().map(|offsets| &offsets[index]).filter(|offset| !offset.is_zero()) {
+                Some(offset) => {
+                    for position in [&throw.position + offset, &throw.position - offset] {
+                        on_the_shaft(layout, &position, keys.web_offset.as_ref().and_then(place))?;
+                        layout.crankshaft.counterweights.push(weight(&mass / &two, position));
+                    }
+                }
+                None => layout.crankshaft.counterweights.push(weight(mass, throw.position.clone())),
+            }
+        }
+        layout.crankshaft.balance_factors = factors;
+        Ok(())
+    }
+
+    fn counterweight(
+        &self,
+        table: &Spanned<Table<CounterweightKeys>>,
+        layout: &mut Layout,
+        throws: &[Throw],
+    ) -> Result<Counterweight, LayoutError> {
+        let keys = &table.get_ref().0;
+        let throw = keys.throw.as_ref().map(|text| number_of_throw(text, throws.len())).transpose()?;
+        let angle = match (&keys.angle, throw) {
+            (Some(text), None) => Turn::new(quantities::known_angle(text)?),
+            (Some(text), Some(throw)) => &throws[throw].angle + &Turn::new(quantities::known_angle(text)?),
+            (None, Some(throw)) => throws[throw].angle.opposite(),
+            (None, None) => {
+                let right = "add its angle, and its throw if the angle counts from one";
+                return Err(LayoutError::new("a counterweight without a direction", right, place(table)));
+            }
+        };
+        let position = match (&keys.position, throw) {
+            (Some(text), _) => self.along(text, layout)?,
+            (None, Some(throw)) => throws[throw].position.clone(),
+            (None, None) => {
+                let right = "add its position along the crankshaft, or the throw that it belongs to";
+                return Err(LayoutError::new("a counterweight without a position", right, place(table)));
+            }
+        };
+        on_the_shaft(layout, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
+        Ok(Counterweight { throw, angle, mass: mass(&keys.mass)?, radius: positive_metres(&keys.radius)?, position })
+    }
+
+    fn balancer(&self, table: &Spanned<Table<BalancerKeys>>, layout: &mut Layout) -> Result<Balancer, LayoutError> {
+        let keys = &table.get_ref().0;
+        let mass_radius = match (&keys.mass, &keys.radius, &keys.mass_radius) {
+            (Some(weight), Some(radius), None) => mass(weight)? * positive_metres(radius)?,
+            (None, None, Some(text)) => {
+                let written = &text.get_ref().0;
+                let value =
+                    units::mass_radius(written).map_err(|right| misread("mass-radius", written, right, text))?;
+                not_negative(value, "mass-radius", text)?
+            }
+            (None, None, None) => {
+                let right = "add mass and radius, or mass_radius in kg m";
+                return Err(LayoutError::new("a balancer shaft without a weight", right, place(table)));
+            }
+            (_, _, Some(text)) => {
+                let right = "mass and radius, or mass_radius: one of them is enough";
+                return Err(LayoutError::new("the weight of a balancer shaft is given twice", right, place(text)));
+            }
+            (Some(text), None, None) => {
+                return Err(LayoutError::new("a mass without its radius", "add radius", place(text)));
+            }
+            (None, Some(text), None) => {
+                return Err(LayoutError::new("a radius without its mass", "add mass", place(text)));
+            }
+        };
+        let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);
+        Ok(Balancer {
+            order: speed_ratio(&keys.order)?,
+            sense: match keys.sense.get_ref().0.as_str() {
+                "with" => Sense::Direct,
+                "against" => Sense::Reverse,
+                other => {
+                    return Err(misread("sense", other, "\"with\" or \"against\" the crank".to_owned(), &keys.sense));
+                }
+            },
+            mass_radius,
+            angle: Turn::new(quantities::known_angle(&keys.angle)?),
+            position: self.along(&keys.position, layout)?,
+            height: zero(&keys.height)?,
+            offset: zero(&keys.offset)?,
+        })
+    }
+
+    /// A length along the crankshaft, in the unit of the positions.
+    fn along(&self, text: &Text, layout: &mut Layout) -> Result<BigRational, LayoutError> {
+        let mut unit = LengthUnit::Spacing;
+        let length = quantities::length(text, &mut unit)?.with(self.values);
+        let Some(known) = length.as_known() else {
+            return Err(misread("length", &text.get_ref().0, "a length whose symbols have values".to_owned(), text));
+        };
+        if unit == LengthUnit::Metre && !layout.positions_given {
+            let right = "give the engine its spacing or positions, or count in spacings here too";
+            return Err(LayoutError::new(
+                "a length in an engine whose cylinders stand one spacing apart",
+                right,
+                place(text),
+            ));
+        }
+        if unit == LengthUnit::Metre {
+            layout.length_unit = unit;
+        }
+        Ok(known.clone())
+    }
+}
+
+/// One value a throw.
+fn each(
+    list: &Column,
+    throws: &[Throw],
+    mut read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
+) -> Result<Vec<BigRational>, LayoutError> {
+    match list.get_ref() {
+        Values::One(text) => Ok(vec![read(&Text::new(list.span(), text.clone()))?; throws.len()]),
+        Values::Each(texts) if texts.len() == throws.len() => texts.iter().map(read).collect(),
+        Values::Each(texts) => {
+            let message = format!("{} values for {} throws", texts.len(), throws.len());
+            Err(LayoutError::new(message, "one value for all, or a list with one a throw", place(list)))
+        }
+    }
+}
+
+fn number_of_throw(text: &Text, count: usize) -> Result<usize, LayoutError> {
+    let written = &text.get_ref().0;
+    let number = written.parse::<usize>().ok().filter(|number| (1..=count).contains(number));
+    number.map(|number| number - 1).ok_or_else(|| {
+        let right = match count {
+            1 => "the crankshaft has one throw: 1".to_owned(),
+            _ => format!("the crankshaft has the throws 1 to {count}, in the order of its pins"),
+        };
+        LayoutError::new(
+            format!("there is no throw `{}`", written.chars().take(40).collect::<String>()),
+            right,
+            place(text),
+        )
+    })
+}
+
+/// A whole multiple of the crank speed.
+fn speed_ratio(text: &Text) -> Result<u32, LayoutError> {
+    let written = &text.get_ref().0;
+    if let Ok(order) = written.parse::<u32>()
+        && (1..=HIGHEST_ORDER).contains(&order)
+    {
+        return Ok(order);
+    }
+    let half = BigRational::new(1.into(), 2.into());
+    let right = match parse_number(written) {
+        Ok(value) if value.abs() == half => {
+            "a shaft at half crank speed turns once in two revolutions, and no inertia force of the cranks has order 1/2"
+                .to_owned()
+        }
+        Ok(value) if !value.is_integer() => format!(
+            "inertia forces repeat with every revolution: their orders are whole numbers, and so is that of a shaft, 1 to {HIGHEST_ORDER}"
+        ),
+        Ok(value) if value.is_negative() => "a whole number above 0; sense = \"against\" turns the other way".to_owned(),
+        _ => format!("a whole number from 1 to {HIGHEST_ORDER}: how many times the shaft turns in a revolution"),
+    };
+    Err(misread("order of a balancer shaft", written, right, text))
+}
+
+/// A counterweight has to stand on the crankshaft.
+fn on_the_shaft(layout: &Layout, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
+    match layout.shaft_ends() {
+        Some([low, high]) if *position < low || *position > high => {
+            let message = format!("a counterweight at {position} is beyond the crankshaft");
+            Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), span))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn mass(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    not_negative(units::mass(written).map_err(|right| misread("mass", written, right, text))?, "mass", text)
+}
+
+fn metres(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    units::length(written).map(|length| length.value).map_err(|right| misread("length", written, right, text))
+}
+
+fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
+    let radius = metres(text)?;
+    if radius.is_positive() {
+        Ok(radius)
+    } else {
+        Err(misread("radius", &text.get_ref().0, "a length above 0".to_owned(), text))
+    }
+}
+
+fn factor(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let value = parse_number(written).map_err(|error| misread("balance factor", written, error.to_string(), text))?;
+    not_negative(value, "balance factor", text)
+}
+
+fn not_negative(value: BigRational, what: &str, text: &Text) -> Result<BigRational, LayoutError> {
+    if value.is_negative() {
+        return Err(misread(what, &text.get_ref().0, format!("a {what} is 0 or more"), text));
+    }
+    Ok(value)
+}

@@ -1,0 +1,60 @@
+//! Which throws has the crankshaft? Each is a crankpin, with the cylinders that share it.
+
+use num_rational::BigRational;
+
+use super::engine::Layout;
+use crate::exact::Turn;
+
+/// One throw: a crankpin between its webs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Throw {
+    /// Its angle β.
+    pub angle: Turn,
+    /// Where it stands: the middle between its outermost cylinders.
+    pub position: BigRational,
+    /// Crank radius, in multiples of that of the layout.
+    pub crank_radius: BigRational,
+    /// The cylinders that work on it, by their index.
+    pub cylinders: Vec<usize>,
+}
+
+/// The throws of a crankshaft, in the order of its pins; the parts of a split pin are throws of their own.
+///
+/// ```standalone_crate
+/// let v8 = crankstar::layout::find("V8-crossplane").unwrap().layout().unwrap();
+/// let throws = crankstar::layout::throws(&v8);
+/// assert_eq!(throws.len(), 4);
+/// assert_eq!(throws[0].cylinders, [0, 4]);
+/// ```
+pub fn throws(layout: &Layout) -> Vec<Throw> {
+    let mut order: Vec<usize> = (0..layout.cylinders.len()).collect();
+    order.sort_by_key(|&index| layout.cylinders[index].pin);
+    let mut throws: Vec<(usize, Throw)> = Vec::new();
+    for index in order {
+        let cylinder = &layout.cylinders[index];
+        let shares = |(pin, throw): &(usize, Throw)| {
+            *pin == cylinder.pin && throw.angle == cylinder.throw && throw.crank_radius == cylinder.crank_radius
+        };
+        // The throws of a pin stand together at the end of the list.
+        let candidates = throws.iter_mut().rev().take_while(|(pin, _)| *pin == cylinder.pin);
+        match candidates.into_iter().find(|throw| shares(throw)) {
+            Some((_, throw)) => throw.cylinders.push(index),
+            None => throws.push((
+                cylinder.pin,
+                Throw {
+                    angle: cylinder.throw.clone(),
+                    position: cylinder.position.clone(),
+                    crank_radius: cylinder.crank_radius.clone(),
+                    cylinders: vec![index],
+                },
+            )),
+        }
+    }
+    let placed = |(_, throw): (usize, Throw)| {
+        let positions = || throw.cylinders.iter().map(|&index| &layout.cylinders[index].position);
+        let ends = positions().min().zip(positions().max());
+        let middle = ends.map(|(low, high)| (low + high) / BigRational::from_integer(2.into()));
+        Throw { position: middle.unwrap_or_else(|| throw.position.clone()), ..throw.clone() }
+    };
+    throws.into_iter().map(placed).collect()
+}

@@ -1,0 +1,86 @@
+//! Which counterweights take away what turns with the crank: one set a bay, or two planes?
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::sums::{Subject, Sums};
+use super::weight::Weight;
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::{Throw, throws};
+use crate::proof::Sense;
+
+/// Counterweights of each throw opposite to it, or turned on from there by a skew, sized by a balance factor: `BF·D` with
+/// `D = m_rot r + ½ Σ m_rec r` (theory, section 7). One weight a throw, in its plane.
+///
+/// A list that is shorter than the number of throws goes on with its last value.
+pub fn bay_by_bay(subject: &Subject, factors: &[BigRational], skews: &[Turn]) -> Vec<Weight> {
+    let throws = throws(subject.layout());
+    let weight = |(index, throw): (usize, &Throw)| {
+        let factor = value_of(factors, index).cloned().unwrap_or_else(BigRational::zero);
+        let skew = value_of(skews, index).cloned().unwrap_or_else(Turn::zero);
+        let angle = &throw.angle.opposite() + &skew;
+        let weight = throw_weight(subject, index, throw) * factor;
+        Weight {
+            order: 1,
+            sense: Sense::Direct,
+            position: throw.position.clone(),
+            vector: Sums::plain(PhasorSum::new(vec![Term { angle, weight }])),
+        }
+    };
+    throws.iter().enumerate().map(weight).filter(|weight| !weight.vector.vanishes()).collect()
+}
+
+fn value_of<T>(list: &[T], index: usize) -> Option<&T> {
+    list.get(index).or(list.last())
+}
+
+/// D of a throw in multiples of m r; engines without numbers have their reciprocating masses only.
+fn throw_weight(subject: &Subject, index: usize, throw: &Throw) -> BigRational {
+    let layout = subject.layout();
+    if let (Some([unit, _]), Some(whole)) = (subject.scale(), layout.throw_mass_radius(index)) {
+        return whole / unit;
+    }
+    let two = BigRational::from_integer(2.into());
+    let unit = crate::loads::unit_mass(layout);
+    let cylinder = |&at: &usize| {
+        let rotating = layout.mechanism.rotating_masses.get(at).map_or_else(BigRational::zero, |mass| mass / &unit);
+        let cylinder = &layout.cylinders[at];
+        (rotating + &cylinder.reciprocating_mass / &two) * &cylinder.crank_radius
+    };
+    let pin = layout.crankshaft.pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
+    throw.cylinders.iter().map(cylinder).sum::<BigRational>() + pin * &throw.crank_radius
+}
+
+/// Weights in two planes that take a force P and its moment C about position 0 away:
+/// `U_1 + U_2 = −P/2n²`, `z_1 U_1 + z_2 U_2 = −C/2n²` (theory, section 7, there for n = 1).
+///
+/// Weights of length zero are left out. The planes must differ.
+pub fn two_planes(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes: &[BigRational; 2]) -> Vec<Weight> {
+    let [first, second] = planes;
+    let size = (second - first) * super::weight::doubled_square(order);
+    let share = BigRational::one() / size;
+    let at_first = moment.minus(&force.scaled(second)).scaled(&share);
+    let at_second = force.scaled(first).minus(moment).scaled(&share);
+    let weight = |position: &BigRational, vector: Sums| Weight { order, sense, position: position.clone(), vector };
+    let weights = [weight(first, at_first), weight(second, at_second)];
+    weights.into_iter().filter(|weight| !weight.vector.vanishes()).collect()
+}
+
+/// The one weight that takes both away, where the force acts in one plane: `C = z_0 P` with a rational position z_0.
+pub fn one_plane(order: u32, sense: Sense, force: &Sums, moment: &Sums) -> Option<Weight> {
+    let (factor, sum) = force.parts().iter().next()?;
+    let position = match moment.parts().get(factor) {
+        None => BigRational::zero(),
+        Some(arm) => {
+            // C P̄ = z_0 |P|²: the means of their conjugates are as z_0 to 1, or z_0 is not rational.
+            let above = crate::numbers::mean_of_conjugates(&arm.times(&sum.conjugate()))?;
+            let below = crate::numbers::mean_of_conjugates(&sum.squared_modulus())?;
+            if below.is_zero() {
+                return None;
+            }
+            above / below
+        }
+    };
+    let vector = force.scaled(&-(BigRational::one() / super::weight::doubled_square(order)));
+    moment.minus(&force.scaled(&position)).vanishes().then_some(Weight { order, sense, position, vector })
+}

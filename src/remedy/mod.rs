@@ -1,0 +1,184 @@
+//! What takes away what is left: counterweights on the crankshaft, balancer shafts?
+//!
+//! Every remedy is a set of weights whose mass-radii are exact sums in the field of the engine's own, so that the sums of
+//! the corrected engine are formed anew and proved to vanish (theory, section 7). Engines without numbers are answered in
+//! multiples of m r, and of c_k where the order has a coefficient.
+
+mod corrected;
+mod counterweights;
+mod height;
+mod partial;
+mod shafts;
+mod sums;
+mod weight;
+
+use std::fmt;
+
+use num_rational::BigRational;
+
+pub use corrected::{Corrected, corrected};
+pub use counterweights::{bay_by_bay, one_plane, two_planes};
+pub use height::{PairHeight, pair_height};
+pub use partial::{Ellipse, Partial};
+pub use shafts::{Kind, Shaft, shaft, shafts};
+pub use sums::{Subject, Sums};
+pub use weight::{Weight, with_counterweights};
+
+use crate::exact::Turn;
+use crate::layout::{Layout, throws};
+use crate::loads::Missing;
+use crate::proof::Sense;
+
+/// What is asked of a remedy.
+#[derive(Clone, Debug, Default)]
+pub struct Wish {
+    /// The orders that are to vanish, rising.
+    pub orders: Vec<u32>,
+    /// Planes of counterweights and couples; the outermost throws if left out.
+    pub planes: Option<[BigRational; 2]>,
+    /// Balance factors of the throws for counterweights bay by bay; none for a correction in two planes alone. The last
+    /// one is that of all further throws.
+    pub factors: Vec<BigRational>,
+    /// How far the counterweights of each bay are turned on from opposite to their throw; 0 if left out.
+    pub skews: Vec<Turn>,
+}
+
+/// Weights that balance an engine up to the orders asked for.
+#[derive(Clone, Debug)]
+pub struct Remedy {
+    /// The engine.
+    pub subject: Subject,
+    /// The orders that were asked for.
+    pub orders: Vec<u32>,
+    /// Counterweights bay by bay, where balance factors are given.
+    pub bays: Vec<Weight>,
+    /// Counterweights on the crankshaft that take away what is left of the direct first order.
+    pub crankshaft: Option<Shaft>,
+    /// Balancer shafts for all the rest.
+    pub shafts: Vec<Shaft>,
+    /// Heights at which the Lanchester pairs take away the roll moment of their order too.
+    pub heights: Vec<PairHeight>,
+    /// The sums of the corrected engine.
+    pub corrected: Vec<Corrected>,
+}
+
+impl Remedy {
+    /// All weights of the remedy.
+    pub fn weights(&self) -> Vec<Weight> {
+        let shafts = self.crankshaft.iter().chain(&self.shafts).flat_map(|shaft| &shaft.weights);
+        self.bays.iter().chain(shafts).cloned().collect()
+    }
+
+    /// Whether every sum of the corrected engine is proved to be zero.
+    pub fn holds(&self) -> bool {
+        self.corrected.iter().all(Corrected::vanishes)
+    }
+}
+
+/// Why there is no remedy.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// What the layout lacks.
+    Missing(Missing),
+    /// Both planes stand at this position.
+    PlanesCoincide(BigRational),
+    /// More values are given than there are throws.
+    TooMany {
+        /// What is given too often.
+        what: &'static str,
+        /// How many are given.
+        given: usize,
+        /// How many throws there are.
+        throws: usize,
+    },
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refused::Missing(missing) => missing.fmt(f),
+            Refused::PlanesCoincide(position) => write!(
+                f,
+                "both planes stand at {position}: weights in one plane make no couple; give planes at two positions"
+            ),
+            Refused::TooMany { what, given, throws } => {
+                write!(f, "{given} {what} for {throws} throws; give one for all, or one a throw")
+            }
+        }
+    }
+}
+
+impl std::error::Error for Refused {}
+
+/// Finds the weights that make every vector of the orders asked for vanish, and proves it on the corrected engine.
+///
+/// ```standalone_crate
+/// use crankstar::remedy::{Wish, remedy};
+/// let i3 = crankstar::layout::find("I3").unwrap().layout().unwrap();
+/// let remedy = remedy(&i3, &Wish { orders: vec![1, 2], ..Wish::default() }).unwrap();
+/// assert!(remedy.holds());
+/// // Two counterweights in the planes of the outer throws, and three shafts with a couple each.
+/// assert_eq!(remedy.crankshaft.as_ref().unwrap().weights[0].modulus().unwrap().to_string(), "√3/4");
+/// assert_eq!(remedy.shafts.len(), 3);
+/// ```
+///
+/// # Errors
+/// What is missing, or does not fit.
+pub fn remedy(layout: &Layout, wish: &Wish) -> Result<Remedy, Refused> {
+    let subject = Subject::new(layout).map_err(Refused::Missing)?;
+    let count = throws(layout).len();
+    for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
+        if given > count {
+            return Err(Refused::TooMany { what, given, throws: count });
+        }
+    }
+    let planes = match &wish.planes {
+        Some([first, second]) if first == second => return Err(Refused::PlanesCoincide(first.clone())),
+        Some(planes) => planes.clone(),
+        None => usual_planes(layout),
+    };
+    let bays = if wish.factors.is_empty() { Vec::new() } else { bay_by_bay(&subject, &wish.factors, &wish.skews) };
+    let crankshaft =
+        wish.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, wish.planes.is_some()));
+    let crankshaft = crankshaft.flatten();
+    let shafts = shafts(&subject, &wish.orders, &planes);
+    let pairs = shafts.iter().filter(|shaft| shaft.lanchester && shaft.sense == Sense::Direct);
+    let heights = pairs.filter_map(|shaft| pair_height(layout, shaft.order)).collect();
+    let mut remedy =
+        Remedy { subject, orders: wish.orders.clone(), bays, crankshaft, shafts, heights, corrected: Vec::new() };
+    remedy.corrected = corrected(&remedy.subject, &remedy.orders, &remedy.weights());
+    Ok(remedy)
+}
+
+/// What takes away the direct first order that the bays leave: one weight where one does, unless planes were named.
+fn on_the_crankshaft(
+    subject: &Subject,
+    bays: &[Weight],
+    planes: &[BigRational; 2],
+    planes_named: bool,
+) -> Option<Shaft> {
+    let (mut force, mut moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));
+    for weight in bays {
+        force = force.plus(&weight.adds());
+        moment = moment.plus(&weight.adds().scaled(&weight.position));
+    }
+    let found = shaft(1, Sense::Direct, &force, &moment, planes)?;
+    let weights = if planes_named { two_planes(1, Sense::Direct, &force, &moment, planes) } else { found.weights };
+    Some(Shaft { weights, ..found })
+}
+
+/// The planes of the outermost throws; of the outermost cylinders or weights where those stand together.
+fn usual_planes(layout: &Layout) -> [BigRational; 2] {
+    let throws: Vec<BigRational> = throws(layout).into_iter().map(|throw| throw.position).collect();
+    let cylinders: Vec<BigRational> = layout.cylinders.iter().map(|cylinder| cylinder.position.clone()).collect();
+    let crankshaft = &layout.crankshaft;
+    let weights = crankshaft.counterweights.iter().map(|weight| &weight.position);
+    let weights = weights.chain(crankshaft.balancers.iter().map(|shaft| &shaft.position));
+    let all: Vec<BigRational> = cylinders.iter().chain(weights).cloned().collect();
+    let ends = |list: &[BigRational]| Some([list.iter().max()?.clone(), list.iter().min()?.clone()]);
+    let apart = |[high, low]: &[BigRational; 2]| high != low;
+    let found = [throws, cylinders, all].iter().find_map(|list| ends(list).filter(apart));
+    // Where all stands in one plane, no couple is left that planes would be needed for.
+    let one = BigRational::from_integer(1.into());
+    found.unwrap_or_else(|| [&layout.reference_plane + &one, &layout.reference_plane - &one])
+}

@@ -1,0 +1,89 @@
+//! How well can counterweights alone do? They take from the direct vector of order 1 and leave the reverse one.
+//!
+//! Let the rotating masses be balanced, and a part f of the reciprocating ones. Then `P⁺(f) = (1 − 2f) P⁺`, P⁻ stays,
+//! and the force of order 1 traces an ellipse with the semi-axes `½ |(|1−2f| |P⁺| ± |P⁻|)|` (theory, section 3). Its peak
+//! is least at f = ½, and f does as well as 1 − f. On one pin at the V-angle V, with equal masses, `P⁺ = 2 m r` and
+//! `P⁻ = 2 m r cos V`: the peak is `(|1 − 2f| + |cos V|) m r ω²`.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use crate::exact::{PhasorSum, Term};
+use crate::layout::Layout;
+use crate::numbers::{self, Form};
+use crate::phasor;
+use crate::proof::{Quantity, Sense};
+
+/// What is left of the first order over the balanced part f of the reciprocating masses.
+#[derive(Clone, Debug)]
+pub struct Partial {
+    /// P⁺ of the reciprocating masses, in multiples of m r.
+    pub direct: PhasorSum,
+    /// P⁻.
+    pub reverse: PhasorSum,
+}
+
+/// The path of the force of order 1, in multiples of m r ω².
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ellipse {
+    /// The longer semi-axis: the peak; in closed form where one is found.
+    pub peak: Option<Form>,
+    /// The same in decimals.
+    pub peak_decimal: f64,
+    /// The shorter semi-axis in decimals: 0 where the force swings along a line.
+    pub least_decimal: f64,
+}
+
+impl Partial {
+    /// The first order of a layout.
+    ///
+    /// ```standalone_crate
+    /// use crankstar::remedy::Partial;
+    /// use num_rational::BigRational;
+    /// let twin = "vee = { bank_angle = 90, throws = [0] }";
+    /// let twin = Partial::new(&crankstar::layout::parse("twin.toml", twin).unwrap());
+    /// let half = BigRational::new(1.into(), 2.into());
+    /// assert_eq!(twin.ellipse(&half).peak_decimal, 0.0);
+    /// ```
+    pub fn new(layout: &Layout) -> Self {
+        let sum = |sense| PhasorSum::new(phasor::sum(layout, Quantity::Force, 1, Some(sense)).collected());
+        Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) }
+    }
+
+    /// P⁺ where this part of the reciprocating masses is balanced, formed term by term.
+    pub fn direct_at(&self, part: &BigRational) -> PhasorSum {
+        let two = BigRational::from_integer(2.into());
+        let counter = self
+            .direct
+            .terms()
+            .iter()
+            .map(|term| Term { angle: term.angle.opposite(), weight: &term.weight * part * &two });
+        self.direct.plus(&PhasorSum::new(counter.collect()))
+    }
+
+    /// The ellipse where this part of the reciprocating masses is balanced.
+    pub fn ellipse(&self, part: &BigRational) -> Ellipse {
+        let half = BigRational::new(1.into(), 2.into());
+        let left = (BigRational::one() - part * BigRational::from_integer(2.into())).abs();
+        let (direct, reverse) = (self.direct.scaled(&left), &self.reverse);
+        let lengths = numbers::modulus(&direct).zip(numbers::modulus(reverse));
+        let [long, short] = [numbers::evaluate(&direct).norm(), numbers::evaluate(reverse).norm()];
+        Ellipse {
+            peak: lengths.map(|(direct, reverse)| direct.plus(&reverse).scaled(&half)),
+            peak_decimal: (long + short) / 2.0,
+            least_decimal: (long - short).abs() / 2.0,
+        }
+    }
+
+    /// The curve: the ellipses at n + 1 even steps from 0 to 1.
+    pub fn curve(&self, steps: u32) -> Vec<(BigRational, Ellipse)> {
+        let part = |step: u32| BigRational::new(step.into(), steps.max(1).into());
+        (0..=steps.max(1)).map(|step| (part(step), self.ellipse(&part(step)))).collect()
+    }
+
+    /// The least peak, ½|P⁻|, and the part that reaches it: ½; `None` where counterweights change nothing, as P⁺ is zero.
+    pub fn minimum(&self) -> Option<(BigRational, Ellipse)> {
+        let half = BigRational::new(1.into(), 2.into());
+        (!self.direct.vanishes()).then(|| (half.clone(), self.ellipse(&half)))
+    }
+}

@@ -1,0 +1,81 @@
+//! Which balancer shafts are needed? One for each order and sense that is left, and no fewer can do.
+//!
+//! A shaft at +k or −k times the crank speed adds to the vector P_k⁺ or P_k⁻ alone, and to no other. So each that does
+//! not vanish needs a shaft of its own; and one shaft is enough, as two weights on it make any force and any moment.
+
+use num_rational::BigRational;
+
+use super::counterweights::{one_plane, two_planes};
+use super::sums::{Subject, Sums};
+use super::weight::Weight;
+use crate::proof::Sense;
+
+/// What a shaft takes away.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A force that acts in one plane: one weight.
+    Force,
+    /// A couple: two opposite weights.
+    Couple,
+    /// A force and a moment besides: two weights.
+    ForceAndMoment,
+}
+
+/// A balancer shaft; the crankshaft itself is the one that turns with the crank at order 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaft {
+    /// How many times it turns in a revolution of the crankshaft.
+    pub order: u32,
+    /// With the crank or against it.
+    pub sense: Sense,
+    /// What it takes away.
+    pub kind: Kind,
+    /// Its weights.
+    pub weights: Vec<Weight>,
+    /// Whether it makes a Lanchester pair with the shaft that turns the other way: one weight each, of the same length.
+    pub lanchester: bool,
+}
+
+/// The shaft of an order and sense whose force and moment about position 0 are these; `None` where both vanish.
+pub fn shaft(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes: &[BigRational; 2]) -> Option<Shaft> {
+    let (kind, weights) = match (force.vanishes(), moment.vanishes()) {
+        (true, true) => return None,
+        (true, false) => (Kind::Couple, two_planes(order, sense, force, moment, planes)),
+        (false, _) => match one_plane(order, sense, force, moment) {
+            Some(weight) => (Kind::Force, vec![weight]),
+            None => (Kind::ForceAndMoment, two_planes(order, sense, force, moment, planes)),
+        },
+    };
+    Some(Shaft { order, sense, kind, weights, lanchester: false })
+}
+
+/// The least set of shafts that takes away every vector of these orders but the direct ones of order 1, which
+/// counterweights on the crankshaft take away.
+pub fn shafts(subject: &Subject, orders: &[u32], planes: &[BigRational; 2]) -> Vec<Shaft> {
+    let mut shafts = Vec::new();
+    for &order in orders {
+        let of_sense = |sense| {
+            let (force, moment) = (subject.force(order, sense), subject.moment(order, sense));
+            shaft(order, sense, &force, &moment, planes)
+        };
+        let direct = if order == 1 { None } else { of_sense(Sense::Direct) };
+        let mut pair: Vec<Shaft> = direct.into_iter().chain(of_sense(Sense::Reverse)).collect();
+        if let [a, b] = pair.as_mut_slice()
+            && same_length(a, b)
+        {
+            (a.lanchester, b.lanchester) = (true, true);
+        }
+        shafts.append(&mut pair);
+    }
+    shafts
+}
+
+fn same_length(a: &Shaft, b: &Shaft) -> bool {
+    let ([one], [other]) = (a.weights.as_slice(), b.weights.as_slice()) else { return false };
+    match (one.vector.only(), other.vector.only()) {
+        (Some((factor, sum)), Some((other_factor, other_sum))) => {
+            factor == other_factor && sum.squared_modulus().minus(&other_sum.squared_modulus()).vanishes()
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,98 @@
+//! What is a remedy made of? Weights that turn, each at a multiple of the crank speed.
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::sums::{Subject, Sums};
+use crate::exact::{PhasorSum, Turn};
+use crate::layout::{Counterweight, Layout};
+use crate::numbers::{Direction, Form};
+use crate::proof::Sense;
+
+/// A weight on the crankshaft (order 1, direct) or on a balancer shaft.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weight {
+    /// How many times it turns in a revolution of the crankshaft.
+    pub order: u32,
+    /// With the crank or against it.
+    pub sense: Sense,
+    /// Where it stands along the crankshaft, in the unit of the positions.
+    pub position: BigRational,
+    /// `U e^{iγ}`: its mass-radius in multiples of m r, in its direction at θ = 0.
+    pub vector: Sums,
+}
+
+impl Weight {
+    /// What it adds to the vector of its order and sense: `2n²U e^{iγ}` (theory, section 3).
+    pub fn adds(&self) -> Sums {
+        self.vector.scaled(&doubled_square(self.order))
+    }
+
+    /// The length U in closed form, in multiples of m r, or of m r |c_k|.
+    pub fn modulus(&self) -> Option<Form> {
+        self.vector.modulus()
+    }
+
+    /// Its direction γ at θ = 0 in closed form.
+    pub fn direction(&self) -> Option<Direction> {
+        self.vector.direction(self.order)
+    }
+
+    /// U in multiples of m r and γ in degrees, in decimals; `None` where c_k is not known.
+    pub fn decimals(&self, subject: &Subject) -> Option<[f64; 2]> {
+        let value = subject.value(&self.vector, self.order, self.sense)?;
+        Some([value.norm(), value.arg().to_degrees()])
+    }
+
+    /// U in kilogram-metres; `None` where the layout gives no numbers.
+    pub fn mass_radius(&self, subject: &Subject) -> Option<f64> {
+        let [unit, _] = subject.scale()?;
+        Some(self.decimals(subject)?[0] * unit.to_f64()?)
+    }
+
+    /// Its mass in kilograms at the crank radius; `None` where the layout gives no numbers.
+    pub fn mass_at_crank_radius(&self, subject: &Subject) -> Option<f64> {
+        let [_, radius] = subject.scale()?;
+        Some(self.mass_radius(subject)? / radius.to_f64()?)
+    }
+}
+
+/// `2n²`.
+pub(super) fn doubled_square(order: u32) -> BigRational {
+    let order = u64::from(order);
+    BigRational::from_integer((2 * order * order).into())
+}
+
+/// The layout with these weights on its crankshaft, each as the rational counterweights that it is the sum of.
+///
+/// `None` where a weight turns at another speed or holds a coefficient, or where the layout gives no numbers.
+pub fn with_counterweights(subject: &Subject, weights: &[Weight]) -> Option<Layout> {
+    let [unit, radius] = subject.scale()?;
+    let mut layout = subject.layout().clone();
+    for weight in weights {
+        let on_the_crank = (weight.order, weight.sense) == (1, Sense::Direct);
+        for (factor, sum) in weight.vector.parts() {
+            if factor.is_some() || !on_the_crank {
+                return None;
+            }
+            layout.crankshaft.counterweights.extend(rational_weights(sum, &unit, &radius, &weight.position));
+        }
+    }
+    Some(layout)
+}
+
+/// The terms of a sum as counterweights of positive mass.
+fn rational_weights<'a>(
+    sum: &'a PhasorSum,
+    unit: &'a BigRational,
+    radius: &'a BigRational,
+    position: &'a BigRational,
+) -> impl Iterator<Item = Counterweight> + 'a {
+    sum.terms().iter().map(move |term| {
+        let negative = term.weight < BigRational::from_integer(0.into());
+        let angle: Turn = if negative { term.angle.opposite() } else { term.angle.clone() };
+        let mass = &term.weight * unit / radius;
+        let mass = if negative { -mass } else { mass };
+        Counterweight { throw: None, angle, mass, radius: radius.clone(), position: position.clone() }
+    })
+}

@@ -1,0 +1,185 @@
+//! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
+
+use crankstar::layout::{Layout, find, parse, throws};
+use crankstar::loads::{Effect, Loads, Missing, Outcome, loads};
+use num_rational::BigRational;
+
+const I3: &str = include_str!("../reports/examples/thesis-i3/layout.toml");
+const CROSS: &str = include_str!("../reports/examples/thesis-v8-crossplane/layout.toml");
+const FLAT: &str = include_str!("../reports/examples/thesis-v8-flatplane/layout.toml");
+
+#[track_caller]
+fn read(text: &str) -> Layout {
+    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn ratio(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+fn with_factor(engine: &str, factor: &str, web_offset: &str) -> Layout {
+    read(&format!(
+        "{engine}\n[crankshaft]\nbalance_factor = {factor}\ncounterweight_radius = '45 mm'\nweb_offset = '{web_offset}'"
+    ))
+}
+
+fn computed(layout: &Layout) -> Loads {
+    loads(layout, &[1, 2]).expect("numbers")
+}
+
+/// Largest direct moment of order 1 in newton-metres.
+fn direct_moment(loads: &Loads) -> f64 {
+    let factor = loads.scale.as_ref().expect("masses, crank and speed").force();
+    loads.orders[0].moment.direct.value.norm() / 2.0 * factor
+}
+
+#[track_caller]
+fn assert_near(value: f64, expected: f64) {
+    assert!((value - expected).abs() <= 1e-5 * expected.abs(), "{value} instead of {expected}");
+}
+
+#[test]
+fn cylinders_that_share_a_pin_make_one_throw() {
+    let angles = |name: &str| {
+        let layout = find(name).unwrap_or_else(|| panic!("{name}")).layout().expect("a layout");
+        throws(&layout)
+            .into_iter()
+            .map(|throw| (throw.angle.degrees().to_string(), throw.cylinders))
+            .collect::<Vec<_>>()
+    };
+    let throw = |angle: &str, cylinders: &[usize]| (angle.to_owned(), cylinders.to_vec());
+    assert_eq!(
+        angles("V8-crossplane"),
+        [throw("0", &[0, 4]), throw("270", &[1, 5]), throw("90", &[2, 6]), throw("180", &[3, 7])]
+    );
+    assert_eq!(angles("I4").len(), 4);
+    let split = read("[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\npin_split = -60");
+    assert_eq!(
+        throws(&split).iter().map(|throw| throw.cylinders.clone()).collect::<Vec<_>>(),
+        [vec![0], vec![3], vec![1], vec![4], vec![2], vec![5]]
+    );
+    let radial = read("[radial]\ncylinders = 9\nrows = 2\nrow_rotation = 20\nrow_throw = 180");
+    assert_eq!(throws(&radial).iter().map(|throw| throw.cylinders.len()).collect::<Vec<_>>(), [9, 9]);
+}
+
+#[test]
+fn a_throw_stands_in_the_middle_of_its_cylinders() {
+    let positions: Vec<String> = throws(&read(CROSS)).iter().map(|throw| throw.position.to_string()).collect();
+    assert_eq!(positions, ["9/50", "3/50", "-3/50", "-9/50"]);
+}
+
+#[test]
+fn cylinders_of_single_tables_share_a_pin_where_they_say_so_or_stand_together() {
+    let cylinder =
+        |position: &str, rest: &str| format!("[[cylinder]]\nthrow = 0\nbank = 0\nposition = {position}\n{rest}\n");
+    let count = |text: String| throws(&read(&text)).len();
+    assert_eq!(count(cylinder("1", "") + &cylinder("1", "")), 1);
+    assert_eq!(count(cylinder("1", "") + &cylinder("2", "")), 2);
+    assert_eq!(count(cylinder("1", "pin = 1") + &cylinder("2", "pin = 1")), 1);
+    assert_eq!(count(cylinder("1", "pin = 1") + &cylinder("1", "pin = 2")), 2);
+}
+
+#[test]
+fn the_thesis_weighs_its_crankshafts_so() {
+    let mass = |layout: Layout| layout.crankshaft_mass().expect("masses");
+    assert_eq!(mass(read(I3)), ratio(2475, 1000));
+    assert_eq!(mass(with_factor(I3, "0.65", "20 mm")), ratio(408_375, 100_000));
+    assert_eq!(mass(with_factor(I3, "1", "20 mm")), ratio(495, 100));
+    for v8 in [FLAT, CROSS] {
+        assert_eq!(mass(read(v8)), ratio(58, 10));
+        assert_eq!(mass(with_factor(v8, "0.65", "30 mm")), ratio(957, 100));
+        assert_eq!(mass(with_factor(v8, "1", "30 mm")), ratio(116, 10));
+    }
+}
+
+#[test]
+fn a_balance_factor_makes_the_counterweights_of_the_thesis() {
+    let i3 = with_factor(I3, "0.65", "20 mm");
+    let weights = &i3.crankshaft.counterweights;
+    let positions: Vec<String> = weights.iter().map(|weight| weight.position.to_string()).collect();
+    assert_eq!(positions, ["3/25", "2/25", "1/50", "-1/50", "-2/25", "-3/25"]);
+    assert!(weights.iter().all(|weight| weight.mass == ratio(268_125, 1_000_000)));
+    assert_eq!(i3.balance_factors(), vec![Some(ratio(65, 100)); 3]);
+    let v8 = with_factor(CROSS, "1", "30 mm");
+    assert!(v8.crankshaft.counterweights.iter().all(|weight| weight.mass == ratio(725, 1000)));
+    let listed = with_factor(I3, "[0, 1, 0.5]", "0 m");
+    assert_eq!(listed.balance_factors(), vec![Some(ratio(0, 1)), Some(ratio(1, 1)), Some(ratio(1, 2))]);
+    assert_eq!(listed.crankshaft.counterweights.len(), 3);
+}
+
+#[test]
+fn a_balance_factor_scales_the_direct_moment_and_the_factor_1_removes_it_exactly() {
+    for (engine, offset, bare) in [(I3, "20 mm", 2538.56), (CROSS, "30 mm", 9775.11)] {
+        assert_near(direct_moment(&computed(&read(engine))), bare);
+        assert_near(direct_moment(&computed(&with_factor(engine, "0.65", offset))), 0.35 * bare);
+        let balanced = computed(&with_factor(engine, "1", offset));
+        assert_eq!(balanced.orders[0].moment.direct.outcome, Outcome::Zero);
+        assert_eq!(balanced.orders[0].force.direct.outcome, Outcome::Zero);
+        assert!(balanced.effects.iter().any(|effect| effect.effect == Effect::Counterweights));
+    }
+}
+
+#[test]
+fn the_skewed_counterweights_of_table_6_7_leave_7328_newtons_at_300_degrees_and_235_newton_metres() {
+    let rows =
+        [(1, 210, "0.12"), (1, 180, "0.08"), (2, 180, "0.02"), (2, 180, "-0.02"), (3, 180, "-0.08"), (3, 150, "-0.12")];
+    let weights = rows.map(|(throw, angle, position)| {
+        format!("[[counterweight]]\nthrow = {throw}\nangle = {angle}\nmass = 0.4125\nradius = 0.045\nposition = {position}\n")
+    });
+    let layout = read(&format!("{I3}\n{}", weights.concat()));
+    let loads = computed(&layout);
+    let force = loads.orders[0].force.direct.value;
+    assert_near(force.norm() / 2.0 * loads.scale.as_ref().expect("a scale").force(), 7328.18);
+    assert_near(force.arg().to_degrees(), -60.0);
+    assert_near(direct_moment(&loads), 235.63);
+    assert_near(loads.orders[0].moment.direct.value.arg().to_degrees(), -150.0);
+}
+
+#[test]
+fn pins_and_webs_weigh_what_a_rotating_mass_at_the_rods_does() {
+    let shared = CROSS.replace("rotating_mass = \"0.4 kg\"", "rotating_mass = \"0.3 kg\"");
+    assert_ne!(shared, CROSS);
+    // 0.2 kg a throw at 45 mm: 0.1 kg at the pin, the rest in webs of 0.3 kg at 15 mm.
+    let pins = read(&format!("{shared}\n[crankshaft]\npin_mass = '0.1 kg'\nweb_mass = '0.3 kg'\nweb_radius = '15 mm'"));
+    let rods = read(CROSS);
+    assert_eq!(pins.crankshaft_mass(), rods.crankshaft_mass());
+    let (pins, rods) = (computed(&pins), computed(&rods));
+    assert_near(direct_moment(&pins), direct_moment(&rods));
+    assert!(pins.effects.iter().any(|effect| effect.effect == Effect::Crankshaft));
+}
+
+#[test]
+fn a_lanchester_pair_is_a_term_of_order_2_direct_and_reverse() {
+    let engine = "speed = 1000\n[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\nreciprocating_mass = 1\ncrank_radius = 0.05\nrod_ratio = 0.25\n";
+    // 2·2²·U = ¼·4 m r: the part of the second order that c_2 ≈ ¼ leaves over is small.
+    let pair = ["with", "against"].map(|sense| {
+        format!("[[balancer]]\norder = 2\nsense = '{sense}'\nmass_radius = '6.25 kg mm'\nangle = 180\nposition = 0\n")
+    });
+    let loads = computed(&read(&format!("{engine}{}", pair.concat())));
+    let c2 = loads.orders[1].coefficient.as_ref().expect("a common rod").to_complex().re;
+    for vector in [&loads.orders[1].force.direct, &loads.orders[1].force.reverse] {
+        assert_near(vector.value.re, 4.0 * c2 - 1.0);
+    }
+    assert!(loads.effects.iter().any(|effect| effect.effect == Effect::Balancers));
+}
+
+#[test]
+fn bob_weights_are_those_of_the_workshop() {
+    let half = ratio(1, 2);
+    let bob = read(CROSS).bob_weight(0, &half).expect("masses");
+    assert_eq!(bob.per_cylinder, vec![ratio(725, 1000); 2]);
+    assert_eq!(bob.per_throw, ratio(145, 100));
+    assert_eq!(read("inline.throws = [0]").bob_weight(0, &half), None);
+}
+
+#[test]
+fn what_cannot_be_compared_is_missing() {
+    let weight = "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 0.05\n";
+    let missing = |mechanism: &str| {
+        let layout = read(&format!("inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\n{mechanism}\n{weight}"));
+        loads(&layout, &[1]).err()
+    };
+    assert_eq!(missing(""), Some(Missing::Masses));
+    assert_eq!(missing("reciprocating_mass = 1"), Some(Missing::CrankRadius));
+    assert_eq!(missing("reciprocating_mass = 1\ncrank_radius = 0.05"), None);
+}

@@ -1,0 +1,310 @@
+//! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
+
+use std::f64::consts::TAU;
+
+use crankstar::exact::{PhasorSum, Term, Turn};
+use crankstar::layout::{Layout, catalogue, find, parse};
+use crankstar::loads::{Outcome, loads};
+use crankstar::motion::SliderCrank;
+use crankstar::numbers::Direction;
+use crankstar::proof::{Sense, Vector, check_certificate};
+use crankstar::remedy::{
+    Kind, Partial, Refused, Remedy, Subject, Wish, corrected, pair_height, remedy, with_counterweights,
+};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use proptest::prelude::*;
+
+const I3: &str = include_str!("../reports/examples/thesis-i3/layout.toml");
+const CROSS: &str = include_str!("../reports/examples/thesis-v8-crossplane/layout.toml");
+
+#[track_caller]
+fn read(text: &str) -> Layout {
+    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn engine(name: &str) -> Layout {
+    find(name).unwrap_or_else(|| panic!("{name}")).layout().expect("a layout")
+}
+
+fn ratio(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+fn wish(orders: &[u32]) -> Wish {
+    Wish { orders: orders.to_vec(), ..Wish::default() }
+}
+
+fn planes(first: BigRational, second: BigRational) -> Wish {
+    Wish { orders: vec![1], planes: Some([first, second]), ..Wish::default() }
+}
+
+/// Every sum of the corrected engine vanishes, and an independent checker accepts the evidence.
+#[track_caller]
+fn assert_balanced(name: &str, remedy: &Remedy) {
+    assert!(!remedy.corrected.is_empty(), "{name}");
+    for judged in &remedy.corrected {
+        let vectors = judged.sum.terms().iter();
+        let vectors: Vec<Vector> =
+            vectors.map(|t| Vector { angle: t.angle.turns().clone(), weight: t.weight.clone() }).collect();
+        let checked = check_certificate(&vectors, true, &judged.certificate);
+        assert_eq!(checked, Ok(()), "{name}, order {}, {:?} {:?}", judged.order, judged.quantity, judged.sense);
+    }
+}
+
+#[track_caller]
+fn assert_near(value: f64, expected: f64) {
+    assert!((value - expected).abs() <= 1e-6 * expected.abs(), "{value} instead of {expected}");
+}
+
+#[test]
+fn every_engine_of_the_catalogue_is_balanced_up_to_order_6_by_its_remedy() {
+    for (entry, layout) in catalogue().expect("the catalogue") {
+        let remedy = remedy(&layout, &wish(&[1, 2, 4, 6])).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+        assert_balanced(entry.name, &remedy);
+    }
+}
+
+#[test]
+fn the_planes_of_the_moment_stand_where_the_theory_says() {
+    // Throws 0, 120, 240: the moment stands at 30°, the weights at 30° and 210°.
+    let i3 = remedy(&read("inline.throws = [0, 120, 240]"), &wish(&[1])).expect("a remedy");
+    let weights = &i3.crankshaft.as_ref().expect("counterweights").weights;
+    assert_eq!(weights[0].direction(), Some(Direction::Turn(Turn::fraction(7, 12))));
+    assert_eq!(weights[1].direction(), Some(Direction::Turn(Turn::fraction(1, 12))));
+    // The 60° V6 with throws 0, 120, 240 and pins that two rods share: 30° from the same throw.
+    let v6 = remedy(&read("vee = { bank_angle = 60, throws = [0, 120, 240] }"), &wish(&[1])).expect("a remedy");
+    let weights = &v6.crankshaft.as_ref().expect("counterweights").weights;
+    assert_eq!(weights[0].direction(), Some(Direction::Turn(Turn::fraction(7, 12))));
+    for text in ["inline.throws = [0, 270, 90, 180]", "vee = { bank_angle = 90, throws = [0, 270, 90, 180] }"] {
+        let cross = remedy(&read(text), &wish(&[1])).expect("a remedy");
+        let weights = &cross.crankshaft.as_ref().expect("counterweights").weights;
+        let [first, second] = [0, 1].map(|at: usize| match weights[at].direction() {
+            Some(Direction::Arctangent { tangent, opposite }) => (tangent.to_string(), opposite),
+            other => panic!("{other:?}"),
+        });
+        assert_eq!([first, second], [("−1/3".to_owned(), true), ("−1/3".to_owned(), false)], "{text}");
+    }
+}
+
+#[test]
+fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_the_cross_plane() {
+    for (text, place, expected) in [(I3, ratio(12, 100), 0.595_392_5), (CROSS, ratio(21, 100), 1.310_086_5)] {
+        let layout = read(text);
+        let remedy = remedy(&layout, &planes(place.clone(), -place)).expect("a remedy");
+        assert_balanced(text, &remedy);
+        let weights = &remedy.crankshaft.as_ref().expect("counterweights").weights;
+        assert_eq!(weights.len(), 2);
+        for weight in weights {
+            assert_near(weight.mass_at_crank_radius(&remedy.subject).expect("numbers"), expected);
+        }
+    }
+}
+
+#[test]
+fn the_engine_with_the_two_counterweights_on_it_has_no_direct_first_order_in_the_loads_either() {
+    for text in [I3, CROSS] {
+        let remedy = remedy(&read(text), &wish(&[1])).expect("a remedy");
+        let weights = remedy.crankshaft.as_ref().expect("counterweights").weights.clone();
+        let layout = with_counterweights(&remedy.subject, &weights).expect("numbers");
+        let order = &loads(&layout, &[1]).expect("numbers").orders[0];
+        assert_eq!([&order.force.direct.outcome, &order.moment.direct.outcome], [&Outcome::Zero, &Outcome::Zero]);
+    }
+}
+
+#[test]
+fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
+    let layout = read(I3);
+    let full = remedy(&layout, &Wish { factors: vec![ratio(1, 1)], ..wish(&[1]) }).expect("a remedy");
+    assert!(full.crankshaft.is_none());
+    assert_eq!(full.bays.len(), 3);
+    let subject = Subject::new(&layout).expect("masses");
+    let bare = subject.moment(1, Sense::Direct);
+    let part = remedy(&layout, &Wish { factors: vec![ratio(65, 100)], ..wish(&[1]) }).expect("a remedy");
+    let weights = &part.crankshaft.as_ref().expect("counterweights").weights;
+    let added = weights.iter().map(|w| w.adds().scaled(&w.position)).reduce(|a, b| a.plus(&b)).expect("weights");
+    assert!(added.plus(&bare.scaled(&ratio(35, 100))).vanishes());
+    assert_balanced("0.65", &part);
+}
+
+#[test]
+fn skewed_bays_are_corrected_too() {
+    let skews = vec![Turn::fraction(1, 12), Turn::zero(), Turn::fraction(-1, 12)];
+    let remedy = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1)], skews, ..wish(&[1]) }).expect("a remedy");
+    assert!(remedy.crankshaft.is_some());
+    assert_balanced("skewed", &remedy);
+}
+
+#[test]
+fn the_four_needs_one_lanchester_pair_and_nothing_else_up_to_order_2() {
+    let remedy = remedy(&engine("I4"), &wish(&[1, 2])).expect("a remedy");
+    assert!(remedy.crankshaft.is_none());
+    assert_eq!(remedy.shafts.len(), 2);
+    for (shaft, sense) in remedy.shafts.iter().zip([Sense::Direct, Sense::Reverse]) {
+        assert_eq!((shaft.order, shaft.sense, shaft.kind, shaft.lanchester), (2, sense, Kind::Force, true));
+        let [weight] = shaft.weights.as_slice() else { panic!("one weight") };
+        // |P| = 4 m r c_2, U = |P|/(2·2²), opposite at top dead centre.
+        assert_eq!(weight.modulus().map(|form| form.to_string()).as_deref(), Some("1/2"));
+        assert_eq!(weight.direction(), Some(Direction::Turn(Turn::fraction(1, 2))));
+        assert!(weight.position.is_zero());
+    }
+}
+
+#[test]
+fn a_coefficient_below_zero_turns_the_weight_round() {
+    let remedy = remedy(&engine("I4"), &wish(&[4])).expect("a remedy");
+    assert_eq!(remedy.shafts[0].weights[0].direction(), Some(Direction::Turn(Turn::zero())));
+    assert_balanced("I4", &remedy);
+}
+
+#[test]
+fn a_single_needs_a_counterweight_and_a_shaft_against_the_crank() {
+    let single = remedy(&read("inline.throws = [0]"), &wish(&[1])).expect("a remedy");
+    let own = &single.crankshaft.as_ref().expect("a counterweight").weights;
+    assert_eq!((own.len(), own[0].modulus().expect("a form").to_string()), (1, "1/2".to_owned()));
+    assert_eq!(single.shafts.len(), 1);
+    assert_eq!((single.shafts[0].sense, single.shafts[0].kind), (Sense::Reverse, Kind::Force));
+    let twin = remedy(&read("vee = { bank_angle = 90, throws = [0] }"), &wish(&[1])).expect("a remedy");
+    assert!(twin.shafts.is_empty(), "the 90° twin needs its counterweight alone");
+}
+
+#[test]
+fn a_three_needs_a_couple_shaft_against_the_crank_at_order_1() {
+    let remedy = remedy(&read("inline.throws = [0, 120, 240]"), &wish(&[1])).expect("a remedy");
+    let [shaft] = remedy.shafts.as_slice() else { panic!("one shaft") };
+    assert_eq!((shaft.sense, shaft.kind, shaft.weights.len()), (Sense::Reverse, Kind::Couple, 2));
+    assert!(shaft.weights[0].vector.plus(&shaft.weights[1].vector).vanishes(), "opposite weights");
+}
+
+#[test]
+fn no_set_with_a_shaft_less_balances() {
+    for name in ["I4", "I3", "V6-60-shared", "I5-15234"] {
+        let whole = remedy(&engine(name), &wish(&[1, 2, 4])).expect("a remedy");
+        assert!(whole.shafts.len() > 1, "{name}");
+        for left_out in &whole.shafts {
+            let rest: Vec<_> = whole.weights().into_iter().filter(|w| !left_out.weights.contains(w)).collect();
+            assert!(corrected(&whole.subject, &[1, 2, 4], &rest).iter().any(|sum| !sum.vanishes()), "{name}");
+        }
+    }
+}
+
+#[test]
+fn planes_that_coincide_are_refused() {
+    let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
+    assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
+    let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
+    assert!(matches!(many.err(), Some(Refused::TooMany { given: 4, throws: 3, .. })));
+}
+
+/// `|1−2f| + |cos V|`, exactly: P⁺ is 2(1−2f), and P⁻ is `e^{iV} + e^{−iV}`.
+#[test]
+fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() {
+    for degrees in (0..360).step_by(5) {
+        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}")));
+        let angle = Turn::fraction(degrees, 360);
+        let unit = |angle: Turn| Term { angle, weight: BigRational::one() };
+        let twice_cosine = PhasorSum::new(vec![unit(angle.clone()), unit(-&angle)]);
+        assert!(twin.reverse.minus(&twice_cosine).vanishes(), "{degrees}°");
+        for percent in 0..=100 {
+            let part = ratio(percent, 100);
+            let direct = PhasorSum::new(vec![Term { angle: Turn::zero(), weight: ratio(2, 1) - &part * ratio(4, 1) }]);
+            assert!(twin.direct_at(&part).minus(&direct).vanishes(), "{degrees}°, {percent} %");
+        }
+        let cosine = (f64::from(degrees as i32).to_radians()).cos().abs();
+        for percent in [0, 35, 50, 65, 100] {
+            let ellipse = twin.ellipse(&ratio(percent, 100));
+            let expected = (1.0 - percent as f64 / 50.0).abs() + cosine;
+            assert!((ellipse.peak_decimal - expected).abs() < 1e-14, "{degrees}°, {percent} %");
+        }
+        assert_eq!(twin.ellipse(&ratio(35, 100)), twin.ellipse(&ratio(65, 100)), "{degrees}°");
+        let (part, least) = twin.minimum().expect("a minimum");
+        assert_eq!(part, ratio(1, 2));
+        assert!(twin.curve(20).iter().all(|(_, ellipse)| ellipse.peak_decimal >= least.peak_decimal));
+    }
+}
+
+#[test]
+fn a_single_peaks_at_the_larger_of_f_and_1_less_f() {
+    let single = Partial::new(&read("inline.throws = [0]"));
+    for percent in 0..=100 {
+        let part = ratio(percent, 100);
+        let expected = if percent > 50 { part.clone() } else { BigRational::one() - &part };
+        assert_eq!(single.ellipse(&part).peak.and_then(|form| form.as_rational()), Some(expected));
+    }
+}
+
+/// The moment on the frame of pistons that push sideways on their cylinders, and of the pair, in multiples of m r² ω²:
+/// no term of the program's torque enters.
+#[test]
+fn a_lanchester_pair_at_its_height_takes_the_roll_moment_of_order_2_away() {
+    let layout = read(
+        "inline.throws = [0, 180, 180, 0]\n[mechanism]\nrod_ratio = 0.3\ncrank_radius = 0.05\nreciprocating_mass = 1",
+    );
+    let pair = pair_height(&layout, 2).expect("a height");
+    assert_near(pair.metres.expect("a crank radius"), pair.in_crank_radii * 0.05);
+    assert!((pair.in_crank_radii - 1.0 / 0.3).abs() < 0.15, "nearly the rod length: {}", pair.in_crank_radii);
+    let crank = SliderCrank::new(ratio(3, 10), BigRational::zero()).expect("a crank");
+    let balanced = remedy(&layout, &wish(&[2])).expect("a remedy");
+    let lengths = balanced.shafts.iter().map(|s| s.weights[0].decimals(&balanced.subject).expect("decimals"));
+    let [with, against] = lengths.collect::<Vec<_>>()[..] else { panic!("a pair") };
+    let roll = |theta: f64, height: f64| {
+        let piston = |psi: f64| {
+            // On the wall of its cylinder: m s̈ along the axis makes m s̈ tan of the rod's slope across it, at the height s.
+            let (s, acceleration) = (1.0 + 1.0 / 0.3 + crank.position(psi), crank.acceleration(psi));
+            -acceleration * s * psi.sin() / (s - psi.cos())
+        };
+        let pistons: f64 = [0.0, 0.5, 0.5, 0.0].iter().map(|throw| piston(theta + throw * TAU)).sum();
+        let shaft = |[size, degrees]: [f64; 2], sign: f64, height: f64| {
+            4.0 * size * height * (degrees.to_radians() + sign * 2.0 * theta).sin()
+        };
+        pistons + shaft(with, 1.0, height / 2.0) + shaft(against, -1.0, -height / 2.0)
+    };
+    let order_2 = |height: f64| {
+        let steps = 720;
+        let sum: f64 = (0..steps).map(|j| f64::from(j) / 720.0 * TAU).map(|t| roll(t, height) * (2.0 * t).sin()).sum();
+        sum * 2.0 / f64::from(steps)
+    };
+    assert!(order_2(0.0).abs() > 1.9);
+    assert!(order_2(pair.in_crank_radii).abs() < 1e-9, "{}", order_2(pair.in_crank_radii));
+    let part = 0.4 * pair.in_crank_radii;
+    assert_near(order_2(part) / order_2(0.0), pair.left_at(part));
+}
+
+fn angle() -> impl Strategy<Value = Turn> {
+    (0..72_i64, prop::sample::select(vec![1_i64, 3, 4, 5, 7, 8, 12, 24, 72])).prop_map(|(n, d)| Turn::fraction(n, d))
+}
+
+prop_compose! {
+    fn cylinder()(throw in angle(), bank in angle(), position in -40..40_i64, mass in 0..5_i64) -> String {
+        let (throw, bank) = (throw.turns().clone(), bank.turns().clone());
+        format!("[[cylinder]]\nthrow = '{throw} turn'\nbank = '{bank} turn'\nposition = '{position}/4'\nreciprocating_mass = '{mass}/2'\n")
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn weights_in_two_planes_leave_exactly_nothing_of_any_engine(
+        cylinders in prop::collection::vec(cylinder(), 1..7),
+        first in -50..50_i64,
+        apart in 1..50_i64,
+    ) {
+        let layout = read(&cylinders.concat());
+        let wish = Wish { orders: vec![1, 2, 4], planes: Some([ratio(first, 7), ratio(first + apart, 7)]), ..Wish::default() };
+        let remedy = remedy(&layout, &wish).expect("a remedy");
+        prop_assert!(remedy.holds());
+    }
+
+    #[test]
+    fn any_bays_are_corrected_to_exactly_nothing_in_the_usual_planes(
+        cylinders in prop::collection::vec(cylinder(), 1..7),
+        percent in 0..150_i64,
+        skew in angle(),
+    ) {
+        let layout = read(&cylinders.concat());
+        let wish = Wish { orders: vec![1, 2], factors: vec![ratio(percent, 100)], skews: vec![skew], ..Wish::default() };
+        let remedy = remedy(&layout, &wish).expect("a remedy");
+        prop_assert!(remedy.holds());
+    }
+}
