@@ -1,0 +1,77 @@
+//! Is it true, what is said about other masses than the pistons: rotating ones, counterweights, bearings, the crankshaft?
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::answer::{Answer, Finding, Status};
+use super::statement::{Masses, Tolerance, Value};
+use crate::exact::PhasorSum;
+use crate::layout::Layout;
+use crate::loads::{self, Effect, Method, Weighing};
+use crate::proof::{Quantity, Sense};
+use crate::verdict::{Balance, OrderBalance};
+
+/// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
+pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<OrderBalance, String> {
+    loads::comparable(layout).map_err(|missing| missing.to_string())?;
+    if layout.mechanism.rods.is_empty() {
+        return Err(loads::Missing::Rods.to_string());
+    }
+    let effects: &[Effect] = match masses {
+        Masses::Reciprocating => &[Effect::Reciprocating],
+        Masses::Rotating => &[Effect::Rotating, Effect::Crankshaft],
+        Masses::Counterweights => &[Effect::Counterweights],
+        Masses::All => {
+            &[Effect::Reciprocating, Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers]
+        }
+    };
+    let one_coefficient = |weighing: Weighing, sense: Sense| {
+        let parts = loads::sums_of(layout, effects, weighing, order, sense);
+        let mut left = parts.into_values().filter(|sum| !sum.vanishes());
+        match (left.next(), left.next()) {
+            (None, _) => Ok(PhasorSum::new(Vec::new())),
+            (Some(only), None) => Ok(PhasorSum::new(only.collected())),
+            _ => Err("what is left has more than one coefficient".to_owned()),
+        }
+    };
+    let of = |quantity: Quantity, weighing: Weighing| {
+        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| one_coefficient(weighing, sense));
+        Ok::<_, String>(Balance::of(quantity, order, direct?, reverse?))
+    };
+    let arm = |position: &BigRational| position - &layout.reference_plane;
+    Ok(OrderBalance {
+        order,
+        force: of(Quantity::Force, &|_| BigRational::one())?,
+        moment: of(Quantity::Moment, &arm)?,
+        torque: None,
+    })
+}
+
+/// Answers a claim about the crankshaft's mass.
+pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
+    let Some(mass) = layout.crankshaft_mass() else {
+        return Answer::nothing("the mass of the crankshaft needs the masses and the crank radius");
+    };
+    let Some(claimed) = value.form.as_rational() else { return Answer::nothing("a mass is a rational number") };
+    let off = (&mass - &claimed).abs();
+    let status = match &value.tolerance {
+        _ if off.is_zero() => Status::True,
+        Tolerance::Within(within) if off <= *within => Status::True,
+        Tolerance::Part(part) if off <= part * &claimed => Status::True,
+        Tolerance::Exact { rounding: Some(half) } if off <= *half => Status::TrueAsRounded,
+        _ => Status::False,
+    };
+    Answer { status, finding: Finding::Mass(mass), evidence: Vec::new() }
+}
+
+/// Answers a claim about which main bearings feel the largest force, at the orders of the layout file.
+pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
+    match loads::bearing_loads(layout, &layout.orders, Method::Continuous) {
+        Err(missing) => Answer::nothing(&missing.to_string()),
+        Ok(loads) => {
+            let is_so = loads.worst.iter().map(|index| index + 1).eq(claimed.iter().copied());
+            let status = if is_so { Status::True } else { Status::False };
+            Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() }
+        }
+    }
+}
