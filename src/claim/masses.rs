@@ -27,11 +27,12 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
     };
     let one_coefficient = |weighing: Weighing, sense: Sense| {
         let parts = loads::sums_of(layout, effects, weighing, order, sense);
-        let mut left = parts.into_values().filter(|sum| !sum.vanishes());
+        // A sum that vanishes is kept: its certificate is the proof.
+        let mut left = parts.into_values().filter(|sum| !sum.collected().is_empty());
         match (left.next(), left.next()) {
             (None, _) => Ok(PhasorSum::new(Vec::new())),
             (Some(only), None) => Ok(PhasorSum::new(only.collected())),
-            _ => Err("what is left has more than one coefficient".to_owned()),
+            _ => Err("the masses have more than one coefficient".to_owned()),
         }
     };
     let of = |quantity: Quantity, weighing: Weighing| {

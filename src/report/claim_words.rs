@@ -1,5 +1,8 @@
 //! How is the answer to a claim put in words?
 
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
 use super::left;
 use super::typeset::{self, Amount};
 use crate::claim::{
@@ -53,7 +56,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
             let degrees = intervals.iter().map(typeset::turns);
             format!("The intervals are {}.", degrees.collect::<Vec<_>>().join(", "))
         }
-        (Finding::Mass(mass), _) => format!("The crankshaft's mass is {} kg.", typeset::number(mass)),
+        (Finding::Mass(mass), _) => format!("The crankshaft's mass is {} kg.", kilograms(mass)),
         (Finding::Bearings(loads), _) => super::bearings::peaks_in_words(loads),
         (Finding::Nothing(reason), _) => format!("{reason}."),
     }
@@ -94,6 +97,13 @@ fn about_order(subject: Subject, order: &OrderBalance) -> String {
             format!("The {name} of order {} is {shape}, its largest value {largest}{}.", subject.order, line(balance))
         }
     }
+}
+
+/// A mass as a decimal where it ends, however many places that takes.
+fn kilograms(mass: &BigRational) -> String {
+    let decimal = mass.to_f64().map(|mass| mass.to_string());
+    let is_exact = |text: &String| crate::layout::parse_number(text).is_ok_and(|number| number == *mass);
+    decimal.filter(is_exact).unwrap_or_else(|| typeset::number(mass))
 }
 
 /// Whose force or moment it is, where it is not that of the pistons.
