@@ -58,6 +58,16 @@ pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
             return Ok(Statement::Vanish { orders: Orders::Every, quantities: vec![Quantity::Moment] });
         }
         lower if lower.starts_with("crankshaft mass ") => return mass(lower),
+        lower if lower.starts_with("largest main-bearing load ") => {
+            let (sign, written) = next(&words["largest main-bearing load ".len()..]);
+            return match sign {
+                "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::Force)?)),
+                _ => Err(Mistake::new(
+                    format!("`{words}` says nothing that is understood"),
+                    "largest main-bearing load = 18733 N ± 1 %",
+                )),
+            };
+        }
         lower if lower.starts_with("worst main bearing") => return worst_bearings(lower),
         lower if lower.starts_with("every ") || lower.starts_with("orders ") => return many(lower),
         _ => {}

@@ -4,10 +4,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::answer::{Answer, Finding, Status};
+use super::compare;
 use super::statement::{Masses, Tolerance, Value};
 use crate::exact::PhasorSum;
 use crate::layout::Layout;
-use crate::loads::{self, Effect, Method, Weighing};
+use crate::loads::{self, BearingLoads, Effect, Method, Weighing};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance};
 
@@ -65,14 +66,38 @@ pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
     Answer { status, finding: Finding::Mass(mass), evidence: Vec::new() }
 }
 
-/// Answers a claim about which main bearings feel the largest force, at the orders of the layout file.
+/// Answers a claim about which main bearings feel the largest force.
 pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
-    match loads::bearing_loads(layout, &layout.orders, Method::Continuous) {
-        Err(missing) => Answer::nothing(&missing.to_string()),
-        Ok(loads) => {
-            let is_so = loads.worst.iter().map(|index| index + 1).eq(claimed.iter().copied());
-            let status = if is_so { Status::True } else { Status::False };
-            Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() }
-        }
+    of_bearings(layout, |loads| {
+        let is_so = loads.worst.iter().map(|index| index + 1).eq(claimed.iter().copied());
+        Ok(if is_so { Status::True } else { Status::False })
+    })
+}
+
+/// Answers a claim about that force: decimals, which are compared within the tolerance or the digits given.
+pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
+    of_bearings(layout, |loads| {
+        let peak = loads.worst.first().map_or(0.0, |index| loads.bearings[*index].peak.value);
+        let peak = match (&loads.scale, value.unit) {
+            (Some(scale), Some(_)) => peak * scale.force(),
+            (None, Some(_)) => return Err("a value in N needs the masses, the crank radius and the speed".to_owned()),
+            (_, None) => peak,
+        };
+        let claimed = value.form.to_float();
+        let within = match &value.tolerance {
+            Tolerance::Within(within) => compare::float(within),
+            Tolerance::Part(part) => compare::float(part) * claimed,
+            Tolerance::Exact { rounding } => rounding.as_ref().map_or(0.5, compare::float),
+        };
+        Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })
+    })
+}
+
+/// Solves the main bearings at the orders of the layout file, and judges.
+fn of_bearings(layout: &Layout, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
+    let loads = loads::bearing_loads(layout, &layout.orders, Method::Continuous);
+    match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
+        Err(reason) => Answer::nothing(&reason),
+        Ok((status, loads)) => Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() },
     }
 }

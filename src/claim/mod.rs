@@ -34,6 +34,7 @@ pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>)
         Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
         Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),
         Statement::CrankshaftMass(mass) => masses::crankshaft(layout, mass),
+        Statement::BearingLoad(value) => masses::bearing_load(layout, value),
         Statement::WorstBearings(numbers) => masses::worst_bearings(layout, numbers),
         Statement::FiresEvenly { evenly } => firing::answer(layout, *evenly),
     }

@@ -24,6 +24,8 @@ pub enum Statement {
     },
     /// The crankshaft's mass in the thesis's sense, in kilograms ([`crate::layout::Layout::crankshaft_mass`]).
     CrankshaftMass(Value),
+    /// The largest force on any main bearing.
+    BearingLoad(Value),
     /// The main bearings, by their numbers from 1, that feel the largest force.
     WorstBearings(Vec<usize>),
     /// Whether the firing intervals are equal.
