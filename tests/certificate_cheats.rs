@@ -352,6 +352,7 @@ fn claim(quantity: Quantity, order: u32, sense: Option<Sense>, sum: &PhasorSum) 
         quantity,
         order,
         sense,
+        of: Vec::new(),
         vanishes,
         terms: vectors(sum),
         modulus: value.norm(),
@@ -362,7 +363,7 @@ fn claim(quantity: Quantity, order: u32, sense: Option<Sense>, sum: &PhasorSum) 
 
 fn shape(balance: &Balance) -> ShapeClaim {
     let Verdict { quantity, order, .. } = balance.direct;
-    ShapeClaim { quantity, order, shape: balance.shape, certificate: balance.comparison.clone() }
+    ShapeClaim { quantity, order, of: Vec::new(), shape: balance.shape, certificate: balance.comparison.clone() }
 }
 
 /// Where the changed document fails, and why.

@@ -1,4 +1,5 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
+#![allow(clippy::disallowed_types)]
 
 use crankstar::layout::{Layout, find, parse, throws};
 use crankstar::loads::{Effect, Loads, Missing, Outcome, loads};
@@ -161,6 +162,37 @@ fn a_lanchester_pair_is_a_term_of_order_2_direct_and_reverse() {
         assert_near(vector.value.re, 4.0 * c2 - 1.0);
     }
     assert!(loads.effects.iter().any(|effect| effect.effect == Effect::Balancers));
+}
+
+/// The frame rolls with −T; at half the height a pair takes half of order 2, at the whole height all of it.
+#[test]
+fn the_height_of_a_pair_counts_in_the_roll_moment() {
+    let engine = "speed = 1000\neffects = ['torque']\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '0.1 m'\n[mechanism]\nreciprocating_mass = 1\ncrank_radius = 0.05\nrod_ratio = 0.25\n";
+    let order_2 = |height: f64, offset: f64| {
+        let shafts = [("with", 0.5), ("against", -0.5)].map(|(sense, side)| {
+            format!(
+                "[[balancer]]\norder = 2\nsense = '{sense}'\nmass_radius = 0.00635\nangle = 180\nposition = 0\nheight = {:.12}\noffset = {offset:.12}\n",
+                side * height
+            )
+        });
+        let loads = computed(&read(&format!("{engine}{}", shafts.concat())));
+        let roll = loads.roll.expect("a roll moment");
+        let torque = loads.torque.expect("a torque");
+        let of = |torque: &[crankstar::loads::TorqueOrder]| {
+            torque.iter().find(|order| order.order == 2).expect("order 2").vector.value
+        };
+        (of(&roll.orders), of(&torque.orders))
+    };
+    let (level, torque) = order_2(0.0, 0.0);
+    assert_near((level + torque).norm() + 1.0, 1.0);
+    // (h₊ − h₋) n² U = 2 m r² takes all of T ≈ −2 m r² ω² sin 2θ.
+    let height = torque.norm() * 0.05 * 0.05 / (4.0 * 0.00635);
+    assert_near(order_2(height, 0.0).0.norm() + 1.0, 1.0);
+    assert_near(order_2(height / 2.0, 0.0).0.norm(), torque.norm() / 2.0);
+    assert!(order_2(-height, 0.0).0.norm() > 1.9 * torque.norm());
+    // Both axes on the same side pull with a moment of their own, 2 n² U e ω² cos 2θ.
+    let aside = 2.0 * 4.0 * 0.00635 * 0.03 / (0.05 * 0.05);
+    assert_near(order_2(height, 0.03).0.norm(), aside);
 }
 
 #[test]

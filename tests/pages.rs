@@ -20,7 +20,7 @@ fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     let orders = verdict::classify(layout, &layout.orders, false);
-    for file in report::report(layout, &orders, None, dialect) {
+    for file in report::report(report::Subject { layout, orders: &orders, family: None, needed: None }, dialect) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     folder
@@ -35,10 +35,11 @@ fn engines() -> Vec<(String, Layout)> {
     catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(strange).collect()
 }
 
-/// The stored reports on families, each in a folder of its own.
+/// The stored reports on families and on examples with numbers, each in a folder of its own.
 fn families() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/families");
-    fs::read_dir(folder).expect("families").map(|entry| entry.expect("an entry").path()).collect()
+    let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    let folders = ["families", "examples"].map(|below| fs::read_dir(reports.join(below)).expect("folders"));
+    folders.into_iter().flatten().map(|entry| entry.expect("an entry").path()).collect()
 }
 
 /// Compiles a report and looks for complaints in the log.

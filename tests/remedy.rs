@@ -1,4 +1,5 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
+#![allow(clippy::disallowed_types)]
 
 use std::f64::consts::TAU;
 
@@ -7,10 +8,11 @@ use crankstar::layout::{Layout, catalogue, find, parse};
 use crankstar::loads::{Outcome, loads};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
-use crankstar::proof::{Sense, Vector, check_certificate};
+use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_remedy_document};
 use crankstar::remedy::{
     Kind, Partial, Refused, Remedy, Subject, Wish, corrected, pair_height, remedy, with_counterweights,
 };
+use crankstar::report::{self, Dialect};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -89,7 +91,8 @@ fn the_planes_of_the_moment_stand_where_the_theory_says() {
 
 #[test]
 fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_the_cross_plane() {
-    for (text, place, expected) in [(I3, ratio(12, 100), 0.595_392_5), (CROSS, ratio(21, 100), 1.310_086_5)] {
+    let cases = [(I3, ratio(12, 100), 0.595_392_5, 3.665_785), (CROSS, ratio(21, 100), 1.310_086_5, 8.420_173)];
+    for (text, place, expected, shaft) in cases {
         let layout = read(text);
         let remedy = remedy(&layout, &planes(place.clone(), -place)).expect("a remedy");
         assert_balanced(text, &remedy);
@@ -98,6 +101,7 @@ fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_t
         for weight in weights {
             assert_near(weight.mass_at_crank_radius(&remedy.subject).expect("numbers"), expected);
         }
+        assert_near(remedy.crankshaft_mass().expect("numbers"), shaft);
     }
 }
 
@@ -192,6 +196,9 @@ fn no_set_with_a_shaft_less_balances() {
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
     assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
+    let short = format!("{I3}\n[crankshaft]\nlength = '0.2 m'");
+    let refused = remedy(&read(&short), &planes(ratio(1, 10), ratio(-11, 100))).err();
+    assert_eq!(refused, Some(Refused::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
     let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
     assert!(matches!(many.err(), Some(Refused::TooMany { given: 4, throws: 3, .. })));
 }
@@ -281,8 +288,109 @@ prop_compose! {
     }
 }
 
+/// A file with everything that turns; each line is a place where it may be spoiled.
+const FULL: &str = "speed = 6000
+effects = ['torque']
+[vee]
+bank_angle = 90
+throws = [0, 270, 90, 180]
+spacing = '0.12 m'
+bank_offset = '16 mm'
+[mechanism]
+reciprocating_mass = '0.65 kg'
+rotating_mass = '0.3 kg'
+crank_radius = '45 mm'
+rod_ratio = 0.25
+offset_ratio = 0.01
+[crankshaft]
+pin_mass = 0.1
+web_mass = [0.2, 0.3, 0.2, 0.3]
+web_radius = '-15 mm'
+length = 0.6
+[[counterweight]]
+throw = 2
+angle = 162
+mass = 0.4
+radius = 0.045
+[[counterweight]]
+angle = 77
+mass = 0.4
+radius = 0.045
+position = 0.2
+[[balancer]]
+order = 1
+sense = 'against'
+mass_radius = '12 kg mm'
+angle = 10
+position = 0.05
+height = -0.02
+offset = 0.03
+";
+
+fn piece() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![
+        "",
+        "0",
+        "-1",
+        "1e99",
+        "1e-99",
+        "1/3",
+        "9999999999999999999999",
+        "[1, 2]",
+        "[]",
+        "'x'",
+        "180",
+        "0.5",
+        "1/7 turn",
+        "'1/7'",
+    ])
+}
+
+/// The file with the values of some keys replaced, and some lines left out.
+fn spoiled(changes: &[(usize, Option<&str>)]) -> String {
+    let mut lines: Vec<String> = FULL.lines().map(str::to_owned).collect();
+    for (at, piece) in changes {
+        let at = at % lines.len();
+        match (piece, lines[at].split_once('=')) {
+            (Some(piece), Some((key, _))) => lines[at] = format!("{key}= {piece}"),
+            _ => lines[at].clear(),
+        }
+    }
+    lines.join("\n")
+}
+
+/// Everything that is asked of a layout is answered or refused, and what is answered holds.
+fn answered(text: &str) -> Result<(), TestCaseError> {
+    let Ok(layout) = parse("layout.toml", text) else { return Ok(()) };
+    let _ = loads(&layout, &[1, 2]);
+    let factors = vec![ratio(1, 2)];
+    let Ok(found) = remedy(&layout, &Wish { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
+    prop_assert!(found.holds());
+    prop_assert!(!report::remedy_section(&found, Dialect::Latex).contains("NaN"));
+    prop_assert!(!report::remedy_lines(&found).is_empty());
+    let json = serde_json::to_string(&report::remedy_document(&found)).expect("JSON");
+    let document: RemedyDocument = serde_json::from_str(&json).expect("the document reads");
+    prop_assert!(check_remedy_document(&document).is_ok());
+    Ok(())
+}
+
+#[test]
+fn the_full_file_is_answered() {
+    assert!(parse("layout.toml", FULL).is_ok_and(|layout| loads(&layout, &[1]).is_ok()));
+    answered(FULL).expect("an answer");
+    let bare = "inline.throws = [0, 100]";
+    answered(bare).expect("an answer");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn a_spoiled_file_is_answered_or_refused(
+        changes in prop::collection::vec((0..100_usize, prop::option::weighted(0.8, piece())), 1..4),
+    ) {
+        answered(&spoiled(&changes))?;
+    }
 
     #[test]
     fn weights_in_two_planes_leave_exactly_nothing_of_any_engine(

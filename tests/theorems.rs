@@ -6,7 +6,7 @@ use crankstar::layout::{self, Layout};
 use crankstar::phasor;
 use crankstar::proof::{Certificate, Document, Fault, Quantity, Sense, Survivors, check_document};
 use crankstar::report::{self, Dialect};
-use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, Theorem};
+use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 
 fn named(name: &str) -> Layout {
     layout::find(name).expect("a name of the catalogue").layout().expect("it reads")
@@ -29,7 +29,8 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
 }
 
 fn text(layout: &Layout, dialect: Dialect) -> String {
-    report::text(layout, &verdict::classify(layout, &layout.orders, false), dialect)
+    let orders = verdict::classify(layout, &layout.orders, false);
+    report::report(report::Subject { layout, orders: &orders, family: None, needed: None }, dialect).remove(0).text
 }
 
 /// Each of these lines stands in the report.
@@ -191,7 +192,10 @@ fn a_period_too_long_is_named() {
     says(&longer, &[line]);
     assert!(!text(&longer, Dialect::Latex).contains("The first order that survives"));
     let huge = written(&format!("[inline]\nthrows = ['360/1{}7']", "0".repeat(40)));
-    assert_eq!(verdict::theorem(&huge).expect_err("a long period").period.to_string().len(), 42);
+    let NoTheorem::PeriodTooLong(period) = verdict::theorem(&huge).expect_err("a long period") else {
+        panic!("another reason");
+    };
+    assert_eq!(period.to_string().len(), 42);
     let digits = "No statement is made on every order at once: the pattern repeats only after a number of orders that has 42 \
                   digits, and at most 720 are judged one by one.";
     says(&huge, &[digits]);

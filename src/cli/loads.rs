@@ -29,7 +29,7 @@ pub struct Auto {
 
 fn percent(text: &str) -> Result<f64, String> {
     match text.trim_end_matches('%').parse::<f64>() {
-        Ok(value) if value >= 1e-9 && value <= 50.0 => Ok(value),
+        Ok(value) if (1e-9..=50.0).contains(&value) => Ok(value),
         _ => Err("a number of percent from 0.000000001 to 50, such as 0.1".to_owned()),
     }
 }

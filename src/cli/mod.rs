@@ -1,5 +1,6 @@
 //! What can be asked on the command line?
 
+mod accuracy;
 mod bearings;
 mod check;
 mod classify;
@@ -7,7 +8,9 @@ mod failure;
 mod layouts;
 mod list;
 mod loads;
+mod remedy;
 mod report;
+mod search;
 mod terminal;
 mod verify;
 mod write;
@@ -34,6 +37,7 @@ Examples:
   crankstar classify V8-crossplane                   a table of verdicts
   crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
   crankstar report I4 --output I4-report             a report with its diagrams
+  crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
 
 A layout file in its shortest form:
@@ -53,9 +57,13 @@ enum Command {
     Loads(loads::Loads),
     /// Compute what the main bearings feel, order by order and through a revolution
     Bearings(bearings::Bearings),
+    /// Compare methods for the peak loads: error, guarantee and time
+    Accuracy(accuracy::Accuracy),
+    /// Find counterweights and balancer shafts that take away what is left
+    Remedy(remedy::Remedy),
     /// Write the report with the proofs
     Report(report::Report),
-    /// Check every certificate in the output of `classify --json`
+    /// Check every certificate in the output of `classify --json` or `remedy --json`
     Verify {
         /// The JSON file, or - for standard input
         file: PathBuf,
@@ -65,6 +73,8 @@ enum Command {
         /// The claims file (TOML)
         file: PathBuf,
     },
+    /// Find the crank stars that balance best
+    Search(search::Search),
     /// Print a completion script for a shell
     Completions {
         /// Which shell
@@ -123,9 +133,12 @@ pub fn run() -> ExitCode {
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
+        Command::Accuracy(accuracy) => accuracy.run().map(done),
+        Command::Remedy(remedy) => remedy.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),
+        Command::Search(search) => search.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {

@@ -5,7 +5,8 @@ use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
-use crankstar::report;
+use crankstar::remedy::Remedy;
+use crankstar::report::{self, AccuracyCase};
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -18,7 +19,7 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
     table.set_header(header);
     for order in orders {
         let mut row = vec![
-            Cell::new(order.order),
+            Cell::new(report::order_name(order)),
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
@@ -80,6 +81,44 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
     let orders = table(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
     format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+}
+
+/// A table a rod ratio and load: a row a method.
+pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
+    let mut out = format!("{}\n", layout.title);
+    for case in cases {
+        for study in &case.studies {
+            out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
+            if study.rows.is_empty() {
+                continue;
+            }
+            let mut table = Table::new();
+            table.load_style(UTF8_HORIZONTAL_ONLY);
+            table.set_header(report::ACCURACY_HEADER);
+            for row in report::accuracy_rows(layout, study) {
+                table.add_row(row);
+            }
+            out.push_str(&format!("{table}\n"));
+        }
+    }
+    out.push_str("Errors are parts of the peak; ● no other method is both faster and more accurate.\n");
+    out
+}
+
+/// The title and a table of weights, with what they come to.
+pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
+    let lines = report::remedy_lines(remedy).join("\n");
+    let rows = report::remedy_rows(remedy);
+    if rows.rows.is_empty() {
+        return format!("{}\n{lines}\n", layout.title);
+    }
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row);
+    }
+    format!("{}\n{table}\n{lines}\n", layout.title)
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

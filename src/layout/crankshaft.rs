@@ -97,13 +97,12 @@ impl Layout {
         Some([rotating, unit * &self.cylinders[cylinder].reciprocating_mass])
     }
 
-    /// What the counterweights of a throw of balance factor 1 hold in balance, in kilogram-metres:
+    /// What the counterweights of each throw hold in balance at the factor 1, in kilogram-metres:
     /// `m_rot r + ½ n_rods m_rec r` (theory, section 7), with pin, webs and the rotating parts of the rods.
     ///
-    /// `None` where the layout gives no masses or no crank radius. The index is that of [`throws`].
-    pub fn throw_mass_radius(&self, index: usize) -> Option<BigRational> {
-        let throw = throws(self).into_iter().nth(index)?;
-        self.mass_radius_of(index, &throw)
+    /// One of each of [`throws`]; `None` where the layout gives no masses or no crank radius.
+    pub fn throw_mass_radii(&self) -> Option<Vec<BigRational>> {
+        throws(self).iter().enumerate().map(|(index, throw)| self.mass_radius_of(index, throw)).collect()
     }
 
     fn mass_radius_of(&self, index: usize, throw: &Throw) -> Option<BigRational> {
@@ -117,7 +116,7 @@ impl Layout {
         Some(at_pin * self.radius_of(throw)? + webs)
     }
 
-    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Layout::throw_mass_radius`]
+    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Layout::throw_mass_radii`]
     /// (theory, section 7); a skewed weight counts in full.
     ///
     /// `None` where the layout gives no masses or no crank radius, and for a throw without mass.

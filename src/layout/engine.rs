@@ -1,11 +1,11 @@
 //! What is an engine, as far as its balance goes? Cylinders: throw, bank, position, reciprocating mass.
 
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 use super::crankshaft::Crankshaft;
 use super::firing::Firing;
-use super::mechanism::Mechanism;
+use super::mechanism::{Mechanism, Rod};
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
 
@@ -116,6 +116,33 @@ impl Layout {
     /// Arm of a cylinder: its position measured from the reference plane.
     pub fn arm(&self, cylinder: &Cylinder) -> BigRational {
         &cylinder.position - &self.reference_plane
+    }
+
+    /// The different rods of the engine, in the order of the cylinders; none where the file says nothing of them.
+    pub fn rods(&self) -> Vec<&Rod> {
+        let mut different: Vec<&Rod> = Vec::new();
+        for rod in &self.mechanism.rods {
+            if !different.contains(&rod) {
+                different.push(rod);
+            }
+        }
+        different
+    }
+
+    /// Whether some cylinder axis misses the crankshaft, so that every order exists.
+    pub fn has_offset(&self) -> bool {
+        self.mechanism.rods.iter().any(|rod| !rod.offset.is_zero())
+    }
+
+    /// The same engine with only the masses that work on this rod; the others are 0.
+    pub fn only_with(&self, rod: &Rod) -> Layout {
+        let mut part = self.clone();
+        for (cylinder, of) in part.cylinders.iter_mut().zip(&self.mechanism.rods) {
+            if of != rod {
+                cylinder.reciprocating_mass = BigRational::zero();
+            }
+        }
+        part
     }
 
     /// Whether every reciprocating mass and crank radius is 1, so that weights need not be shown.

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use num_rational::BigRational;
-use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
+use super::balancer_keys;
 use super::bearings;
 use super::crankshaft_keys;
 use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
@@ -19,7 +19,6 @@ use super::linear::Linear;
 use super::mechanism::{self, Mechanism};
 use super::quantities;
 use super::title_block;
-use super::units;
 use super::written::{Table, Text, place, read};
 
 /// The highest order that is answered.
@@ -44,7 +43,7 @@ struct File {
     mechanism: Option<Table<mechanism::Keys>>,
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
-    balancer: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::BalancerKeys>>>>>,
+    balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -140,15 +139,15 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         values: &values,
     };
     let Some(mut layout) = family.with(&values).only() else {
-        if let Some(list) = given_bearings {
-            return Err(bearings::of_open_layout(list));
-        }
         if let Some(span) = turning.place() {
             return Err(LayoutError::new(
                 "masses on the crankshaft in an engine whose angles or positions are open",
                 "give the unknowns values below [values]",
                 Some(span),
             ));
+        }
+        if let Some(list) = given_bearings {
+            return Err(bearings::of_open_layout(list));
         }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
             None => Ok(Engine::Open(Box::new(family.with(&values)))),
@@ -264,7 +263,7 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
             reciprocating_mass: table
                 .reciprocating_mass
                 .as_ref()
-                .map_or(Ok(BigRational::from_integer(1.into())), mass)?,
+                .map_or(Ok(BigRational::from_integer(1.into())), quantities::mass)?,
             crank_radius: BigRational::from_integer(1.into()),
             pin: table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize,
         })
@@ -275,21 +274,19 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
 }
 
-/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position.
+/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins
+/// are numbered from 0 without gaps.
 fn number_pins(cylinders: &mut [SymbolicCylinder]) {
     let mut pins: BTreeMap<Linear, usize> = BTreeMap::new();
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
         cylinder.pin = *pins.entry(cylinder.position.clone()).or_insert(MOST_CYLINDERS + 1 + index);
     }
-}
-
-fn mass(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let mass = units::mass(written).map_err(|right| quantities::misread("mass", written, right, text))?;
-    if mass.is_negative() {
-        return Err(quantities::misread("mass", written, "a mass is 0 or more".to_owned(), text));
+    let mut numbers: Vec<usize> = cylinders.iter().map(|cylinder| cylinder.pin).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    for cylinder in cylinders {
+        cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
     }
-    Ok(mass)
 }
 
 fn cylinder_name(text: &Text) -> Result<String, LayoutError> {

@@ -125,6 +125,7 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
 fn loads_the_shaft(effect: Effect) -> bool {
     match effect {
         Effect::Reciprocating | Effect::Rotating | Effect::Crankshaft | Effect::Counterweights => true,
+        // A balancer shaft stands in bearings of its own.
         Effect::Balancers => false,
     }
 }

@@ -123,6 +123,9 @@ pub struct VerdictClaim {
     pub order: u32,
     /// Direct or reverse; none for the torque.
     pub sense: Option<Sense>,
+    /// The cylinders that it is about, by name, where the engine has rods that differ: the others have weight 0.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub of: Vec<String>,
     /// Whether the sum is zero.
     pub vanishes: bool,
     /// The sum, one term a cylinder, before collecting.
@@ -142,6 +145,9 @@ pub struct ShapeClaim {
     pub quantity: Quantity,
     /// The order k.
     pub order: u32,
+    /// The cylinders that it is about, as in the verdicts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub of: Vec<String>,
     /// The shape.
     pub shape: Shape,
     /// Where neither vector vanishes: evidence that `|direct|² − |reverse|²` is zero (planar) or is not (elliptical).
@@ -249,7 +255,7 @@ impl Sense {
 /// The first verdict about what an earlier one is about.
 fn repeated(verdicts: &[VerdictClaim]) -> Option<(usize, &VerdictClaim)> {
     let mut seen = BTreeSet::new();
-    let subject = |verdict: &VerdictClaim| (verdict.quantity, verdict.order, verdict.sense);
+    let subject = |verdict: &VerdictClaim| (verdict.quantity, verdict.order, verdict.sense, verdict.of.clone());
     verdicts.iter().enumerate().find(|(_, verdict)| !seen.insert(subject(verdict)))
 }
 
@@ -274,12 +280,18 @@ fn check_terms(document: &Document, verdict: &VerdictClaim) -> Result<(), String
     if document.cylinders.len() != verdict.terms.len() {
         return Err(format!("{} terms for {} cylinders", verdict.terms.len(), document.cylinders.len()));
     }
+    if let Some(name) = verdict.of.iter().find(|name| document.cylinders.iter().all(|cylinder| cylinder.name != **name))
+    {
+        return Err(format!("there is no cylinder {name}"));
+    }
     let right = document.terms(verdict.quantity, verdict.order, verdict.sense);
     for ((cylinder, term), Vector { angle, weight }) in document.cylinders.iter().zip(&verdict.terms).zip(right) {
         if !(&term.angle - &angle).is_integer() {
             let right = &angle - angle.floor();
             return Err(format!("the angle of cylinder {} is {}, it should be {right}", cylinder.name, term.angle));
         }
+        let is_meant = verdict.of.is_empty() || verdict.of.contains(&cylinder.name);
+        let weight = if is_meant { weight } else { BigRational::zero() };
         if term.weight != weight {
             return Err(format!("the weight of cylinder {} is {}, it should be {weight}", cylinder.name, term.weight));
         }
@@ -311,8 +323,9 @@ fn check_decimals(verdict: &VerdictClaim) -> Result<(), String> {
 
 fn check_shape(document: &Document, claim: &ShapeClaim) -> Result<(), String> {
     let verdict = |sense: Sense| {
-        let matches =
-            |v: &&VerdictClaim| v.quantity == claim.quantity && v.order == claim.order && v.sense == Some(sense);
+        let matches = |v: &&VerdictClaim| {
+            v.quantity == claim.quantity && v.order == claim.order && v.sense == Some(sense) && v.of == claim.of
+        };
         document.verdicts.iter().find(matches).ok_or(format!("there is no {} verdict for it", sense.name()))
     };
     let (direct, reverse) = (verdict(Sense::Direct)?, verdict(Sense::Reverse)?);

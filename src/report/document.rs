@@ -17,21 +17,24 @@ pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
         reciprocating_mass: cylinder.reciprocating_mass.clone(),
         crank_radius: cylinder.crank_radius.clone(),
     };
-    let balances = || orders.iter().flat_map(|order| [&order.force, &order.moment]);
-    let verdicts = orders
-        .iter()
-        .flat_map(|order| [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).chain(&order.torque));
+    let of = |order: &OrderBalance| order.class.as_ref().map_or_else(Vec::new, |class| class.cylinders.clone());
+    let verdicts = orders.iter().flat_map(|order| {
+        let verdicts = [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).chain(&order.torque);
+        verdicts.map(move |verdict| verdict_claim(verdict, of(order)))
+    });
+    let shapes =
+        orders.iter().flat_map(|order| [&order.force, &order.moment].map(|balance| shape_claim(balance, of(order))));
     Document {
         title: layout.title.clone(),
         reference_plane: layout.reference_plane.clone(),
         cylinders: layout.cylinders.iter().map(cylinder).collect(),
-        verdicts: verdicts.map(verdict_claim).collect(),
-        shapes: balances().map(shape_claim).collect(),
+        verdicts: verdicts.collect(),
+        shapes: shapes.collect(),
         theorems: Vec::new(),
     }
 }
 
-fn verdict_claim(verdict: &Verdict) -> VerdictClaim {
+fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
     let vanishes = verdict.vanishes();
     let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&verdict.sum) };
     let term = |term: &crate::exact::Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
@@ -39,6 +42,7 @@ fn verdict_claim(verdict: &Verdict) -> VerdictClaim {
         quantity: verdict.quantity,
         order: verdict.order,
         sense: verdict.sense,
+        of,
         vanishes,
         terms: verdict.sum.terms().iter().map(term).collect(),
         modulus: sum.norm(),
@@ -47,10 +51,11 @@ fn verdict_claim(verdict: &Verdict) -> VerdictClaim {
     }
 }
 
-fn shape_claim(balance: &Balance) -> ShapeClaim {
+fn shape_claim(balance: &Balance, of: Vec<String>) -> ShapeClaim {
     ShapeClaim {
         quantity: balance.direct.quantity,
         order: balance.direct.order,
+        of,
         shape: balance.shape,
         certificate: balance.comparison.clone(),
     }

@@ -1,12 +1,13 @@
 //! What is left of an order, and how is it put in a few words?
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
-use super::typeset::{Amount, Bearing, signed_degrees};
+use super::typeset::{self, Amount, Bearing, number, signed_degrees};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::proof::{Quantity, Shape};
-use crate::verdict::{Balance, OrderBalance, Verdict};
+use crate::verdict::{Balance, Class, OrderBalance, Verdict};
 
 /// `|S|` of a verdict.
 pub(super) fn modulus(verdict: &Verdict) -> Amount {
@@ -37,6 +38,25 @@ pub(super) fn shape_name(shape: Shape) -> &'static str {
         Shape::Planar => "planar",
         Shape::Elliptical => "elliptical",
     }
+}
+
+/// The number of an order, and the cylinders that it is about where not all are meant.
+pub fn order_name(order: &OrderBalance) -> String {
+    match &order.class {
+        None => order.order.to_string(),
+        Some(class) => format!("{} ({})", order.order, class_words(class)),
+    }
+}
+
+/// `cylinders 1–3, λ = 0.25`.
+fn class_words(class: &Class) -> String {
+    let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
+    let several = if names.len() == 1 { "" } else { "s" };
+    let offset = match class.rod.offset.is_zero() {
+        true => String::new(),
+        false => format!(", δ = {}", number(&class.rod.offset)),
+    };
+    format!("cylinder{several} {}, λ = {}{offset}", typeset::names(&names), number(&class.rod.ratio))
 }
 
 /// The force of an order in a few words: `0` or `= 4, planar`.

@@ -5,8 +5,10 @@ use serde::Serialize;
 use super::calculation::{self, Calculation};
 use super::dialect::Dialect;
 use super::figure::Figure;
+use super::folder::File;
 use super::open_page::OpenPage;
-use super::star::star_figure;
+use super::star::{star_figure, torque_figure};
+use super::svg::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
@@ -38,6 +40,7 @@ pub struct Page {
     bank_remark: Option<String>,
     orders: Vec<Section>,
     open: Option<OpenPage>,
+    torque: Option<TorqueSection>,
     every_order: theorem::Section,
     calculation: Option<Calculation>,
     file: Vec<String>,
@@ -54,6 +57,14 @@ struct Section {
     force_left: String,
     moment: Vec<Paragraph>,
     moment_left: String,
+}
+
+/// The inertia torque: its star at each order, with the proofs.
+#[derive(Clone, Debug, Serialize)]
+struct TorqueSection {
+    formula: String,
+    stars: Drawing,
+    orders: Vec<Paragraph>,
 }
 
 /// A verdict with its proof.
@@ -87,7 +98,8 @@ pub struct Subject<'a> {
 impl Subject<'_> {
     /// The numbers of the engine, where its file gives any.
     pub(super) fn loads(&self) -> Option<Result<Loads, Missing>> {
-        let orders: Vec<u32> = self.orders.iter().map(|order| order.order).collect();
+        let mut orders: Vec<u32> = self.orders.iter().map(|order| order.order).collect();
+        orders.dedup();
         calculation::loads_of(self.layout, &orders)
     }
 }
@@ -97,6 +109,13 @@ pub(super) struct NamedFigure {
     pub name: String,
     pub caption: String,
     pub figure: Figure,
+}
+
+impl NamedFigure {
+    /// The SVG file of the drawing.
+    pub fn into_svg(self) -> File {
+        File { text: svg(&self.figure, &self.caption), name: format!("{}.svg", self.name) }
+    }
 }
 
 /// All drawings of a report: the two views, then the stars of each order.
@@ -114,13 +133,15 @@ pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigu
             side_view(layout),
         ),
     ];
-    figures.extend(orders.iter().map(|order| {
+    figures.extend(orders.iter().enumerate().map(|(index, order)| {
         let caption = format!(
             "Vector stars of order {}, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant; a vector \
              with a negative arm is drawn turned by 180°.",
-            order.order
+            left::order_name(order)
         );
-        named(format!("order-{}", order.order), caption, star_figure(layout, order))
+        let class = orders[..index].iter().filter(|before| before.order == order.order).count();
+        let class = if order.class.is_some() { format!("-class-{}", class + 1) } else { String::new() };
+        named(format!("order-{}{class}", order.order), caption, star_figure(layout, order))
     }));
     figures
 }
@@ -152,13 +173,14 @@ impl Page {
             side_view,
             cylinders: table::cylinders(dialect, layout),
             firing: firing(layout).iter().map(|line| dialect.prose(line)).collect(),
-            firmness: firmness::Section::new(dialect, layout, orders),
+            firmness: (layout.rods().len() < 2).then(|| firmness::Section::new(dialect, layout, orders)).flatten(),
             conventions: conventions(layout).iter().map(|line| dialect.prose(line)).collect(),
             force_formula: dialect.display(FORCE),
             phase_formulas: dialect.display(PHASES),
             bank_remark: has_banks.then(|| dialect.prose(BANKS)),
             orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
             open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
+            torque: torque_section(layout, orders, dialect),
             every_order: theorem::Section::new(layout, &theorem, dialect),
             calculation,
             file: layout.file.lines().map(|line| dialect.verbatim(line)).collect(),
@@ -167,12 +189,40 @@ impl Page {
     }
 }
 
+/// The verdicts on the inertia torque, where the file asks for it and the rods are equal.
+pub(super) fn torque_verdicts(layout: &Layout, orders: &[OrderBalance]) -> Vec<Verdict> {
+    if !layout.effects.torque || layout.rods().len() > 1 {
+        return Vec::new();
+    }
+    let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+    verdict::torque(layout, &orders)
+}
+
+/// The drawing of the stars of the inertia torque.
+pub(super) fn torque_stars(layout: &Layout, verdicts: &[Verdict]) -> NamedFigure {
+    NamedFigure {
+        name: "torque-stars".into(),
+        caption: "Vector stars of the inertia torque, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant.".into(),
+        figure: torque_figure(layout, verdicts),
+    }
+}
+
+fn torque_section(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Option<TorqueSection> {
+    let verdicts = torque_verdicts(layout, orders);
+    (!verdicts.is_empty()).then(|| TorqueSection {
+        formula: dialect.display(TORQUE),
+        stars: drawing(torque_stars(layout, &verdicts), dialect),
+        orders: verdicts.iter().map(|verdict| Paragraph::new(layout, verdict, "Q", dialect)).collect(),
+    })
+}
+
+const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
 const FORCE: &str = "F_k(\\theta) = \\tfrac12\\, r\\, \\omega^2 c_k \\left( P_k^{+} e^{ik\\theta} + P_k^{-} e^{-ik\\theta} \\right) \\tag{1}";
 const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}, \\qquad P_k^{-} = \\sum_j m_j\\, e^{i(-k\\beta_j + (k+1)\\alpha_j)} \\tag{2}";
 const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
                      ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
 
-fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
+pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
     let body = match dialect {
         Dialect::Latex => tikz::tikz(&named.figure),
         _ => format!("{}.svg", named.name),
@@ -182,13 +232,14 @@ fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
 
 impl Section {
     fn new(layout: &Layout, order: &OrderBalance, dialect: Dialect, stars: Drawing) -> Self {
-        let k = order.order;
+        let part = order.class.as_ref().map(|class| layout.only_with(&class.rod));
+        let layout = part.as_ref().unwrap_or(layout);
         let paragraphs = |balance: &Balance, symbol: &str| {
             let paragraph = |verdict: &Verdict| Paragraph::new(layout, verdict, symbol, dialect);
             balance.verdicts().into_iter().map(paragraph).collect()
         };
         Section {
-            heading: format!("Order {k}"),
+            heading: format!("Order {}", left::order_name(order)),
             table: table::vector_star(dialect, layout, order),
             stars,
             force: paragraphs(&order.force, "P"),
@@ -218,13 +269,16 @@ impl Paragraph {
             Some(Sense::Reverse) => "-",
             None => "",
         };
-        let name = verdict.sense.map_or("torque", Sense::name);
-        let symbol = format!("{symbol}_{{{}}}^{{{sense}}}", verdict.order);
+        let name = verdict.sense.map_or_else(|| format!("order {}", verdict.order), |sense| sense.name().to_owned());
+        let symbol = match verdict.sense {
+            Some(_) => format!("{symbol}_{{{}}}^{{{sense}}}", verdict.order),
+            None => format!("{symbol}_{{{}}}", verdict.order),
+        };
         let lead = match verdict.vanishes() {
-            true => format!("**{}:** ${symbol} = 0$.", capital(name)),
+            true => format!("**{}:** ${symbol} = 0$.", capital(&name)),
             false => format!(
                 "**{}:** ${symbol} \\ne 0$, length {}, angle {}.",
-                capital(name),
+                capital(&name),
                 left::modulus(verdict).prose(),
                 left::bearing(&verdict.sum).prose()
             ),
@@ -260,13 +314,25 @@ pub(super) fn capital(word: &str) -> String {
 
 /// What a designer reads first: which orders are balanced, which are left, and which of all orders is the first left.
 fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
+    let by_class = orders.iter().any(|order| order.class.is_some());
     let line = |name: &str, balance: fn(&OrderBalance) -> &Balance| {
-        let list = |balanced: bool| {
-            let orders = orders.iter().filter(|order| balance(order).is_balanced() == balanced);
-            orders.map(|order| order.order.to_string()).collect::<Vec<_>>()
+        let is_left = |order: u32| orders.iter().any(|other| other.order == order && !balance(other).is_balanced());
+        let list = |left: bool| {
+            let mut orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+            orders.dedup();
+            orders
+                .into_iter()
+                .filter(|&order| is_left(order) == left)
+                .map(|order| order.to_string())
+                .collect::<Vec<_>>()
         };
-        match (list(true).as_slice(), list(false).as_slice()) {
+        match (list(false).as_slice(), list(true).as_slice()) {
             (all, []) => format!("The {name} vanishes at every order judged: {}.", all.join(", ")),
+            (zero, rest) if by_class => format!(
+                "The {name} vanishes, class by class of equal rods, at {}; at {} only the coefficients of the classes could make it cancel, which the numbers tell.",
+                if zero.is_empty() { "no order".to_owned() } else { plural(zero) },
+                plural(rest)
+            ),
             ([], none) => format!("The {name} vanishes at none of the orders judged: {}.", none.join(", ")),
             (zero, rest) => format!("The {name} vanishes at {}, and not at {}.", plural(zero), plural(rest)),
         }
@@ -324,8 +390,28 @@ fn conventions(layout: &Layout) -> Vec<String> {
         CENTRES.to_owned(),
         FIRES.to_owned(),
         format!("Moments are taken about the plane z = {plane}{unit}, {why}."),
-        ASSUMED.to_owned(),
+        assumed(layout),
     ]
+}
+
+/// What the verdicts rest on.
+fn assumed(layout: &Layout) -> String {
+    match (layout.rods().len() > 1, layout.has_offset()) {
+        (false, false) => ASSUMED.to_owned(),
+        (unequal, offset) => format!(
+            "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself. {}{}",
+            if unequal {
+                "The rods differ: cylinders with equal ones are judged together, for only they have a coefficient c_k in common. "
+            } else {
+                ""
+            },
+            if offset {
+                "The cylinder axes miss the crankshaft, so that every order exists."
+            } else {
+                "Orders of a centric engine are 1 and the even ones."
+            }
+        ),
+    }
 }
 
 pub(super) const SEEN: &str = "Seen from the free end of the crankshaft (+z towards the reader), angles grow anticlockwise from the \

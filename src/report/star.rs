@@ -100,6 +100,17 @@ pub(super) fn star_figure(layout: &Layout, order: &OrderBalance) -> Figure {
     figure
 }
 
+/// The stars of the inertia torque, two beside each other, the first above.
+pub(super) fn torque_figure(layout: &Layout, verdicts: &[Verdict]) -> Figure {
+    let rows = verdicts.len().div_ceil(2);
+    let mut figure = Figure::new(2.0 * PANEL.0, rows as f64 * PANEL.1);
+    for (index, verdict) in verdicts.iter().enumerate() {
+        let row = rows - 1 - index / 2;
+        draw(&mut figure, Point::new((index % 2) as f64 * PANEL.0, row as f64 * PANEL.1), layout, verdict);
+    }
+    figure
+}
+
 fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) {
     let star = Star::new(verdict);
     let centre = corner + CENTRE;

@@ -65,9 +65,13 @@ fn size(width: usize) -> &'static str {
 /// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros are.
 pub(super) fn summary(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
+    let firm = |order: &OrderBalance| match order.class {
+        None => firmness::summary(layout, order),
+        Some(_) => "–".to_owned(),
+    };
     let row = |order: &OrderBalance| {
         let [force, moment] = left::summary_prose(order);
-        vec![order.order.to_string(), bold(force), bold(moment), firmness::summary(layout, order)]
+        vec![left::order_name(order), bold(force), bold(moment), firm(order)]
     };
     Table::new(dialect, &["Order", "Force", "Moment", "How firm"], orders.iter().map(row).collect())
 }

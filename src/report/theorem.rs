@@ -7,7 +7,7 @@ use super::left;
 use super::table::{self, Table};
 use crate::layout::Layout;
 use crate::proof::Survivors;
-use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem};
+use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 
 /// Longer tables of one period are left out.
 const MOST_ROWS: usize = 24;
@@ -26,7 +26,7 @@ pub(super) struct Section {
 
 impl Section {
     /// Sets the section in a dialect.
-    pub fn new(layout: &Layout, theorem: &Result<Theorem, PeriodTooLong>, dialect: Dialect) -> Self {
+    pub fn new(layout: &Layout, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
         let theorem = match theorem {
             Ok(theorem) => theorem,
             Err(reason) => {
@@ -43,16 +43,18 @@ impl Section {
     }
 }
 
-fn no_theorem(reason: &PeriodTooLong) -> String {
-    let period = reason.period.to_string();
-    let period = match period.len() {
-        0..=MOST_DIGITS => format!("{period} orders"),
-        digits => format!("a number of orders that has {digits} digits"),
+fn no_theorem(reason: &NoTheorem) -> String {
+    let why = match reason {
+        NoTheorem::PeriodTooLong(period) => {
+            let period = match period.to_string() {
+                digits if digits.len() <= MOST_DIGITS => format!("{digits} orders"),
+                digits => format!("a number of orders that has {} digits", digits.len()),
+            };
+            format!("the pattern repeats only after {period}, and at most {LONGEST_PERIOD} are judged one by one")
+        }
+        other => other.to_string(),
     };
-    format!(
-        "No statement is made on every order at once: the pattern repeats only after {period}, and at most {LONGEST_PERIOD} \
-         are judged one by one."
-    )
+    format!("No statement is made on every order at once: {why}.")
 }
 
 fn why(layout: &Layout, theorem: &Theorem) -> String {

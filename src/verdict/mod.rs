@@ -6,10 +6,10 @@ mod theorem;
 
 pub use firmness::{Disturbance, Firmness, Outcome, firmness};
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
-pub use theorem::{EveryOrder, LONGEST_PERIOD, PeriodTooLong, Theorem, period, survivors, theorem};
+pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
 
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
+use crate::layout::{Layout, Rod};
 use crate::phasor;
 use crate::proof::{Certificate, Quantity, Sense, Shape};
 
@@ -92,11 +92,22 @@ impl Balance {
     }
 }
 
+/// Cylinders with equal rods: only they have the coefficient c_k in common, so that their sum is judged by itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Class {
+    /// Rod ratio and offset.
+    pub rod: Rod,
+    /// The names of the cylinders.
+    pub cylinders: Vec<String>,
+}
+
 /// All verdicts on one order.
 #[derive(Clone, Debug)]
 pub struct OrderBalance {
     /// The order k.
     pub order: u32,
+    /// Which cylinders it is about, where the engine has rods that differ; none where it is about all.
+    pub class: Option<Class>,
     /// The shaking force.
     pub force: Balance,
     /// The moment about the reference plane; a free couple where the force of this order vanishes.
@@ -113,12 +124,43 @@ impl OrderBalance {
 }
 
 /// Judges the given orders of an engine; the inertia torque only where it is asked for.
+///
+/// Where rods differ, each class of equal ones is judged by itself: the sum of an order vanishes, whatever the
+/// coefficients, where each class does. All centric cranks have `c_1 = 1` in common.
 pub fn classify(layout: &Layout, orders: &[u32], with_torque: bool) -> Vec<OrderBalance> {
-    let judge = |&order: &u32| OrderBalance {
+    let rods = layout.rods();
+    let judge = |layout: &Layout, order: u32, class: Option<Class>| OrderBalance {
         order,
+        class,
         force: Balance::new(layout, Quantity::Force, order),
         moment: Balance::new(layout, Quantity::Moment, order),
         torque: with_torque.then(|| Verdict::new(layout, Quantity::Torque, order, None)),
     };
-    orders.iter().map(judge).collect()
+    let by_class = |&order: &u32| match rods.as_slice() {
+        rods if rods.len() > 1 && (order > 1 || layout.has_offset() || with_torque) => {
+            rods.iter().map(|rod| judge(&layout.only_with(rod), order, Some(Class::new(layout, rod)))).collect()
+        }
+        _ => vec![judge(layout, order, None)],
+    };
+    orders.iter().flat_map(by_class).collect()
+}
+
+/// The orders that the inertia torque is judged at: the first four, and those of force and moment.
+pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
+    let mut all: Vec<u32> = [1, 2, 3, 4].into_iter().chain(orders.iter().copied()).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// Judges the inertia torque of an engine with equal rods at [`torque_orders`].
+pub fn torque(layout: &Layout, orders: &[u32]) -> Vec<Verdict> {
+    torque_orders(orders).into_iter().map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
+}
+
+impl Class {
+    fn new(layout: &Layout, rod: &Rod) -> Self {
+        let of = layout.cylinders.iter().zip(&layout.mechanism.rods).filter(|(_, of)| *of == rod);
+        Class { rod: rod.clone(), cylinders: of.map(|(cylinder, _)| cylinder.name.clone()).collect() }
+    }
 }

@@ -40,18 +40,30 @@ pub struct EveryOrder {
 
 /// Why there is no statement on every order.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PeriodTooLong {
-    /// After how many orders the pattern repeats.
-    pub period: BigInt,
+pub enum NoTheorem {
+    /// The pattern repeats only after so many orders.
+    PeriodTooLong(BigInt),
+    /// With a pin offset there are more orders than 1 and the even ones.
+    Offset,
+    /// The rods differ, so that the cylinders have no coefficient in common.
+    RodsDiffer,
 }
 
-impl fmt::Display for PeriodTooLong {
+impl fmt::Display for NoTheorem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the pattern repeats only after {} orders; at most {LONGEST_PERIOD} are judged", self.period)
+        match self {
+            NoTheorem::PeriodTooLong(period) => {
+                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_PERIOD} are judged")
+            }
+            NoTheorem::Offset => f.write_str(
+                "with a pin offset every order exists, and the statement is about order 1 and the even ones",
+            ),
+            NoTheorem::RodsDiffer => f.write_str("the rods differ, so that no order is a single sum"),
+        }
     }
 }
 
-impl std::error::Error for PeriodTooLong {}
+impl std::error::Error for NoTheorem {}
 
 /// The least even number that makes every throw and bank whole: the sums of order k depend on k only modulo it.
 pub fn period(layout: &Layout) -> BigInt {
@@ -62,11 +74,18 @@ pub fn period(layout: &Layout) -> BigInt {
 /// Judges one period of orders.
 ///
 /// # Errors
-/// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders.
-pub fn theorem(layout: &Layout) -> Result<Theorem, PeriodTooLong> {
+/// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, and where the engine is not one of equal
+/// centric cranks.
+pub fn theorem(layout: &Layout) -> Result<Theorem, NoTheorem> {
+    if layout.rods().len() > 1 {
+        return Err(NoTheorem::RodsDiffer);
+    }
+    if layout.has_offset() {
+        return Err(NoTheorem::Offset);
+    }
     let period = period(layout);
     let short = period.to_u32().filter(|&period| period <= LONGEST_PERIOD);
-    let period = short.ok_or(PeriodTooLong { period })?;
+    let period = short.ok_or(NoTheorem::PeriodTooLong(period))?;
     let judge = |quantity| EveryOrder::new(layout, quantity, period);
     Ok(Theorem { period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
 }

@@ -1,0 +1,64 @@
+//! What does a search answer? The front with its counts, or every value there is.
+
+use super::found::{self, FoundStar, Standing};
+use super::front::{Census, Point};
+use super::judged;
+use super::piece::{self, Counts};
+use super::problem::{Mistake, Problem};
+use super::space::Space;
+use super::tables::Tables;
+
+/// The answer: no other star is as good in everything and better in something.
+#[derive(Clone, Debug)]
+pub struct Front {
+    /// The question.
+    pub problem: Problem,
+    /// One star for each combination of values, by the first order, then the next.
+    pub stars: Vec<FoundStar>,
+    /// Stars with cylinder 1 at 0 that there are.
+    pub all: u128,
+    /// Stars judged one by one, up to rotation, mirror and reversal.
+    pub judged: u64,
+    /// Starts left out with all their completions.
+    pub cut: u64,
+    points: Vec<Point>,
+}
+
+impl Front {
+    /// How a star stands to this front: throws as whole multiples of `1 / directions` turn, the first 0.
+    ///
+    /// # Errors
+    /// If this is no star of the question.
+    pub fn standing(&self, throws: &[u16]) -> Result<Standing, Mistake> {
+        let space = Space::new(&self.problem)?;
+        if !space.holds(throws) {
+            return Err(Mistake::new("these throws are no star of the question"));
+        }
+        let point = judged::judge(&space, &Tables::new(&space), throws);
+        Ok(found::standing(&self.points, &point))
+    }
+}
+
+/// Every combination of values there is, by looking at every star; ranked as a front is.
+///
+/// # Errors
+/// If the question makes no sense.
+pub fn every_value(problem: &Problem) -> Result<Front, Mistake> {
+    let space = Space::new(problem)?;
+    let tables = Tables::new(&space);
+    let (mut census, mut counts) = (Census::default(), Counts::default());
+    for piece in piece::pieces(&space, &tables) {
+        let (next, of_piece) = piece::run(&space, &tables, &piece, census);
+        census = next;
+        counts.judged += of_piece.judged;
+        counts.cut += of_piece.cut;
+    }
+    Ok(answer(problem, &space, census.points, counts))
+}
+
+pub(super) fn answer(problem: &Problem, space: &Space, mut points: Vec<Point>, counts: Counts) -> Front {
+    points.sort_by(Point::rank);
+    let stars = points.iter().map(|point| FoundStar::new(problem, point)).collect();
+    let (all, judged, cut) = (space.count(), counts.judged, counts.cut);
+    Front { problem: problem.clone(), stars, all, judged, cut, points }
+}

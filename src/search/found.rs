@@ -1,0 +1,150 @@
+//! What is known of a star that was found? Throws, firing order, exact moments, and the engine as a layout file.
+
+use std::cmp::Ordering;
+use std::fmt::Write;
+
+use num_rational::BigRational;
+
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::{self, Layout, LayoutError};
+use crate::numbers::{self, Form};
+use crate::proof::Sense;
+
+use super::firing;
+use super::front::Point;
+use super::problem::Problem;
+
+/// The moment of one order: a vector `|C|`, in m r ω² c_k times the spacing, of the direct and of the reverse sense.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// The order.
+    pub order: u32,
+    /// Direct or reverse; `None` for an in-line engine, where both are equally long.
+    pub sense: Option<Sense>,
+    /// The sum itself, `Σ z e^{iφ}`.
+    pub sum: PhasorSum,
+    /// Its length in decimals.
+    pub decimal: f64,
+}
+
+impl Moment {
+    /// Its length in closed form, where one is short enough to read.
+    pub fn modulus(&self) -> Option<Form> {
+        numbers::modulus(&self.sum)
+    }
+}
+
+/// A star on the front, with all that share its values counted.
+#[derive(Clone, Debug)]
+pub struct FoundStar {
+    /// Angles of the throws along the shaft, from the free end.
+    pub throws: Vec<Turn>,
+    /// Cylinders, counted from 0, in the order in which they fire; `None` where the engine cannot fire evenly.
+    pub firing_order: Option<Vec<usize>>,
+    /// Pairs of neighbours that fire in succession, for in-line engines; the least where the star leaves a choice.
+    pub neighbours: Option<usize>,
+    /// The moments of the orders asked for.
+    pub moments: Vec<Moment>,
+    /// Stars with exactly these values, up to rotation, mirror and reversal.
+    pub classes: u64,
+    /// Stars with exactly these values and cylinder 1 at 0.
+    pub stars: u64,
+}
+
+impl FoundStar {
+    pub(super) fn new(problem: &Problem, point: &Point) -> Self {
+        let (directions, _) = problem.supply();
+        let throws: Vec<Turn> =
+            point.throws.iter().map(|&throw| Turn::fraction(throw.into(), directions.into())).collect();
+        let banks = problem.banks();
+        let dead_centres: Vec<Turn> =
+            banks.iter().flat_map(|bank| throws.iter().map(move |throw| bank - throw)).collect();
+        let fired = firing::even_steps(&dead_centres, problem)
+            .map(|steps| firing::best_order(&steps.iter().map(Vec::as_slice).collect::<Vec<_>>()));
+        let neighbours = fired.as_ref().filter(|_| banks.len() == 1).map(|(_, count)| *count);
+        let moments = problem.orders.iter().flat_map(|&order| moments(&throws, &banks, order)).collect();
+        let firing_order = fired.map(|(order, _)| order);
+        FoundStar { throws, firing_order, neighbours, moments, classes: point.classes, stars: point.stars }
+    }
+
+    /// The engine as the text of a layout file, which every other command reads.
+    pub fn layout_file(&self, problem: &Problem) -> String {
+        let quoted: Vec<String> = self.throws.iter().map(|throw| format!("\"{} turn\"", throw.turns())).collect();
+        let form = if problem.bank_angle.is_some() { "vee" } else { "inline" };
+        let mut text = format!("title = \"{} found by search\"\ncycle = \"{}\"\n", name(problem), cycle(problem));
+        if let Some(order) = &self.firing_order {
+            let _ = writeln!(text, "firing_order = \"{}\"", dashed(order));
+        }
+        let _ = writeln!(text, "\n[{form}]\nthrows = [{}]", quoted.join(", "));
+        if let Some(angle) = &problem.bank_angle {
+            let _ = writeln!(text, "bank_angle = \"{} turn\"", angle.turns());
+        }
+        text
+    }
+
+    /// The engine.
+    ///
+    /// # Errors
+    /// Those of a layout file, though none is known to arise.
+    pub fn layout(&self, problem: &Problem) -> Result<Layout, LayoutError> {
+        layout::parse("star.toml", &self.layout_file(problem))
+    }
+}
+
+/// `1-3-4-2`.
+pub(super) fn dashed(order: &[usize]) -> String {
+    order.iter().map(|cylinder| (cylinder + 1).to_string()).collect::<Vec<_>>().join("-")
+}
+
+pub(super) fn cycle(problem: &Problem) -> &'static str {
+    firing::cycle_name(problem.cycle)
+}
+
+/// `In-line 6` or `V8, 90°`.
+pub(super) fn name(problem: &Problem) -> String {
+    match &problem.bank_angle {
+        Some(angle) => format!("V{}, {}°", problem.cylinders, angle.degrees()),
+        None => format!("In-line {}", problem.cylinders),
+    }
+}
+
+/// The vectors of an order: one for an in-line engine, direct and reverse for a V.
+fn moments(throws: &[Turn], banks: &[Turn], order: u32) -> Vec<Moment> {
+    let k = i64::from(order);
+    let arm = |place: usize| BigRational::new((throws.len() as i64 - 1 - 2 * place as i64).into(), 2.into());
+    let moment = |sense: Option<Sense>| {
+        let angle = |throw: &Turn, bank: &Turn| match sense {
+            Some(Sense::Reverse) => &bank.times(k + 1) - &throw.times(k),
+            _ => &throw.times(k) - &bank.times(k - 1),
+        };
+        let places = throws.iter().enumerate();
+        let terms = places.flat_map(|(place, throw)| {
+            let term = move |bank: &Turn| Term { angle: angle(throw, bank), weight: arm(place) };
+            banks.iter().map(term).collect::<Vec<_>>()
+        });
+        let sum = PhasorSum::new(terms.collect());
+        let decimal = numbers::evaluate(&sum).norm();
+        Moment { order, sense, sum, decimal }
+    };
+    match banks.len() {
+        1 => vec![moment(None)],
+        _ => vec![moment(Some(Sense::Direct)), moment(Some(Sense::Reverse))],
+    }
+}
+
+/// How a star stands to a front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// It shares the values of a star of the front.
+    On,
+    /// A star of the front is no worse in anything and better in something.
+    Beaten,
+}
+
+/// The place of a point among those of a front.
+pub(super) fn standing(front: &[Point], point: &Point) -> Standing {
+    match front.iter().any(|other| other.compare(point) == Some(Ordering::Equal)) {
+        true => Standing::On,
+        false => Standing::Beaten,
+    }
+}

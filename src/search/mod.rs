@@ -1,0 +1,37 @@
+//! Which crank star balances best? All stars of an engine, up to their symmetries, and the exact front of the best.
+//!
+//! ```standalone_crate
+//! use crankstar::layout::Cycle;
+//! use crankstar::search::{Options, Problem, search};
+//! let six = Problem::inline(6, Cycle::TwoStroke, &[1, 2]);
+//! let front = search(&six, &Options::default()).unwrap();
+//! let first = &front.stars[0];
+//! let lengths: Vec<String> = first.moments.iter().map(|m| m.modulus().unwrap().to_string()).collect();
+//! println!("{lengths:?}"); // no first-order couple, and then at least this of the second order
+//! // ["0", "2√3"]
+//! # assert_eq!(lengths, ["0", "2√3"]);
+//! ```
+//!
+#![doc = include_str!("README.md")]
+
+mod answer;
+mod document;
+mod firing;
+mod found;
+mod front;
+mod judged;
+mod piece;
+mod problem;
+mod resume;
+mod run;
+mod space;
+mod symmetry;
+mod tables;
+mod value;
+mod walk;
+
+pub use answer::{Front, every_value};
+pub use document::{FrontDocument, MomentDocument, StarDocument, document};
+pub use found::{FoundStar, Moment, Standing};
+pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Mistake, Problem};
+pub use run::{Options, Progress, SearchError, search};

@@ -1,0 +1,180 @@
+//! Which stars are compared, and by what? The question of a search, and whether it makes sense.
+
+use std::fmt;
+
+use num_rational::BigRational;
+
+use crate::exact::Turn;
+use crate::layout::Cycle;
+
+/// More throws than this are not searched: sixteen have 1.3 million million stars.
+pub const MOST_THROWS: u32 = 16;
+/// Finer grids than this are not searched.
+pub const FINEST_GRID: u32 = 360;
+/// Grids with more stars than this, up to rotation, are not searched.
+pub const MOST_GRID_STARS: u128 = 1_000_000_000_000;
+/// More orders than this are not compared at once.
+pub const MOST_ORDERS: usize = 8;
+/// Higher orders than this are not compared.
+pub const HIGHEST_ORDER: u32 = 1000;
+
+/// A question: the best crank stars of which engine, by which orders of the moment?
+///
+/// Throws stand one spacing apart, masses are equal, and moments are about the mid-plane.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Number of cylinders.
+    pub cylinders: u32,
+    /// Two-stroke or four-stroke: fixes the throws of an in-line engine that fires evenly.
+    pub cycle: Cycle,
+    /// The angle between the banks of a V on shared pins, `cylinders / 2` of them; `None` for an in-line engine.
+    pub bank_angle: Option<Turn>,
+    /// For a V: how many different directions the pins have, each as often as the others; as many as pins if `None`.
+    pub directions: Option<u32>,
+    /// Throws at any whole multiples of `1/grid` turn, as often as they like, with balanced first-order force.
+    pub grid: Option<u32>,
+    /// The orders whose moments are compared, rising.
+    pub orders: Vec<u32>,
+    /// Whether neighbours that fire in succession count too.
+    pub neighbours: bool,
+}
+
+/// Why a question has no answer: what is wrong, and what would be right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake(String);
+
+impl Mistake {
+    pub(super) fn new(message: impl Into<String>) -> Self {
+        Mistake(message.into())
+    }
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl Problem {
+    /// An in-line engine that fires evenly, compared by the moments of these orders.
+    pub fn inline(cylinders: u32, cycle: Cycle, orders: &[u32]) -> Self {
+        let orders = orders.to_vec();
+        Problem { cylinders, cycle, bank_angle: None, directions: None, grid: None, orders, neighbours: false }
+    }
+
+    /// A V on shared pins in different, evenly spread directions.
+    pub fn vee(cylinders: u32, cycle: Cycle, bank_angle: Turn, orders: &[u32]) -> Self {
+        Problem { bank_angle: Some(bank_angle), ..Problem::inline(cylinders, cycle, orders) }
+    }
+
+    /// Number of throws along the crankshaft: cylinders of an in-line engine, pins of a V.
+    pub fn throws(&self) -> u32 {
+        if self.bank_angle.is_some() { self.cylinders / 2 } else { self.cylinders }
+    }
+
+    /// The number of different directions, and how often each is taken (`None`: as often as it likes).
+    pub(super) fn supply(&self) -> (u32, Option<u32>) {
+        let throws = self.throws();
+        let twice = self.bank_angle.is_none() && self.cycle == Cycle::FourStroke && throws.is_multiple_of(2);
+        match (self.grid, self.directions) {
+            (Some(grid), _) => (grid, None),
+            (None, Some(directions)) => (directions, Some(throws / directions)),
+            // Two cylinders that fire a revolution apart share a direction.
+            (None, None) if twice => (throws / 2, Some(2)),
+            (None, None) => (throws, Some(1)),
+        }
+    }
+
+    /// Whether the moment of an order is zero in a V whatever its star is: both banks cancel in every pin.
+    ///
+    /// The two vectors of a pin stand apart by (k − 1)φ (direct) and (k + 1)φ (reverse): theory, section 3.
+    pub(super) fn cancels(&self, order: u32) -> bool {
+        let Some(angle) = &self.bank_angle else { return false };
+        let half = Turn::fraction(1, 2);
+        angle.times(i64::from(order) - 1) == half && angle.times(i64::from(order) + 1) == half
+    }
+
+    /// Whether the question makes sense.
+    pub fn check(&self) -> Result<(), Mistake> {
+        self.check_engine()?;
+        self.check_star()?;
+        self.check_orders()
+    }
+
+    fn check_engine(&self) -> Result<(), Mistake> {
+        let cylinders = self.cylinders;
+        if cylinders == 0 {
+            return Err(Mistake::new("an engine without cylinders has no crank star; give 1 or more"));
+        }
+        if let Some(angle) = &self.bank_angle {
+            if *angle == Turn::zero() {
+                return Err(Mistake::new("a V of 0° has both banks in one place; give an angle between 0 and 360"));
+            }
+            if !cylinders.is_multiple_of(2) {
+                return Err(Mistake::new(format!(
+                    "a V on shared pins has an even number of cylinders, and {cylinders} is odd"
+                )));
+            }
+        }
+        if self.throws() > MOST_THROWS {
+            let what = if self.bank_angle.is_some() { "cylinders in V" } else { "cylinders in line" };
+            let most = MOST_THROWS * (cylinders / self.throws());
+            return Err(Mistake::new(format!("up to {most} {what} are searched; {cylinders} have too many stars")));
+        }
+        Ok(())
+    }
+
+    fn check_star(&self) -> Result<(), Mistake> {
+        let throws = self.throws();
+        if let Some(directions) = self.directions {
+            if self.bank_angle.is_none() {
+                return Err(Mistake::new("even firing fixes the directions of an in-line engine; leave them out"));
+            }
+            if self.grid.is_some() {
+                return Err(Mistake::new("a grid already says which directions there are; give one of the two"));
+            }
+            if directions == 0 || !throws.is_multiple_of(directions) {
+                return Err(Mistake::new(format!("{throws} pins cannot share {directions} directions equally")));
+            }
+        }
+        if self.neighbours && (self.bank_angle.is_some() || self.grid.is_some()) {
+            return Err(Mistake::new(
+                "neighbours firing in succession are counted for in-line engines that fire evenly",
+            ));
+        }
+        let Some(grid) = self.grid else { return Ok(()) };
+        if grid == 0 || grid > FINEST_GRID {
+            return Err(Mistake::new(format!("a grid has 1 to {FINEST_GRID} directions, and not {grid}")));
+        }
+        if u128::from(grid).pow(throws - 1) > MOST_GRID_STARS {
+            return Err(Mistake::new(format!(
+                "{throws} throws on {grid} directions make {grid}^{} stars; up to 10^12 are searched",
+                throws - 1
+            )));
+        }
+        Ok(())
+    }
+
+    fn check_orders(&self) -> Result<(), Mistake> {
+        if self.orders.is_empty() || self.orders.len() > MOST_ORDERS {
+            return Err(Mistake::new(format!("1 to {MOST_ORDERS} orders are compared, and not {}", self.orders.len())));
+        }
+        if self.orders[0] == 0 || self.orders.iter().any(|&order| order > HIGHEST_ORDER) {
+            return Err(Mistake::new(format!("orders from 1 to {HIGHEST_ORDER} are compared")));
+        }
+        if self.orders.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return Err(Mistake::new("orders are given rising, each once"));
+        }
+        match self.orders.iter().all(|&order| self.cancels(order)) {
+            true => Err(Mistake::new("at this bank angle the moments of these orders vanish for every star")),
+            false => Ok(()),
+        }
+    }
+
+    /// The axes of the cylinders on one throw.
+    pub(super) fn banks(&self) -> Vec<Turn> {
+        let Some(angle) = &self.bank_angle else { return vec![Turn::zero()] };
+        let half = angle.turns() / BigRational::from_integer(2.into());
+        vec![Turn::new(-&half), Turn::new(half)]
+    }
+}

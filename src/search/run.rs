@@ -1,0 +1,157 @@
+//! How is the work shared? Numbered pieces in rounds, on any number of threads, with one and the same outcome.
+//!
+//! The pieces of a round start from the front of all earlier rounds, whichever thread takes them and whenever; so the
+//! front, its counts and the stars judged depend on the question alone.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use super::answer::{self, Front};
+use super::front::{Judge, Pareto};
+use super::piece::{self, Counts, Piece};
+use super::problem::{Mistake, Problem};
+use super::resume::{self, Done};
+use super::space::Space;
+use super::tables::Tables;
+
+/// Pieces that start from the same front.
+const ROUND: usize = 8;
+
+/// How far a search is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Pieces finished, those of earlier runs too.
+    pub done: usize,
+    /// Pieces in all.
+    pub pieces: usize,
+    /// Stars judged.
+    pub judged: u64,
+}
+
+/// How to search.
+pub struct Options<'a> {
+    /// Number of threads, at least 1.
+    pub threads: usize,
+    /// The file that keeps the finished pieces.
+    pub resume: Option<PathBuf>,
+    /// Told after each piece; a break stops the search.
+    pub progress: &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync),
+}
+
+impl Default for Options<'_> {
+    /// One thread an available core, nothing kept, nothing told.
+    fn default() -> Self {
+        let threads = thread::available_parallelism().map_or(1, usize::from);
+        Options { threads, resume: None, progress: &|_| ControlFlow::Continue(()) }
+    }
+}
+
+/// Why a search has no front.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SearchError {
+    /// The question makes no sense.
+    Question(Mistake),
+    /// The state file cannot be read or written.
+    State(String),
+    /// Stopped by the progress callback.
+    Stopped,
+}
+
+impl fmt::Display for SearchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SearchError::Question(mistake) => mistake.fmt(f),
+            SearchError::State(message) => f.write_str(message),
+            SearchError::Stopped => f.write_str("stopped"),
+        }
+    }
+}
+
+/// Finds the exact Pareto front of a question: complete, ties counted.
+///
+/// # Errors
+/// If the question makes no sense, the state file cannot be read or written, or the progress callback stops the search.
+pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
+    let space = Space::new(problem).map_err(SearchError::Question)?;
+    let tables = Tables::new(&space);
+    let pieces = piece::pieces(&space, &tables);
+    let read = |path| resume::read(path, problem, &space, &tables, pieces.len());
+    let known = options.resume.as_deref().map(read).transpose().map_err(SearchError::State)?;
+    let hall = Hall { problem, space: &space, tables: &tables, pieces: &pieces, options };
+    let state = Mutex::new(State { done: known.unwrap_or_default(), failure: None });
+    let mut front = Pareto::default();
+    let mut counts = Counts::default();
+    for start in (0..pieces.len()).step_by(ROUND) {
+        let end = pieces.len().min(start + ROUND);
+        hall.round(start..end, &front, &state)?;
+        let held = state.lock().unwrap_or_else(PoisonError::into_inner);
+        for done in held.done.range(start..end).map(|(_, done)| done) {
+            done.points.iter().for_each(|point| front.take(point.clone()));
+            counts.judged += done.counts.judged;
+            counts.cut += done.counts.cut;
+        }
+    }
+    Ok(answer::answer(problem, &space, front.points().to_vec(), counts))
+}
+
+struct State {
+    done: BTreeMap<usize, Done>,
+    failure: Option<SearchError>,
+}
+
+/// What all threads read.
+struct Hall<'a> {
+    problem: &'a Problem,
+    space: &'a Space,
+    tables: &'a Tables,
+    pieces: &'a [Piece],
+    options: &'a Options<'a>,
+}
+
+impl Hall<'_> {
+    /// Finishes the pieces of a round that are not done yet.
+    fn round(&self, round: std::ops::Range<usize>, front: &Pareto, state: &Mutex<State>) -> Result<(), SearchError> {
+        let held = |state: &Mutex<State>| state.lock().unwrap_or_else(PoisonError::into_inner).failure.clone();
+        let open: Vec<usize> = {
+            let state = state.lock().unwrap_or_else(PoisonError::into_inner);
+            round.filter(|number| !state.done.contains_key(number)).collect()
+        };
+        let next = AtomicUsize::new(0);
+        let work = || {
+            while let Some(&number) = open.get(next.fetch_add(1, Ordering::Relaxed)) {
+                if held(state).is_some() {
+                    return;
+                }
+                self.finish(number, front, state);
+            }
+        };
+        thread::scope(|scope| {
+            let helpers = self.options.threads.min(open.len()).saturating_sub(1);
+            (0..helpers).for_each(|_| drop(scope.spawn(work)));
+            work();
+        });
+        held(state).map_or(Ok(()), Err)
+    }
+
+    fn finish(&self, number: usize, front: &Pareto, state: &Mutex<State>) {
+        let (own, counts) = piece::run(self.space, self.tables, &self.pieces[number], front.uncounted());
+        let points = own.points().iter().filter(|point| point.classes > 0).cloned().collect();
+        let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
+        state.done.insert(number, Done { points, counts });
+        let written = self.options.resume.as_deref();
+        let written = written.map(|path| resume::write(path, self.problem, &state.done, self.pieces.len()));
+        if let Some(Err(message)) = written {
+            state.failure = Some(SearchError::State(message));
+        }
+        let judged = state.done.values().map(|done| done.counts.judged).sum();
+        let progress = Progress { done: state.done.len(), pieces: self.pieces.len(), judged };
+        if (self.options.progress)(progress).is_break() && state.failure.is_none() {
+            state.failure = Some(SearchError::Stopped);
+        }
+    }
+}

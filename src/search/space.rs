@@ -1,0 +1,79 @@
+//! Which stars are there? Places along the crankshaft, directions to fill them with, and the order of filling.
+
+use super::firing;
+use super::problem::{Mistake, Problem};
+
+/// All stars of a problem. Cylinder 1 has direction 0, which takes one star of each class of rotations.
+pub(super) struct Space {
+    /// How many directions make a turn.
+    pub directions: usize,
+    /// How often each direction is taken; `None` as often as it likes, with balanced first-order force.
+    pub supply: Option<usize>,
+    /// Number of throws.
+    pub places: usize,
+    /// Places in the order of filling: the outermost pair first, `0, n−1, 1, n−2, …`, a middle one last.
+    pub sequence: Vec<usize>,
+    /// Twice the arm of each place, in spacings: `n − 1 − 2·place`.
+    pub weights: Vec<i64>,
+    /// The orders whose moments differ from star to star.
+    pub orders: Vec<u32>,
+    /// For each direction the steps of the cycle at which its cylinders fire; kept where neighbours count.
+    pub slots: Option<Vec<Vec<usize>>>,
+}
+
+impl Space {
+    pub fn new(problem: &Problem) -> Result<Self, Mistake> {
+        problem.check()?;
+        let places = problem.throws() as usize;
+        let (directions, supply) = problem.supply();
+        let sequence = (0..places).map(|at| if at % 2 == 0 { at / 2 } else { places - 1 - at / 2 }).collect();
+        let weights = (0..places as i64).map(|place| places as i64 - 1 - 2 * place).collect();
+        let orders = problem.orders.iter().copied().filter(|&order| !problem.cancels(order)).collect();
+        let slots = problem.neighbours.then(|| firing::slots(problem));
+        Ok(Space {
+            directions: directions as usize,
+            supply: supply.map(|supply| supply as usize),
+            places,
+            sequence,
+            weights,
+            orders,
+            slots,
+        })
+    }
+
+    /// Pairs of places symmetric about the mid-plane.
+    pub fn pairs(&self) -> usize {
+        self.places / 2
+    }
+
+    /// Number of stars with cylinder 1 at direction 0, before any of them is judged.
+    pub fn count(&self) -> u128 {
+        let factorial = |n: usize| (1..=n as u128).product::<u128>();
+        match self.supply {
+            None => (self.directions as u128).pow(self.places as u32 - 1),
+            Some(supply) => factorial(self.places - 1) * supply as u128 / factorial(supply).pow(self.directions as u32),
+        }
+    }
+
+    /// Whether throws (direction of each place) are a star of this space.
+    pub fn holds(&self, throws: &[u16]) -> bool {
+        let mut taken = vec![0; self.directions];
+        for &throw in throws {
+            match taken.get_mut(usize::from(throw)) {
+                Some(count) => *count += 1,
+                None => return false,
+            }
+        }
+        let supplied = self.supply.is_none_or(|supply| taken.iter().all(|&count| count == supply));
+        throws.len() == self.places && throws[0] == 0 && supplied && self.is_balanced(throws)
+    }
+
+    /// Whether the first-order force vanishes, which even stars have by themselves.
+    pub fn is_balanced(&self, throws: &[u16]) -> bool {
+        if self.supply.is_some() {
+            return true;
+        }
+        let terms: Vec<(u64, i64)> = throws.iter().map(|&throw| (u64::from(throw), 1)).collect();
+        crate::exact::vanishes(&(self.directions as u64), &terms)
+    }
+}

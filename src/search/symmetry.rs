@@ -1,0 +1,45 @@
+//! Which stars are the same but for looking at them? Rotation, mirror and reversal, and the first star of each class.
+//!
+//! Filled pair by pair, a star is `(a_0, b_0), (a_1, b_1), …` with `a_0 = 0`. Mirror, reversal and both, turned back so that
+//! cylinder 1 stands at 0 again, carry pairs to pairs:
+//!
+//! - mirror: `(−a, −b)`; reversal: `(b − b_0, a − b_0)`; both: `(b_0 − b, b_0 − a)`.
+//!
+//! So the first pairs of a star give the first pairs of its images, and a start whose image comes before it can be left out
+//! with all its completions. A star is the first of its class iff no image comes before it; then the class holds
+//! `4 / (1 + images equal to it)` stars.
+
+use std::cmp::Ordering;
+
+/// For each image (mirror, reversal, both): whether it is the same as far as placed.
+pub(super) type Same = [bool; 3];
+
+/// The pair's images compared with the pair; `None` where one comes before it.
+pub(super) fn compare_pair(same: Same, (a, b): (usize, usize), last: usize, directions: usize) -> Option<Same> {
+    let minus = |x: usize, y: usize| (x + directions - y) % directions;
+    let images = [(minus(0, a), minus(0, b)), (minus(b, last), minus(a, last)), (minus(last, b), minus(last, a))];
+    compare(same, &(a, b), &images)
+}
+
+/// The same for the throw in the middle of an odd number.
+pub(super) fn compare_middle(same: Same, throw: usize, last: usize, directions: usize) -> Option<Same> {
+    let minus = |x: usize, y: usize| (x + directions - y) % directions;
+    compare(same, &throw, &[minus(0, throw), minus(throw, last), minus(last, throw)])
+}
+
+fn compare<T: Ord>(same: Same, own: &T, images: &[T; 3]) -> Option<Same> {
+    let mut left = same;
+    for (same, image) in left.iter_mut().zip(images) {
+        match (*same, image.cmp(own)) {
+            (true, Ordering::Less) => return None,
+            (true, Ordering::Greater) => *same = false,
+            _ => {}
+        }
+    }
+    Some(left)
+}
+
+/// Number of stars in the class of a star that is the first of it.
+pub(super) fn class_size(same: Same) -> u64 {
+    4 / (1 + same.iter().filter(|same| **same).count() as u64)
+}

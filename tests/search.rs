@@ -1,0 +1,362 @@
+//! Does the search find all stars, and the best of them exactly?
+
+#![allow(clippy::disallowed_types)]
+
+#[path = "support/plain_search.rs"]
+mod plain_search;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crankstar::exact::Turn;
+use crankstar::layout::Cycle;
+use crankstar::phasor;
+use crankstar::proof::{Quantity, Sense};
+use crankstar::search::{FoundStar, Front, Options, Problem, Standing, document, every_value, search};
+use plain_search::{Star, all_stars, of_even_throws};
+
+const CYCLES: [Cycle; 2] = [Cycle::TwoStroke, Cycle::FourStroke];
+
+fn found(problem: &Problem) -> Front {
+    search(problem, &Options::default()).expect("a front")
+}
+
+/// Firing order, closed forms, classes.
+fn summary(star: &FoundStar) -> (Vec<String>, u64) {
+    (star.moments.iter().map(|m| m.modulus().expect("a closed form").to_string()).collect(), star.classes)
+}
+
+fn json(front: &Front) -> String {
+    serde_json::to_string(&document(front)).expect("a text")
+}
+
+/// The same values with the same numbers of stars, by a loop over all permutations of a real layout.
+fn agrees_with_brute_force(problem: &Problem, stars: Vec<Vec<i64>>, directions: i64) {
+    let brute = all_stars(problem, stars, directions);
+    let every = every_value(problem).expect("a question");
+    assert_eq!(every.stars.len(), brute.len(), "distinct values of {problem:?}");
+    for star in &every.stars {
+        let star = plain(star);
+        let same: Vec<u64> = brute.iter().filter(|other| other.has_values_of(&star)).map(|other| other.count).collect();
+        assert_eq!(same, [star.count], "{problem:?}");
+    }
+    let front = found(problem);
+    let best: Vec<&Star> = brute.iter().filter(|star| !brute.iter().any(|other| other.beats(star))).collect();
+    assert_eq!(front.stars.len(), best.len(), "the front of {problem:?}");
+    for star in front.stars.iter().map(plain) {
+        let is_there = best.iter().any(|other| other.has_values_of(&star) && other.count == star.count);
+        assert!(is_there, "{problem:?}");
+    }
+}
+
+fn plain(star: &FoundStar) -> Star {
+    Star::new(star.moments.iter().map(|moment| moment.sum.squared_modulus()).collect(), star.stars)
+}
+
+#[test]
+fn values_counts_and_fronts_are_those_of_all_permutations_up_to_seven_cylinders() {
+    for cycle in CYCLES {
+        // With seven in line both cycles have the same stars.
+        for cylinders in 1..=if cycle == Cycle::TwoStroke { 7 } else { 6 } {
+            let (stars, directions) = of_even_throws(cylinders, cycle);
+            agrees_with_brute_force(&Problem::inline(cylinders, cycle, &[1, 2]), stars, directions);
+        }
+        let (stars, directions) = of_even_throws(6, cycle);
+        agrees_with_brute_force(&Problem::inline(6, cycle, &[1, 2, 3, 4]), stars, directions);
+    }
+}
+
+#[test]
+fn uneven_stars_are_all_on_the_grid_with_balanced_force() {
+    for (cylinders, grid) in [(3, 12), (4, 6), (5, 6), (6, 4)] {
+        let problem = Problem { grid: Some(grid), ..Problem::inline(cylinders, Cycle::FourStroke, &[1, 2]) };
+        let count = (grid as usize).pow(cylinders - 1);
+        let digits = |index: usize| {
+            let mut rest = index;
+            let next = (1..cylinders).map(|_| {
+                let digit = rest % grid as usize;
+                rest /= grid as usize;
+                digit as i64
+            });
+            std::iter::once(0).chain(next).collect::<Vec<_>>()
+        };
+        agrees_with_brute_force(&problem, (0..count).map(digits).collect(), grid.into());
+    }
+}
+
+/// Orbits under mirror and reversal of the stars with cylinder 1 at 0.
+fn orbits(stars: &[Vec<i64>], directions: i64) -> usize {
+    let turned_back =
+        |star: Vec<i64>| -> Vec<i64> { star.iter().map(|throw| (throw - star[0]).rem_euclid(directions)).collect() };
+    let mut left: BTreeSet<Vec<i64>> = stars.iter().cloned().collect();
+    let mut count = 0;
+    while let Some(star) = left.pop_first() {
+        count += 1;
+        let mirrored = turned_back(star.iter().map(|throw| -throw).collect());
+        let reversed = turned_back(star.iter().rev().copied().collect());
+        let both = turned_back(mirrored.iter().rev().copied().collect());
+        [mirrored, reversed, both].iter().for_each(|image| {
+            left.remove(image);
+        });
+    }
+    count
+}
+
+#[test]
+fn each_class_of_rotation_mirror_and_reversal_is_judged_once() {
+    for cycle in CYCLES {
+        for cylinders in 1..=7 {
+            let problem = Problem::inline(cylinders, cycle, &[1]);
+            let every = every_value(&problem).expect("a question");
+            let (stars, directions) = of_even_throws(cylinders, cycle);
+            assert_eq!(every.all, stars.len() as u128);
+            assert_eq!(every.stars.iter().map(|star| star.stars).sum::<u64>(), stars.len() as u64);
+            assert_eq!(every.judged, orbits(&stars, directions) as u64, "{cylinders} cylinders, {cycle:?}");
+            assert_eq!(every.stars.iter().map(|star| star.classes).sum::<u64>(), every.judged);
+        }
+    }
+}
+
+#[test]
+fn the_24_stars_of_five_cylinders_have_8_pairs_of_moments() {
+    for cycle in CYCLES {
+        let every = every_value(&Problem::inline(5, cycle, &[1, 2])).expect("a question");
+        assert_eq!((every.all, every.stars.len()), (24, 8));
+        let first = &every.stars[0];
+        let rounded: Vec<String> = first.moments.iter().map(|m| format!("{:.4}", m.decimal)).collect();
+        assert_eq!(rounded, ["0.4490", "4.9798"]);
+        assert_eq!(summary(first).0, ["√(50 − 22√5)/2", "√(50 + 22√5)/2"]);
+    }
+}
+
+#[test]
+fn six_cylinders_two_stroke_without_first_order_couple_keep_2_root_3() {
+    let front = found(&Problem::inline(6, Cycle::TwoStroke, &[1, 2]));
+    let values: Vec<_> = front.stars.iter().map(summary).collect();
+    let of = |m1: &str, m2: &str, classes| (vec![m1.to_owned(), m2.to_owned()], classes);
+    assert_eq!(values, [of("0", "2√3", 1), of("√3", "3", 1), of("3", "√3", 2), of("2√3", "0", 1)]);
+}
+
+#[test]
+fn four_stroke_engines_of_4_6_and_8_cylinders_have_mirror_stars_without_moments() {
+    for (cylinders, classes) in [(4, 1), (6, 1), (8, 3)] {
+        let front = found(&Problem::inline(cylinders, Cycle::FourStroke, &[1, 2]));
+        assert_eq!(front.stars.iter().map(summary).collect::<Vec<_>>(), [(vec!["0".into(), "0".into()], classes)]);
+        let star = &front.stars[0];
+        assert!(star.throws.iter().eq(star.throws.iter().rev()) || cylinders == 8);
+    }
+}
+
+#[test]
+fn the_bound_loses_nothing_of_the_fronts_of_eight_cylinders() {
+    for cycle in CYCLES {
+        for neighbours in [false, true] {
+            let problem = Problem { neighbours, ..Problem::inline(8, cycle, &[1, 2]) };
+            let (front, every) = (found(&problem), every_value(&problem).expect("a question"));
+            assert!(front.judged * 3 < every.judged, "{} of {} are judged", front.judged, every.judged);
+            assert_eq!(every.cut, 0);
+            for star in &front.stars {
+                let same = every.stars.iter().find(|other| is_same(star, other)).expect("a value there is");
+                assert_eq!((star.classes, star.stars, &star.throws), (same.classes, same.stars, &same.throws));
+            }
+            let best =
+                every.stars.iter().filter(|star| !every.stars.iter().any(|other| beats(other, star, neighbours)));
+            assert_eq!(best.count(), front.stars.len(), "{cycle:?}, neighbours {neighbours}");
+        }
+    }
+}
+
+fn is_same(one: &FoundStar, other: &FoundStar) -> bool {
+    one.neighbours == other.neighbours && one.throws == other.throws
+}
+
+/// By decimals: unequal values of eight cylinders differ by more than 1e-9.
+fn beats(one: &FoundStar, other: &FoundStar, neighbours: bool) -> bool {
+    let values = |star: &FoundStar| {
+        let count = star.neighbours.filter(|_| neighbours).map(|count| count as f64);
+        star.moments.iter().map(|moment| moment.decimal).chain(count).collect::<Vec<_>>()
+    };
+    let pairs: Vec<(f64, f64)> = values(one).into_iter().zip(values(other)).collect();
+    pairs.iter().all(|(a, b)| *a < b + 1e-9) && pairs.iter().any(|(a, b)| *a < b - 1e-9)
+}
+
+/// Throws in units of 1/n turn, for a firing order of a two-stroke engine.
+fn two_stroke_throws(order: &[usize]) -> Vec<u16> {
+    let place = |cylinder: usize| order.iter().position(|&fired| fired == cylinder).expect("each cylinder fires");
+    (1..=order.len()).map(|cylinder| ((order.len() - place(cylinder)) % order.len()) as u16).collect()
+}
+
+#[test]
+fn published_two_stroke_orders_stand_on_the_front_of_orders_1_2_and_4() {
+    let published: [&[usize]; 5] = [
+        &[1, 4, 3, 2, 5],
+        &[1, 5, 3, 4, 2, 6],
+        &[1, 7, 2, 5, 4, 3, 6],
+        &[1, 8, 3, 4, 7, 2, 5, 6],
+        &[1, 6, 7, 3, 5, 8, 2, 4, 9],
+    ];
+    for order in published {
+        let cylinders = order.len() as u32;
+        let standing = |orders: &[u32]| {
+            let front = found(&Problem::inline(cylinders, Cycle::TwoStroke, orders));
+            front.standing(&two_stroke_throws(order)).expect("a star")
+        };
+        assert_eq!(standing(&[1, 2, 4]), Standing::On, "{order:?}");
+        // By orders 1 and 2 alone eight and nine cylinders can do better.
+        assert_eq!(standing(&[1, 2]) == Standing::On, cylinders < 8, "{order:?}");
+    }
+}
+
+#[test]
+fn the_published_order_of_twelve_cylinders_leaves_no_moment_of_orders_1_and_2() {
+    let front = found(&Problem::inline(12, Cycle::TwoStroke, &[1, 2]));
+    assert_eq!(front.stars.iter().map(summary).collect::<Vec<_>>(), [(vec!["0".into(), "0".into()], 15)]);
+    assert!(front.judged < 10_000, "{} of {} stars are judged", front.judged, front.all);
+    let published = two_stroke_throws(&[1, 8, 12, 4, 2, 9, 10, 5, 3, 7, 11, 6]);
+    assert_eq!(front.standing(&published), Ok(Standing::On));
+    assert!(front.standing(&[0; 12]).is_err(), "no star");
+}
+
+#[test]
+fn a_v6_and_a_v8_come_out_at_their_known_best() {
+    let v6 = found(&Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]));
+    assert_eq!(
+        v6.stars.iter().map(summary).collect::<Vec<_>>(),
+        [(["2√3", "√3", "3", "0"].map(str::to_owned).to_vec(), 1)]
+    );
+    // The cross-plane crankshaft of the catalogue, which leaves no second-order couple.
+    let right_angle = Turn::fraction(1, 4);
+    let v8 = found(&Problem::vee(8, Cycle::FourStroke, right_angle.clone(), &[1, 2]));
+    assert_eq!(v8.standing(&[0, 3, 1, 2]), Ok(Standing::On));
+    let cross = v8.stars.iter().find(|star| star.moments[2].sum.vanishes()).expect("the cross-plane star");
+    assert_eq!(summary(cross).0, ["2√10", "0", "0", "0"]);
+    assert!(cross.firing_order.is_some(), "it fires evenly");
+    // The flat-plane one leaves none at all.
+    let flat = Problem { directions: Some(2), ..Problem::vee(8, Cycle::FourStroke, right_angle, &[1, 2]) };
+    let flat = found(&flat);
+    assert_eq!(summary(&flat.stars[0]), (vec!["0".into(); 4], 1));
+    assert_eq!(flat.stars[0].throws, [0, 1, 1, 0].map(|half| Turn::fraction(half, 2)));
+}
+
+#[test]
+fn a_found_star_is_an_engine_with_the_moments_it_claims() {
+    let vee = Problem::vee(8, Cycle::FourStroke, Turn::fraction(1, 4), &[1, 2]);
+    let grid = Problem { grid: Some(8), ..Problem::inline(5, Cycle::FourStroke, &[1, 2]) };
+    for problem in
+        [Problem::inline(7, Cycle::TwoStroke, &[1, 2, 4]), Problem::inline(6, Cycle::FourStroke, &[1]), vee, grid]
+    {
+        for star in found(&problem).stars {
+            let layout = star.layout(&problem).expect("a layout that reads");
+            let firing = layout.firing.as_ref();
+            assert_eq!(star.firing_order.is_some(), firing.is_some_and(|firing| firing.is_even()));
+            for moment in &star.moments {
+                let sense = Some(moment.sense.unwrap_or(Sense::Direct));
+                let own = phasor::sum(&layout, Quantity::Moment, moment.order, sense).squared_modulus();
+                assert!(own.minus(&moment.sum.squared_modulus()).vanishes());
+            }
+            let force = phasor::sum(&layout, Quantity::Force, 1, Some(Sense::Direct));
+            assert!(force.vanishes());
+        }
+    }
+}
+
+fn scratch(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+#[test]
+fn a_search_stopped_and_resumed_gives_the_same_bytes_on_any_number_of_threads() {
+    let problem = Problem { neighbours: true, ..Problem::inline(9, Cycle::TwoStroke, &[1, 2]) };
+    let whole = json(&search(&problem, &Options { threads: 1, ..Options::default() }).expect("a front"));
+    let file = scratch("search-resume").join("state.json");
+    for (after, threads) in [(1, 1), (2, 2), (7, 3), (20, 1)] {
+        let told = AtomicUsize::new(0);
+        let progress = |_| match told.fetch_add(1, Ordering::Relaxed) + 1 == after {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        let stopped = search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress });
+        assert!(stopped.is_err(), "stopped after {after} pieces");
+    }
+    let known: serde_json::Value = serde_json::from_str(&fs::read_to_string(&file).expect("a file")).expect("JSON");
+    let pieces = known["pieces"].as_object().expect("pieces").len();
+    assert!(pieces >= 30, "{pieces} pieces are kept");
+    let resumed = search(&problem, &Options { resume: Some(file.clone()), ..Options::default() }).expect("a front");
+    assert_eq!(json(&resumed), whole);
+    let again = search(&problem, &Options { resume: Some(file.clone()), threads: 3, ..Options::default() });
+    assert_eq!(json(&again.expect("a front")), whole);
+    assert_eq!(json(&search(&problem, &Options { threads: 3, ..Options::default() }).expect("a front")), whole);
+    let names: Vec<_> = fs::read_dir(file.parent().expect("a folder")).expect("a folder").collect();
+    assert_eq!(names.len(), 1, "nothing is left beside the state file");
+}
+
+#[test]
+fn a_state_file_of_another_search_or_a_damaged_one_is_refused() {
+    let file = scratch("search-state").join("state.json");
+    let options = || Options { resume: Some(file.clone()), ..Options::default() };
+    let five = Problem::inline(5, Cycle::TwoStroke, &[1, 2]);
+    search(&five, &options()).expect("a front");
+    let message = |problem: &Problem| search(problem, &options()).expect_err("refused").to_string();
+    let other = message(&Problem::inline(5, Cycle::TwoStroke, &[1, 2, 4]));
+    assert!(other.contains("belongs to another search (1: 5 cylinders, two-stroke, orders [1, 2]"), "{other}");
+    let text = fs::read_to_string(&file).expect("a file");
+    fs::write(&file, text.replacen("\"throws\":[0,", "\"throws\":[0,0,", 1)).expect("written");
+    assert!(message(&five).contains("damaged"));
+    fs::write(&file, &text[..text.len() / 2]).expect("written");
+    assert!(message(&five).contains("is not the state of a search"));
+}
+
+fn crankstar(arguments: &str) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_crankstar"))
+        .arg("search")
+        .args(arguments.split_whitespace())
+        .output()
+        .expect("the program starts");
+    let text = |bytes| String::from_utf8(bytes).expect("a text");
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn impossible_questions_are_answered_with_words() {
+    let questions = [
+        ("--cylinders 0 --cycle two-stroke", 1, "without cylinders"),
+        ("--cylinders 40 --cycle two-stroke", 1, "up to 16 cylinders in line"),
+        ("--cylinders 40 --cycle four-stroke --bank-angle 60", 1, "up to 32 cylinders in V"),
+        ("--cylinders 4 --cycle six-stroke", 2, "two-stroke, four-stroke"),
+        ("--cylinders 7 --cycle four-stroke --bank-angle 60", 1, "7 is odd"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle 720", 1, "between 0 and 360"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle sixty", 1, "not a number"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle 60 --directions 2", 1, "cannot share 2 directions"),
+        ("--cylinders 6 --cycle four-stroke --directions 3", 1, "fixes the directions"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle 180 --orders 2,4", 1, "vanish for every star"),
+        ("--cylinders 6 --cycle four-stroke --grid 0", 1, "1 to 360 directions"),
+        ("--cylinders 16 --cycle two-stroke --grid 360", 1, "up to 10^12"),
+        ("--cylinders 6 --cycle two-stroke --orders 0", 1, "orders from 1 to 1000"),
+        ("--cylinders 6 --cycle two-stroke --orders 1,2,3,4,5,6,7,8,9", 1, "1 to 8 orders"),
+        ("--cylinders 6 --cycle two-stroke --grid 6 --neighbours", 1, "in-line engines that fire evenly"),
+        ("--cylinders 6 --cycle two-stroke --resume /dev/null/state", 1, "cannot read"),
+    ];
+    for (arguments, status, words) in questions {
+        let (code, out, err) = crankstar(arguments);
+        assert_eq!((code, out.as_str()), (Some(status), ""), "{arguments}");
+        assert!(err.contains(words), "{arguments}: {err}");
+    }
+}
+
+#[test]
+fn the_program_prints_a_table_or_json_and_nothing_on_standard_error() {
+    let (code, out, err) = crankstar("--cylinders 6 --cycle two-stroke");
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(out.contains("1-5-3-4-2-6") && out.contains("= 2√3 ≈ 3.4641"), "{out}");
+    let (_, out, _) = crankstar("--cylinders 6 --cycle two-stroke --json --orders 2,1,2");
+    let document: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(document["stars"][0]["moments"][1]["exact"], "2√3");
+    assert_eq!(document["stars"][0]["firing_order"], "1-5-3-4-2-6");
+}
