@@ -10,6 +10,7 @@ use super::compare::float;
 use super::order::half_of_lengths;
 use super::statement::{Subject, Tolerance, Value};
 use crate::layout::{Layout, LengthUnit};
+use crate::loads::unit_mass;
 use crate::motion::{self, SliderCrank};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;

@@ -43,6 +43,7 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
     let arm = |position: &BigRational| position - &layout.reference_plane;
     Ok(OrderBalance {
         order,
+        class: None,
         force: of(Quantity::Force, &|_| BigRational::one())?,
         moment: of(Quantity::Moment, &arm)?,
         torque: None,
