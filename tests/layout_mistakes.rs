@@ -134,6 +134,7 @@ const VALUES: &[(&str, usize, &str)] = &[
     ("bearings = [1, 'one']\n[inline]\nthrows = [0]",             1, "cannot read the length `one`"),
     ("bearings = [1, [0]]\n[inline]\nthrows = [0]",               1, "expected a number or a text"),
     ("bearings = [1, '0 mm']\n[inline]\nthrows = [0, 180]",       1, "stand in multiples of their spacing"),
+    ("bearings = [0.1, 0.2]\n[inline]\nthrows = [0]\n[crankshaft]\nlength = '0.3 m'", 1, "main bearing 2 at 1/5 is beyond the crankshaft"),
     ("bearings = [1, 0]\n[vee]\nbank_angle = 'phi'\nthrows = [0]", 1, "while an angle or position is open"),
     ("[inline]\nthrows = 180",                                    2, "expected a list in brackets"),
     ("[inline]\nthrows = [0, [180]]",                             2, "expected a number or a text"),

@@ -10,6 +10,7 @@ use super::compare::float;
 use super::order::half_of_lengths;
 use super::statement::{Subject, Tolerance, Value};
 use crate::layout::{Layout, LengthUnit};
+use crate::loads::unit_mass;
 use crate::motion::{self, SliderCrank};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;
@@ -27,6 +28,24 @@ pub struct Numbers {
     pub speed: BigRational,
     /// Spacing in metres that the layout's positions are multiples of; none where they are in metres.
     pub spacing: Option<BigRational>,
+}
+
+impl Numbers {
+    /// What a layout file says itself, where all rods are alike and without offset.
+    fn of(layout: &Layout) -> Option<Self> {
+        let mechanism = &layout.mechanism;
+        mechanism.mass.as_ref()?;
+        let rod = mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+        let crank_radius = mechanism.crank_radius.clone()?;
+        mechanism.rods.iter().all(|other| other == rod).then_some(())?;
+        Some(Numbers {
+            reciprocating_mass: unit_mass(layout),
+            rod_length: &crank_radius / &rod.ratio,
+            crank_radius,
+            speed: mechanism.speed.clone()?,
+            spacing: layout.positions_given.then(|| BigRational::from_integer(1.into())),
+        })
+    }
 }
 
 /// A largest value in newtons or newton-metres.
@@ -49,7 +68,9 @@ pub(super) fn answer(
     numbers: Option<&Numbers>,
     evidence: Vec<Evidence>,
 ) -> Answer {
-    let Some(numbers) = numbers else { return Answer::nothing("a value in N or N·m needs the table numbers") };
+    let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(layout)) else {
+        return Answer::nothing("a value in N or N·m needs the table numbers");
+    };
     let balance = if subject.quantity == Quantity::Moment { &order.moment } else { &order.force };
     let empty = crate::exact::PhasorSum::new(Vec::new());
     let sums = match subject.sense {

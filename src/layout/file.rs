@@ -159,6 +159,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         };
     };
     turning.read(&mut layout)?;
+    bearings::check_ends(given_bearings, &layout)?;
     layout.firing = firing(&file.firing_order, &file.firing_angles, cycle, &layout.cylinders)?;
     layout.reference_plane_given = given_plane.is_some();
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));

@@ -273,8 +273,13 @@ pub fn comparable(layout: &Layout) -> Result<(), Missing> {
 /// The exact sums of one order and sense, of all effects that the layout calls for, each force weighed by its position:
 /// by coefficient, in multiples of m r. They stand for an engine that is [`comparable`] and whose rods are known.
 pub fn sums(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Parts {
-    let of_effect = |effect| contribution::parts(layout, effect, weighing, order, sense);
-    merged(&contribution::effects_of(layout).into_iter().map(of_effect).collect::<Vec<_>>())
+    sums_of(layout, &contribution::effects_of(layout), weighing, order, sense)
+}
+
+/// The same of these effects alone.
+pub fn sums_of(layout: &Layout, effects: &[Effect], weighing: Weighing, order: u32, sense: Sense) -> Parts {
+    let of_effect = |effect: &Effect| contribution::parts(layout, *effect, weighing, order, sense);
+    merged(&effects.iter().map(of_effect).collect::<Vec<_>>())
 }
 
 /// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.

@@ -61,6 +61,19 @@ pub fn bearings_lines(continuous: &BearingLoads, determinate: &BearingLoads) -> 
     ]
 }
 
+/// The peaks of all bearings in one sentence.
+pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> String {
+    let unit = amounts::unit_of(loads);
+    let peaks: Vec<String> = loads.bearings.iter().map(|bearing| amounts::size(&bearing.peak, unit)).collect();
+    let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
+    let worst = match numbers.as_slice() {
+        [] => "none is loaded".to_owned(),
+        [only] => format!("bearing {only} is the worst"),
+        several => format!("bearings {} are the worst", several.join(" and ")),
+    };
+    format!("The peaks of the bearings in {} are, in order, {}: {worst}.", unit.name, peaks.join(", "))
+}
+
 pub(in crate::report) const ASSUMPTIONS: [&str; 4] = [
     "The shaft is one straight beam of constant stiffness EI on rigid bearings in line that have no clearance and do not clamp it; masses of the shaft \
      itself that the layout does not name are left out.",
