@@ -5,7 +5,7 @@ use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
-use crankstar::report;
+use crankstar::report::{self, Compared};
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -80,6 +80,22 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
     let orders = table(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
     format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+}
+
+/// Engines side by side: a column an engine.
+pub fn compare(engines: &[Compared]) -> String {
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let rows = report::compare_rows(engines);
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row.into_iter().map(|text| {
+            let vanishes = text == "0";
+            // One part of a remedy a line: columns stay narrow.
+            verdict_cell(text.replace("; ", ";\n"), vanishes)
+        }));
+    }
+    format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

@@ -3,10 +3,13 @@
 //! `verdicts → page (finished strings, drawings) → template → files`
 
 mod argument;
+mod atlas;
 mod bearings;
+mod brief;
 mod calculation;
 mod claim_page;
 mod claim_words;
+mod compare;
 mod dialect;
 mod document;
 pub mod figure;
@@ -29,12 +32,14 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{
     BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
 };
 pub use calculation::{Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
+pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
 pub use dialect::Dialect;
 pub use document::{document, theorem_claims};
 pub use folder::{File, index, open_report, report};

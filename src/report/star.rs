@@ -111,11 +111,82 @@ pub(super) fn torque_figure(layout: &Layout, verdicts: &[Verdict]) -> Figure {
     figure
 }
 
+/// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
+pub(super) struct Column<'a> {
+    /// What stands above it.
+    pub name: String,
+    /// The engine.
+    pub layout: &'a Layout,
+    /// The order.
+    pub order: &'a OrderBalance,
+}
+
+/// Columns beside each other; more begin a new band.
+const MOST_COLUMNS: usize = 4;
+/// Height of the names above a band.
+const NAMES: f64 = 7.0;
+
+/// The stars of one order of several engines, a column each, every row drawn to one scale: force, then moment.
+///
+/// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
+pub(super) fn multiples(columns: &[Column]) -> Figure {
+    let in_line = |layout: &Layout| layout.cylinders.windows(2).all(|pair| pair[0].bank == pair[1].bank);
+    let senses = if columns.iter().all(|column| in_line(column.layout)) { 1 } else { 2 };
+    let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
+    let quantities = if columns.iter().any(has_arm) { 2 } else { 1 };
+    let stars = |column: &Column| -> Vec<Star> {
+        let balances = [&column.order.force, &column.order.moment].into_iter().take(quantities);
+        balances.flat_map(|balance| balance.verdicts().into_iter().take(senses)).map(Star::new).collect()
+    };
+    let stars: Vec<Vec<Star>> = columns.iter().map(stars).collect();
+    let rows = senses * quantities;
+    let reach = |row: usize| stars.iter().map(|column| column[row].reach()).fold(0.0, f64::max);
+    // Direct and reverse stars of a quantity share their scale.
+    let scales: Vec<f64> = (0..quantities)
+        .map(|quantity| scale((0..senses).map(|sense| reach(quantity * senses + sense)).fold(0.0, f64::max)))
+        .collect();
+    let band = rows as f64 * PANEL.1 + NAMES;
+    let bands = columns.len().div_ceil(MOST_COLUMNS);
+    let mut figure = Figure::new(columns.len().min(MOST_COLUMNS) as f64 * PANEL.0, bands as f64 * band);
+    for (index, (column, stars)) in columns.iter().zip(&stars).enumerate() {
+        let left = (index % MOST_COLUMNS) as f64 * PANEL.0;
+        let bottom = (bands - 1 - index / MOST_COLUMNS) as f64 * band;
+        figure.heading(Point::new(left + PANEL.0 / 2.0, bottom + band - NAMES / 2.0), shortened(&column.name));
+        let verdicts = [&column.order.force, &column.order.moment]
+            .into_iter()
+            .take(quantities)
+            .flat_map(|balance| balance.verdicts().into_iter().take(senses));
+        for (row, (verdict, star)) in verdicts.zip(stars).enumerate() {
+            let corner = Point::new(left, bottom + (rows - 1 - row) as f64 * PANEL.1);
+            draw_star(&mut figure, corner, column.layout, verdict, star, scales[row / senses]);
+        }
+    }
+    figure
+}
+
+/// Letters of a name that a panel has room for.
+const LONGEST_NAME: usize = 38;
+
+fn shortened(name: &str) -> String {
+    match name.chars().count() {
+        0..=LONGEST_NAME => name.to_owned(),
+        _ => name.chars().take(LONGEST_NAME - 1).chain(['…']).collect(),
+    }
+}
+
 fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) {
     let star = Star::new(verdict);
+    let scale = scale(star.reach());
+    draw_star(figure, corner, layout, verdict, &star, scale);
+}
+
+/// Millimetres a unit, where this length fills a panel.
+fn scale(reach: f64) -> f64 {
+    if reach > 0.0 { RADIUS / reach } else { 1.0 }
+}
+
+fn draw_star(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict, star: &Star, scale: f64) {
     let centre = corner + CENTRE;
-    let reach = star.reach();
-    let scale = if reach > 0.0 { RADIUS / reach } else { 1.0 };
     figure.heading(corner + Point::new(PANEL.0 / 2.0, PANEL.1 - 5.0), heading(verdict));
     figure.circle(centre, RADIUS, Stroke::solid(Ink::Light, 0.25), None);
     figure.line(
@@ -133,7 +204,7 @@ fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) 
         draw_ray(figure, centre, scale, ray);
     }
     if star.rays.len() <= MOST_LABELS {
-        draw_labels(figure, centre, layout, &star);
+        draw_labels(figure, centre, layout, star);
     }
     let place = corner + Point::new(PANEL.0 / 2.0, 3.6);
     let modulus = super::left::modulus(verdict);

@@ -7,5 +7,6 @@ mod plots;
 mod tables;
 
 pub use document::{BearingsDocument, bearings_document};
+pub(super) use page::worst;
 pub use page::{bearings_lines, bearings_page};
 pub use tables::{bearings_rows, bearings_tables};

@@ -13,6 +13,7 @@ mod words;
 
 use serde::Serialize;
 
+pub(super) use amounts::{Unit, largest};
 pub(super) use plots::figures;
 pub use summary::{Rows, loads_lines, loads_rows};
 
@@ -22,7 +23,6 @@ use super::table::Table;
 use crate::layout::Layout;
 use crate::loads::{Effect, Loads, Missing, Needed, Peak, Waveform};
 use crate::proof::Quantity;
-use amounts::Unit;
 use expression::Line;
 use results::Group;
 
