@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::super::left;
-use super::entry::{Engine, Origin};
+use super::super::left::shape_name;
+use super::entry::{Engine, Left, Origin};
 use crate::layout::{Cycle, LengthUnit};
-use crate::verdict::Balance;
+use crate::proof::Shape;
 
 const HEADER: &str = "origin,engine,title,firing,firing_order,stars,all_stars,position_unit,order,force,force_exact,force_shape,\
     moment,moment_exact,moment_shape,first_force_left,first_moment_left,remedy_of_orders_1_and_2";
@@ -52,14 +52,13 @@ pub(super) fn csv(all: &[Engine]) -> String {
 }
 
 /// The largest value in decimals, its closed form where one is known, the shape.
-fn amount(balance: &Balance) -> [String; 3] {
-    let shape = left::shape_name(balance.shape).to_owned();
-    if balance.is_balanced() {
+fn amount(left: &Left) -> [String; 3] {
+    let shape = shape_name(left.shape).to_owned();
+    if left.shape == Shape::Balanced {
         return ["0".to_owned(), "0".to_owned(), shape];
     }
-    let amount = left::largest(balance);
-    let exact = amount.exact.as_ref().map(ToString::to_string).unwrap_or_default();
-    [format!("{:.9}", amount.decimal), exact, shape]
+    let exact = left.largest.exact.as_ref().map(ToString::to_string).unwrap_or_default();
+    [format!("{:.9}", left.largest.decimal), exact, shape]
 }
 
 /// A field: in quotes where it holds a comma, a quote or the end of a line.

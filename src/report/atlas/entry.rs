@@ -1,11 +1,13 @@
 //! What is known of an engine of the atlas? Its verdicts at orders 1 to 8, the first order that is left, the remedy.
 
-use super::super::{brief, typeset};
+use super::super::typeset::Amount;
+use super::super::{brief, left, typeset};
 use super::{ORDERS, REMEDIED};
 use crate::layout::{Cycle, Layout, LayoutError, LengthUnit};
+use crate::proof::Shape;
 use crate::remedy::{self, Wish};
 use crate::search::{Best, FoundStar};
-use crate::verdict::{self, OrderBalance};
+use crate::verdict::{self, Balance};
 
 /// Where an engine comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,11 +31,32 @@ pub(super) struct Engine {
     pub firing_order: String,
     /// How many stars are as good.
     pub ties: Option<Ties>,
-    pub orders: Vec<OrderBalance>,
+    /// What is left at [`ORDERS`].
+    pub orders: Vec<Order>,
     pub first_left: [String; 2],
     pub remedy: String,
     /// What positions are counted in.
     pub unit: LengthUnit,
+}
+
+/// Force and moment of one order.
+pub(super) struct Order {
+    pub order: u32,
+    pub force: Left,
+    pub moment: Left,
+}
+
+/// What is left of a force or a moment.
+pub(super) struct Left {
+    pub shape: Shape,
+    /// The largest value through a revolution.
+    pub largest: Amount,
+}
+
+impl Left {
+    fn new(balance: &Balance) -> Self {
+        Left { shape: balance.shape, largest: left::largest(balance) }
+    }
 }
 
 /// Stars of equal moments.
@@ -73,7 +96,14 @@ impl Engine {
             ties,
             firing: brief::firing(layout.firing.as_ref()),
             firing_order: layout.firing.as_ref().map(names).unwrap_or_default(),
-            orders: verdict::classify(layout, &ORDERS, false),
+            orders: verdict::classify(layout, &ORDERS, false)
+                .iter()
+                .map(|judged| Order {
+                    order: judged.order,
+                    force: Left::new(&judged.force),
+                    moment: Left::new(&judged.moment),
+                })
+                .collect(),
             first_left: brief::first_left(&verdict::theorem(layout)),
             remedy: brief::remedy(&remedy::remedy(layout, &wish)),
             unit: layout.length_unit,

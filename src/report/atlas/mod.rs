@@ -34,6 +34,8 @@ struct Page {
 struct Section {
     heading: &'static str,
     intro: String,
+    /// What the column of the firing is called.
+    last: &'static str,
     rows: Vec<cells::Row>,
 }
 
@@ -58,10 +60,10 @@ pub fn atlas(engines: &[(Entry, Layout)], stars: &[Best]) -> Result<Vec<File>, L
 }
 
 const NOTES: [&str; 6] = [
-    "**0** is exact and proved; the other numbers are the largest value through a revolution, ½(|P⁺| + |P⁻|), = exact, ≈ decimal: forces in m r ω² c_k, \
-     moments in that times the spacing (the unit of the positions), about the middle of the engine.",
-    "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their c_k is 0, and \"first left\" is the lowest \
-     of order 1 and the even orders that is left, of all orders that exist.",
+    "**0** is exact and proved; the other numbers are the largest value through a revolution, $\\tfrac{1}{2}(\\lvert P^{+} \\rvert + \\lvert P^{-} \\rvert)$, \
+     = exact, ≈ decimal: forces in $m r \\omega^2 c_k$, moments in that times the spacing (the unit of the positions), about the middle of the engine.",
+    "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their $c_k$ is 0. **First left** is the \
+     lowest order that is left of all that exist with centric cranks: 1 and the even ones.",
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
     brief::REMEDIES,
     "Remedies are those of orders 1 and 2, for the reciprocating masses.",
@@ -71,10 +73,11 @@ const NOTES: [&str; 6] = [
 fn page(all: &[Engine], dialect: Dialect) -> Page {
     let section = |heading, intro: &str, origin: Origin| {
         let engines = all.iter().filter(|engine| engine.origin == origin);
-        Section { heading, intro: dialect.prose(intro), rows: engines.map(|e| cells::Row::new(e, dialect)).collect() }
+        let last = if origin == Origin::Catalogue { "Firing" } else { "As good" };
+        Section { heading, intro: dialect.prose(intro), last, rows: engines.map(|e| cells::Row::new(e, dialect)).collect() }
     };
     let sections = vec![
-        section("The catalogue", "Each engine with its shapes.", Origin::Catalogue),
+        section("The catalogue", "What each engine leaves of every order, and how it moves.", Origin::Catalogue),
         section("The best stars in line, two-stroke", TWO_STROKE, Origin::Found(Cycle::TwoStroke)),
         section("The best stars in line, four-stroke", FOUR_STROKE, Origin::Found(Cycle::FourStroke)),
     ];
@@ -87,6 +90,7 @@ fn page(all: &[Engine], dialect: Dialect) -> Page {
 }
 
 const TWO_STROKE: &str = "All crank stars of 2 to 12 cylinders that fire evenly, one spacing apart, judged exactly: those that no other \
-    equals in the moments of orders 1 and 2 and beats in one. Every cylinder axis points up, so that every force and moment is planar.";
+    equals in the moments of orders 1 and 2 and beats in one. An engine is named by its number of cylinders and its firing order; as good are the stars (with cylinder 1 at 0°) that have \
+    the same moments of orders 1 and 2. All cylinder axes are parallel, so that every force and moment is planar.";
 
 const FOUR_STROKE: &str = "The same for four-stroke engines. With an odd number of cylinders the stars are those of the two-stroke engine, in another firing order.";
