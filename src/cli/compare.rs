@@ -52,7 +52,7 @@ impl Compare {
         write::to_stdout(&text)
     }
 
-    /// The engines with their names, none of which is used twice.
+    /// The engines with short names; with their arguments where two would have the same.
     fn read(&self) -> Result<Vec<(String, Layout)>, Failure> {
         match self.layouts.len() {
             1 => {
@@ -62,7 +62,9 @@ impl Compare {
                 )));
             }
             count if count > MOST_ENGINES => {
-                return Err(Failure::new(format!("{count} engines are too many for a table; up to {MOST_ENGINES} are compared")));
+                return Err(Failure::new(format!(
+                    "{count} engines are too many for a table; up to {MOST_ENGINES} are compared"
+                )));
             }
             _ => {}
         }

@@ -48,7 +48,10 @@ pub(super) fn by_class(classes: &[&OrderBalance], words: fn(&OrderBalance) -> St
         None => words(order),
         Some(class) => format!("{}: {}", left::class_cylinders(class), words(order)),
     };
-    classes.iter().map(cell).collect::<Vec<_>>().join("; ")
+    match classes.iter().all(|order| words(order) == "0") {
+        true => "0".to_owned(),
+        false => classes.iter().map(cell).collect::<Vec<_>>().join("; "),
+    }
 }
 
 /// `2 counterweights (couple); shaft −1 (couple); Lanchester pair ±2`, or `none needed`.

@@ -140,11 +140,14 @@ pub(super) fn multiples(columns: &[Column]) -> Figure {
     };
     let stars: Vec<Vec<Star>> = columns.iter().map(stars).collect();
     let rows = senses * quantities;
-    let reach = |row: usize| stars.iter().map(|column| column[row].reach()).fold(0.0, f64::max);
-    // Direct and reverse stars of a quantity share their scale.
-    let scales: Vec<f64> = (0..quantities)
-        .map(|quantity| scale((0..senses).map(|sense| reach(quantity * senses + sense)).fold(0.0, f64::max)))
-        .collect();
+    // Direct and reverse stars share their scale; moments only where they are in one unit.
+    let scale_of = |column: &Column, quantity: usize| {
+        let alike = |other: &Column| quantity == 0 || other.layout.length_unit == column.layout.length_unit;
+        let of_quantity =
+            |stars: &Vec<Star>| stars[quantity * senses..][..senses].iter().map(Star::reach).fold(0.0, f64::max);
+        let reaches = columns.iter().zip(&stars).filter(|(other, _)| alike(other)).map(|(_, stars)| of_quantity(stars));
+        scale(reaches.fold(0.0, f64::max))
+    };
     let band = rows as f64 * PANEL.1 + NAMES;
     let bands = columns.len().div_ceil(MOST_COLUMNS);
     let mut figure = Figure::new(columns.len().min(MOST_COLUMNS) as f64 * PANEL.0, bands as f64 * band);
@@ -158,7 +161,11 @@ pub(super) fn multiples(columns: &[Column]) -> Figure {
             .flat_map(|balance| balance.verdicts().into_iter().take(senses));
         for (row, (verdict, star)) in verdicts.zip(stars).enumerate() {
             let corner = Point::new(left, bottom + (rows - 1 - row) as f64 * PANEL.1);
-            draw_star(&mut figure, corner, column.layout, verdict, star, scales[row / senses]);
+            let scale = scale_of(column, row / senses);
+            // A short resultant is drawn thinner, so that its head does not hide it.
+            let length = star.resultant.map_or(0.0, |sum| sum.norm() * scale);
+            let width = RESULTANT * (length / SHORT).clamp(0.2, 1.0);
+            draw_star(&mut figure, corner, column.layout, verdict, star, (scale, width));
         }
     }
     figure
@@ -177,15 +184,27 @@ fn shortened(name: &str) -> String {
 fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) {
     let star = Star::new(verdict);
     let scale = scale(star.reach());
-    draw_star(figure, corner, layout, verdict, &star, scale);
+    draw_star(figure, corner, layout, verdict, &star, (scale, RESULTANT));
 }
+
+/// Width of a resultant, and below which length it is drawn thinner beside others, in millimetres.
+const RESULTANT: f64 = 1.3;
+const SHORT: f64 = 8.0;
 
 /// Millimetres a unit, where this length fills a panel.
 fn scale(reach: f64) -> f64 {
     if reach > 0.0 { RADIUS / reach } else { 1.0 }
 }
 
-fn draw_star(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict, star: &Star, scale: f64) {
+/// One panel: the star at so many millimetres a unit, its resultant in a line of this width.
+fn draw_star(
+    figure: &mut Figure,
+    corner: Point,
+    layout: &Layout,
+    verdict: &Verdict,
+    star: &Star,
+    (scale, width): (f64, f64),
+) {
     let centre = corner + CENTRE;
     figure.heading(corner + Point::new(PANEL.0 / 2.0, PANEL.1 - 5.0), heading(verdict));
     figure.circle(centre, RADIUS, Stroke::solid(Ink::Light, 0.25), None);
@@ -198,7 +217,7 @@ fn draw_star(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verd
         draw_polygon(figure, centre, scale, polygon, index);
     }
     if let Some(resultant) = star.resultant {
-        figure.arrow(centre, centre + upright(resultant) * scale, Stroke::solid(Ink::Red, 1.3));
+        figure.arrow(centre, centre + upright(resultant) * scale, Stroke::solid(Ink::Red, width));
     }
     for ray in &star.rays {
         draw_ray(figure, centre, scale, ray);

@@ -74,7 +74,12 @@ fn page(all: &[Engine], dialect: Dialect) -> Page {
     let section = |heading, intro: &str, origin: Origin| {
         let engines = all.iter().filter(|engine| engine.origin == origin);
         let last = if origin == Origin::Catalogue { "Firing" } else { "As good" };
-        Section { heading, intro: dialect.prose(intro), last, rows: engines.map(|e| cells::Row::new(e, dialect)).collect() }
+        Section {
+            heading,
+            intro: dialect.prose(intro),
+            last,
+            rows: engines.map(|e| cells::Row::new(e, dialect)).collect(),
+        }
     };
     let sections = vec![
         section("The catalogue", "What each engine leaves of every order, and how it moves.", Origin::Catalogue),

@@ -1,5 +1,6 @@
 //! What does `compare --json` hold? Each engine with its verdicts, exact and in decimals, remedy, firing and bearings.
 
+use num_rational::BigRational;
 use serde::Serialize;
 
 use super::super::{brief, left};
@@ -47,6 +48,8 @@ struct Order {
     /// Names of the cylinders that it is about, where not all.
     #[serde(skip_serializing_if = "Option::is_none")]
     cylinders: Option<Vec<String>>,
+    /// Whether c_k is not zero: centric cranks have order 1 and the even ones.
+    exists: bool,
     force: Amount,
     moment: Amount,
     moment_is_couple: bool,
@@ -87,9 +90,10 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 
 fn engine(engine: &Compared) -> Engine {
     let [first_force_left, first_moment_left] = brief::first_left(&engine.theorem);
+    let full = BigRational::from_integer(360.into());
     let firing = engine.layout.firing.as_ref().map(|firing| Firing {
         even: firing.is_even(),
-        intervals_deg: firing.intervals().iter().map(|turns| decimal(turns) * 360.0).collect(),
+        intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
     });
     Engine {
         name: engine.name.clone(),
@@ -100,7 +104,7 @@ fn engine(engine: &Compared) -> Engine {
             LengthUnit::Spacing => "spacing",
         },
         firing,
-        orders: engine.orders.iter().map(order).collect(),
+        orders: engine.orders.iter().map(|judged| order(engine, judged)).collect(),
         first_force_left,
         first_moment_left,
         remedy: brief::remedy(&engine.remedy),
@@ -109,9 +113,10 @@ fn engine(engine: &Compared) -> Engine {
     }
 }
 
-fn order(order: &OrderBalance) -> Order {
+fn order(engine: &Compared, order: &OrderBalance) -> Order {
     Order {
         order: order.order,
+        exists: engine.has_order(order.order),
         cylinders: order.class.as_ref().map(|class| class.cylinders.clone()),
         force: amount(&order.force),
         moment: amount(&order.moment),

@@ -52,14 +52,11 @@ fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<
         None => engine.name.clone(),
         Some(class) => format!("{}, {}", engine.name, left::class_cylinders(class)),
     };
-    engine
-        .at(order)
-        .into_iter()
-        .map(move |judged| Column { name: name(judged), layout: engine.layout, order: judged })
+    engine.at(order).into_iter().map(move |judged| Column { name: name(judged), layout: engine.layout, order: judged })
 }
 
 fn caption(order: u32) -> String {
     format!(
-        "Vector stars of order {order}: force above moment, each to one scale; blue, orange and green polygons sum to zero, a red arrow is what is left"
+        "Vector stars of order {order}: force above moment, each to one scale where units are the same; blue, orange and green polygons sum to zero, a red arrow is what is left"
     )
 }

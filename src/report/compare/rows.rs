@@ -8,6 +8,7 @@ use super::{Compared, orders_of};
 use crate::layout::LengthUnit;
 use crate::loads::{Missing, OrderLoads};
 use crate::proof::Quantity;
+use crate::verdict::OrderBalance;
 
 /// The table: a column an engine, a row each thing that is compared; cells in plain text.
 pub fn compare_rows(engines: &[Compared]) -> Rows {
@@ -21,8 +22,8 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     add("Firing".to_owned(), &|engine| engine.firing());
     let orders = orders_of(engines);
     for &order in &orders {
-        add(format!("Force {order}"), &|engine| brief::by_class(&engine.at(order), left::force_summary));
-        add(format!("Moment {order}"), &|engine| brief::by_class(&engine.at(order), left::moment_summary));
+        add(format!("Force {order}"), &|engine| words(engine, order, left::force_summary));
+        add(format!("Moment {order}"), &|engine| words(engine, order, left::moment_summary));
     }
     let first = |engine: &Compared| brief::first_left(&engine.theorem);
     add("First force left".to_owned(), &|engine| first(engine)[0].clone());
@@ -39,6 +40,14 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
         add("Worst main bearing".to_owned(), &worst_bearing);
     }
     Rows { header, rows }
+}
+
+/// What is left of an order; nothing is where the engine has no such order, whatever its star is.
+fn words(engine: &Compared, order: u32, summary: fn(&OrderBalance) -> String) -> String {
+    match brief::by_class(&engine.at(order), summary) {
+        left if left == "0" || engine.has_order(order) => left,
+        _ => format!("0, as c_{order} = 0"),
+    }
 }
 
 fn speed(engine: &Compared) -> String {
@@ -71,13 +80,19 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
     lines.push("First left: the lowest of all orders that exist. Verdicts are on the reciprocating masses; remedies, newtons and bearings on all masses that a layout names.".to_owned());
     lines.push(brief::REMEDIES.to_owned());
     if engines.iter().any(|engine| engine.orders.iter().any(|order| order.class.is_some())) {
-        lines.push("Where rods differ, cylinders with equal rods are judged by themselves: only they have c_k in common.".to_owned());
+        lines.push(
+            "Where rods differ, cylinders with equal rods are judged by themselves: only they have c_k in common."
+                .to_owned(),
+        );
+    }
+    if engines.iter().any(|engine| orders_of(engines).iter().any(|&order| !engine.has_order(order))) {
+        lines.push("Odd orders above 1 exist only with a pin offset: with centric cranks their c_k is 0.".to_owned());
     }
     let with: Vec<&str> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.as_str()).collect();
     let without: Vec<&str> = engines.iter().filter(|e| !e.has_newtons()).map(|e| e.name.as_str()).collect();
     if !with.is_empty() && !without.is_empty() {
         lines.push(format!(
-            "In newtons engines compare only where all give rods, mass, crank radius, speed and positions in metres: {} has them, {} has not.",
+            "No newtons: for these all engines have to give rods, mass, crank radius, speed and positions in metres. With them: {}; without: {}.",
             with.join(", "),
             without.join(", ")
         ));
