@@ -28,7 +28,7 @@ fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
         let orders = verdict::classify(black_box(&layout), &layout.orders, false);
-        let subject = report::Subject { layout: &layout, orders: &orders, family: None, needed: None };
+        let subject = report::Subject { layout: &layout, orders: &orders, family: None, needed: None, accuracy: None };
         report::report(subject, Dialect::GithubMarkdown).len()
     });
 }

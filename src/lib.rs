@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← remedy ← search ← family ← claim ← report ← cli`
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← search ← family ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`, nor in `beam`.
@@ -37,6 +37,8 @@ pub mod proof;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod verdict;
 
+#[allow(clippy::disallowed_types)]
+pub mod accuracy;
 #[allow(clippy::disallowed_types)]
 pub mod claim;
 #[allow(clippy::disallowed_types)]

@@ -53,6 +53,43 @@ fn output_that_is_no_terminal_has_no_colours() {
 }
 
 #[test]
+fn remedy_proposes_weights_and_its_json_verifies() {
+    let table = succeeds(&["remedy", "V8-crossplane", "--orders", "1,2"]);
+    assert!(table.contains("= √10/3 ≈ 1.0541 m r") && table.contains("= −arctan(1/3) ≈ −18.4349°"), "{table}");
+    let pair = succeeds(&["remedy", "I4", "--orders", "2"]);
+    assert!(pair.contains("Lanchester shaft") && pair.contains("= 0.5 m r |c_2|"), "{pair}");
+    let none = succeeds(&["remedy", "I6", "--orders", "1,2"]);
+    assert!(none.contains("no weight is needed"), "{none}");
+    let file = scratch("remedy").join("i3.json");
+    let skewed = ["remedy", "I3", "--balance-factor", "1", "--skew", "30,0,-30", "--planes", "1.2,-1.2", "--json"];
+    fs::write(&file, succeeds(&skewed)).expect("the folder takes files");
+    assert!(succeeds(&["verify", text(&file)]).contains("certificates hold"));
+}
+
+#[test]
+fn remedy_writes_its_section_into_a_folder() {
+    let folder = scratch("remedy-section");
+    succeeds(&["remedy", "V2-45", "--output", text(&folder)]);
+    let section = fs::read_to_string(folder.join("remedy.md")).expect("the section");
+    for words in ["# V2, 45°", "## Remedies", "| counterweight | 1×, with the crank | 0 | = 1 m r |", "| 0.35 | = "] {
+        assert!(section.contains(words), "no {words} in\n{section}");
+    }
+}
+
+#[test]
+fn what_remedy_cannot_take_is_told() {
+    let refused = |arguments: &[&str]| fails(&[&["remedy", "I3"], arguments].concat(), 1);
+    assert!(refused(&["--planes", "1,1"]).contains("both planes stand at 1"));
+    assert!(refused(&["--planes", "1"]).contains("two are needed"));
+    assert!(refused(&["--planes", "1,x"]).contains("cannot read `x`"));
+    assert!(refused(&["--planes", "1 mm,2 mm"]).contains("count in spacings"));
+    assert!(refused(&["--balance-factor=-1"]).contains("0 or more"));
+    assert!(refused(&["--balance-factor", "1,1,1,1"]).contains("4 balance factors for 3 throws"));
+    assert!(refused(&["--balance-factor", "1", "--skew", "x"]).contains("cannot read `x`"));
+    assert!(fails(&["remedy", "I3", "--skew", "1"], 2).contains("--balance-factor"));
+}
+
+#[test]
 fn every_engine_of_the_catalogue_verifies() {
     let folder = scratch("verify-all");
     for (entry, _) in crankstar::layout::catalogue().expect("the catalogue reads") {
@@ -209,4 +246,25 @@ fn completions_are_printed_for_every_shell() {
 #[test]
 fn the_console_examples_of_the_readme_are_what_the_program_prints() {
     trycmd::TestCases::new().case("README.md");
+}
+
+#[test]
+fn accuracy_tells_errors_and_times_and_writes_a_page() {
+    let folder = scratch("accuracy").join("page");
+    let arguments = ["accuracy", "I1", "--rod-ratio", "0.2,0.3", "--json", "--output", text(&folder)];
+    let document: serde_json::Value = serde_json::from_str(&succeeds(&arguments)).expect("JSON");
+    let force = &document["cases"][1]["loads"][0];
+    let digits = force["peak_low"].as_str().expect("a number");
+    assert!(digits.starts_with("1.29999999999999999999") || digits.starts_with("1.30000000000000000000"), "{digits}");
+    assert!(force["methods"].as_array().expect("methods").iter().all(|method| method["seconds"].is_f64()));
+    let page = fs::read_to_string(folder.join("accuracy.md")).expect("the page");
+    for name in ["force-1.svg", "inertia-torque-1.svg", "force-2.svg", "inertia-torque-2.svg"] {
+        assert!(page.contains(&format!("({name})")) && folder.join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn accuracy_needs_rods_and_says_so() {
+    assert!(fails(&["accuracy", "I4"], 1).contains("--rod-ratio 0.3"));
+    assert!(fails(&["accuracy", "I4", "--rod-ratio", "1"], 2).contains("from 0 to below 1"));
 }

@@ -1,4 +1,5 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
+#![allow(clippy::disallowed_types)]
 
 use crankstar::layout::{Layout, find, parse, throws};
 use crankstar::loads::{Effect, Loads, Missing, Outcome, loads};
@@ -17,10 +18,18 @@ fn ratio(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
+/// The engine with these keys in its table [crankshaft].
+fn with_keys(engine: &str, keys: &str) -> Layout {
+    const HEAD: &str = "[crankshaft]\n";
+    let engine = if engine.contains(HEAD) { engine.to_owned() } else { format!("{engine}\n{HEAD}") };
+    read(&engine.replace(HEAD, &format!("{HEAD}{keys}\n")))
+}
+
 fn with_factor(engine: &str, factor: &str, web_offset: &str) -> Layout {
-    read(&format!(
-        "{engine}\n[crankshaft]\nbalance_factor = {factor}\ncounterweight_radius = '45 mm'\nweb_offset = '{web_offset}'"
-    ))
+    with_keys(
+        engine,
+        &format!("balance_factor = {factor}\ncounterweight_radius = '45 mm'\nweb_offset = '{web_offset}'"),
+    )
 }
 
 fn computed(layout: &Layout) -> Loads {
@@ -137,15 +146,20 @@ fn the_skewed_counterweights_of_table_6_7_leave_7328_newtons_at_300_degrees_and_
 
 #[test]
 fn pins_and_webs_weigh_what_a_rotating_mass_at_the_rods_does() {
-    let shared = CROSS.replace("rotating_mass = \"0.4 kg\"", "rotating_mass = \"0.3 kg\"");
-    assert_ne!(shared, CROSS);
-    // 0.2 kg a throw at 45 mm: 0.1 kg at the pin, the rest in webs of 0.3 kg at 15 mm.
-    let pins = read(&format!("{shared}\n[crankshaft]\npin_mass = '0.1 kg'\nweb_mass = '0.3 kg'\nweb_radius = '15 mm'"));
-    let rods = read(CROSS);
+    // 0.2 kg a throw at 45 mm: at the pin, as webs of 0.6 kg at 15 mm, or shared by two rods of 0.3 kg.
+    const RODS: &str = "rotating_mass = \"0.3 kg\"";
+    const PIN: &str = "pin_mass = \"0.2 kg\"";
+    assert!(CROSS.contains(RODS) && CROSS.contains(PIN));
+    let pins = read(CROSS);
+    let webs = read(&CROSS.replace(PIN, "web_mass = '0.6 kg'\nweb_radius = '15 mm'"));
+    let rods = read(&CROSS.replace(PIN, "").replace(RODS, "rotating_mass = '0.4 kg'"));
     assert_eq!(pins.crankshaft_mass(), rods.crankshaft_mass());
-    let (pins, rods) = (computed(&pins), computed(&rods));
+    assert_eq!(webs.crankshaft_mass(), rods.crankshaft_mass());
+    let [pins, webs, rods] = [pins, webs, rods].map(|layout| computed(&layout));
     assert_near(direct_moment(&pins), direct_moment(&rods));
-    assert!(pins.effects.iter().any(|effect| effect.effect == Effect::Crankshaft));
+    assert_near(direct_moment(&webs), direct_moment(&rods));
+    let has = |loads: &Loads| loads.effects.iter().any(|effect| effect.effect == Effect::Crankshaft);
+    assert_eq!([has(&pins), has(&webs), has(&rods)], [true, true, false]);
 }
 
 #[test]
@@ -163,12 +177,44 @@ fn a_lanchester_pair_is_a_term_of_order_2_direct_and_reverse() {
     assert!(loads.effects.iter().any(|effect| effect.effect == Effect::Balancers));
 }
 
+/// The frame rolls with −T; at half the height a pair takes half of order 2, at the whole height all of it.
+#[test]
+fn the_height_of_a_pair_counts_in_the_roll_moment() {
+    let engine = "speed = 1000\neffects = ['torque']\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '0.1 m'\n[mechanism]\nreciprocating_mass = 1\ncrank_radius = 0.05\nrod_ratio = 0.25\n";
+    let order_2 = |height: f64, offset: f64| {
+        let shafts = [("with", 0.5), ("against", -0.5)].map(|(sense, side)| {
+            format!(
+                "[[balancer]]\norder = 2\nsense = '{sense}'\nmass_radius = 0.00635\nangle = 180\nposition = 0\nheight = {:.12}\noffset = {offset:.12}\n",
+                side * height
+            )
+        });
+        let loads = computed(&read(&format!("{engine}{}", shafts.concat())));
+        let roll = loads.roll.expect("a roll moment");
+        let torque = loads.torque.expect("a torque");
+        let of = |torque: &[crankstar::loads::TorqueOrder]| {
+            torque.iter().find(|order| order.order == 2).expect("order 2").vector.value
+        };
+        (of(&roll.orders), of(&torque.orders))
+    };
+    let (level, torque) = order_2(0.0, 0.0);
+    assert_near((level + torque).norm() + 1.0, 1.0);
+    // (h₊ − h₋) n² U = 2 m r² takes all of T ≈ −2 m r² ω² sin 2θ.
+    let height = torque.norm() * 0.05 * 0.05 / (4.0 * 0.00635);
+    assert_near(order_2(height, 0.0).0.norm() + 1.0, 1.0);
+    assert_near(order_2(height / 2.0, 0.0).0.norm(), torque.norm() / 2.0);
+    assert!(order_2(-height, 0.0).0.norm() > 1.9 * torque.norm());
+    // Both axes on the same side pull with a moment of their own, 2 n² U e ω² cos 2θ.
+    let aside = 2.0 * 4.0 * 0.00635 * 0.03 / (0.05 * 0.05);
+    assert_near(order_2(height, 0.03).0.norm(), aside);
+}
+
 #[test]
 fn bob_weights_are_those_of_the_workshop() {
     let half = ratio(1, 2);
     let bob = read(CROSS).bob_weight(0, &half).expect("masses");
-    assert_eq!(bob.per_cylinder, vec![ratio(725, 1000); 2]);
-    assert_eq!(bob.per_throw, ratio(145, 100));
+    // 0.3 kg of the rod and half of 0.65 kg; the pin of 0.2 kg turns on the machine itself.
+    assert_eq!(bob.per_cylinder, vec![ratio(625, 1000); 2]);
+    assert_eq!(bob.per_throw, ratio(125, 100));
     assert_eq!(read("inline.throws = [0]").bob_weight(0, &half), None);
 }
 

@@ -20,12 +20,15 @@ fn general(cylinders: &[(&str, &str, &str)]) -> Layout {
     read(&cylinders.iter().map(table).collect::<String>())
 }
 
-/// The short form comes to the same cylinders, in the same order, about the same plane.
+/// The short form comes to the same cylinders, in the same order, about the same plane; which pins they share, only the
+/// short form knows (`tests/crankshaft.rs`).
 #[track_caller]
 fn assert_same(short: &str, form: Form, cylinders: &[(&str, &str, &str)]) {
     let (short, long) = (read(short), general(cylinders));
     assert_eq!(short.form, form);
-    assert_eq!(short.cylinders, long.cylinders);
+    let on_the_pins_of_short = |(own, other): (&Cylinder, &Cylinder)| Cylinder { pin: own.pin, ..other.clone() };
+    let same: Vec<Cylinder> = short.cylinders.iter().zip(&long.cylinders).map(on_the_pins_of_short).collect();
+    assert_eq!((&short.cylinders, short.cylinders.len()), (&same, long.cylinders.len()));
     assert_eq!(short.reference_plane, long.reference_plane);
 }
 

@@ -109,6 +109,9 @@ fn mistakes_in_what_turns_are_told_with_their_place() {
     }
     let turning = "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = ";
     assert_refused(&format!("inline.throws = [0, 180]\n{turning}'3 cm'"), 6, "one spacing apart");
+    let supported = format!("bearings = ['0.1 m', 0, '-0.1 m']\n{engine}{turning}");
+    assert_refused(&format!("{supported}'0.11 m'"), 10, "the shaft reaches from -1/10 to 1/10");
+    assert!(parse("layout.toml", &format!("{supported}'0.1 m'")).is_ok());
     assert_refused(&format!("inline = {{ throws = [0, 'phi'] }}\n{turning}0"), 2, "angles or positions are open");
     assert_refused(
         "inline.throws = [0]\n[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1",
@@ -131,6 +134,7 @@ const VALUES: &[(&str, usize, &str)] = &[
     ("bearings = [1, 'one']\n[inline]\nthrows = [0]",             1, "cannot read the length `one`"),
     ("bearings = [1, [0]]\n[inline]\nthrows = [0]",               1, "expected a number or a text"),
     ("bearings = [1, '0 mm']\n[inline]\nthrows = [0, 180]",       1, "stand in multiples of their spacing"),
+    ("bearings = [0.1, 0.2]\n[inline]\nthrows = [0]\n[crankshaft]\nlength = '0.3 m'", 1, "main bearing 2 at 1/5 is beyond the crankshaft"),
     ("bearings = [1, 0]\n[vee]\nbank_angle = 'phi'\nthrows = [0]", 1, "while an angle or position is open"),
     ("[inline]\nthrows = 180",                                    2, "expected a list in brackets"),
     ("[inline]\nthrows = [0, [180]]",                             2, "expected a number or a text"),

@@ -1,4 +1,5 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
+#![allow(clippy::disallowed_types)]
 
 use std::f64::consts::TAU;
 
@@ -7,10 +8,11 @@ use crankstar::layout::{Layout, catalogue, find, parse};
 use crankstar::loads::{Outcome, loads};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
-use crankstar::proof::{Sense, Vector, check_certificate};
+use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_remedy_document};
 use crankstar::remedy::{
     Kind, Partial, Refused, Remedy, Subject, Wish, corrected, pair_height, remedy, with_counterweights,
 };
+use crankstar::report::{self, Dialect};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -89,7 +91,8 @@ fn the_planes_of_the_moment_stand_where_the_theory_says() {
 
 #[test]
 fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_the_cross_plane() {
-    for (text, place, expected) in [(I3, ratio(12, 100), 0.595_392_5), (CROSS, ratio(21, 100), 1.310_086_5)] {
+    let cases = [(I3, ratio(12, 100), 0.595_392_5, 3.665_785), (CROSS, ratio(21, 100), 1.310_086_5, 8.420_173)];
+    for (text, place, expected, shaft) in cases {
         let layout = read(text);
         let remedy = remedy(&layout, &planes(place.clone(), -place)).expect("a remedy");
         assert_balanced(text, &remedy);
@@ -98,6 +101,7 @@ fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_t
         for weight in weights {
             assert_near(weight.mass_at_crank_radius(&remedy.subject).expect("numbers"), expected);
         }
+        assert_near(remedy.crankshaft_mass().expect("numbers"), shaft);
     }
 }
 
@@ -189,9 +193,35 @@ fn no_set_with_a_shaft_less_balances() {
 }
 
 #[test]
+fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
+    let at = |throw: &str, position: &str, mass: u32| {
+        format!(
+            "[[cylinder]]\nthrow = '{throw} turn'\nbank = 0\nposition = '{position}'\nreciprocating_mass = {mass}\n"
+        )
+    };
+    // All in one plane, whatever the angles; like throws in two planes; a force and a moment that no one plane fits.
+    let one = at("1/1000003", "7", 1) + &at("5/1000003", "7", 2);
+    let like = at("1/8", "0", 1) + &at("1/8", "3", 2) + &at("3/8", "2", 1);
+    let both = at("0", "0", 1) + &at("1/4", "3", 2);
+    let weights = |text: &str| {
+        let found = remedy(&read(text), &wish(&[1])).expect("a remedy").crankshaft.expect("counterweights");
+        (found.kind, found.weights.iter().map(|weight| weight.position.to_string()).collect::<Vec<_>>())
+    };
+    assert_eq!(weights(&one), (Kind::Force, vec!["7".to_owned()]));
+    assert_eq!(weights(&like), (Kind::Force, vec!["2".to_owned()]));
+    assert_eq!(weights(&both), (Kind::ForceAndMoment, vec!["3".to_owned(), "0".to_owned()]));
+    // Triangles: 1 + e^{120°} at 1 and e^{240°} at 0 act as −e^{240°} does, at a place between.
+    let hidden = at("0", "1", 2) + &at("1/3", "1", 2) + &at("2/3", "0", 1);
+    assert_eq!(weights(&hidden), (Kind::Force, vec!["2".to_owned()]));
+}
+
+#[test]
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
     assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
+    let short = format!("{I3}\n[crankshaft]\nlength = '0.2 m'");
+    let refused = remedy(&read(&short), &planes(ratio(1, 10), ratio(-11, 100))).err();
+    assert_eq!(refused, Some(Refused::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
     let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
     assert!(matches!(many.err(), Some(Refused::TooMany { given: 4, throws: 3, .. })));
 }
@@ -200,12 +230,12 @@ fn planes_that_coincide_are_refused() {
 #[test]
 fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() {
     for degrees in (0..360).step_by(5) {
-        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}")));
+        let twin = Partial::new(&read(&format!("vee = {{ bank_angle = {degrees}, throws = [0] }}"))).expect("centric");
         let angle = Turn::fraction(degrees, 360);
         let unit = |angle: Turn| Term { angle, weight: BigRational::one() };
         let twice_cosine = PhasorSum::new(vec![unit(angle.clone()), unit(-&angle)]);
         assert!(twin.reverse.minus(&twice_cosine).vanishes(), "{degrees}°");
-        for percent in 0..=100 {
+        for percent in (0..=100).step_by(5) {
             let part = ratio(percent, 100);
             let direct = PhasorSum::new(vec![Term { angle: Turn::zero(), weight: ratio(2, 1) - &part * ratio(4, 1) }]);
             assert!(twin.direct_at(&part).minus(&direct).vanishes(), "{degrees}°, {percent} %");
@@ -219,18 +249,26 @@ fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() 
         assert_eq!(twin.ellipse(&ratio(35, 100)), twin.ellipse(&ratio(65, 100)), "{degrees}°");
         let (part, least) = twin.minimum().expect("a minimum");
         assert_eq!(part, ratio(1, 2));
-        assert!(twin.curve(20).iter().all(|(_, ellipse)| ellipse.peak_decimal >= least.peak_decimal));
+        assert!(twin.curve(4).iter().all(|(_, ellipse)| ellipse.peak_decimal >= least.peak_decimal));
     }
 }
 
 #[test]
 fn a_single_peaks_at_the_larger_of_f_and_1_less_f() {
-    let single = Partial::new(&read("inline.throws = [0]"));
+    let single = Partial::new(&read("inline.throws = [0]")).expect("centric");
     for percent in 0..=100 {
         let part = ratio(percent, 100);
         let expected = if percent > 50 { part.clone() } else { BigRational::one() - &part };
         assert_eq!(single.ellipse(&part).peak.and_then(|form| form.as_rational()), Some(expected));
     }
+}
+
+#[test]
+fn partial_balance_is_told_of_centric_rods_alone_and_masses_that_are_there() {
+    let rods = |keys: &str| Partial::new(&read(&format!("inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\n{keys}")));
+    assert!(rods("offset_ratio = 0.01").is_none());
+    assert!(rods("").is_some_and(|partial| partial.minimum().is_some()));
+    assert!(rods("reciprocating_mass = 0").is_some_and(|partial| partial.minimum().is_none()));
 }
 
 /// The moment on the frame of pistons that push sideways on their cylinders, and of the pair, in multiples of m r² ω²:
@@ -281,8 +319,109 @@ prop_compose! {
     }
 }
 
+/// A file with everything that turns; each line is a place where it may be spoiled.
+const FULL: &str = "speed = 6000
+effects = ['torque']
+[vee]
+bank_angle = 90
+throws = [0, 270, 90, 180]
+spacing = '0.12 m'
+bank_offset = '16 mm'
+[mechanism]
+reciprocating_mass = '0.65 kg'
+rotating_mass = '0.3 kg'
+crank_radius = '45 mm'
+rod_ratio = 0.25
+offset_ratio = 0.01
+[crankshaft]
+pin_mass = 0.1
+web_mass = [0.2, 0.3, 0.2, 0.3]
+web_radius = '-15 mm'
+length = 0.6
+[[counterweight]]
+throw = 2
+angle = 162
+mass = 0.4
+radius = 0.045
+[[counterweight]]
+angle = 77
+mass = 0.4
+radius = 0.045
+position = 0.2
+[[balancer]]
+order = 1
+sense = 'against'
+mass_radius = '12 kg mm'
+angle = 10
+position = 0.05
+height = -0.02
+offset = 0.03
+";
+
+fn piece() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![
+        "",
+        "0",
+        "-1",
+        "1e99",
+        "1e-99",
+        "1/3",
+        "9999999999999999999999",
+        "[1, 2]",
+        "[]",
+        "'x'",
+        "180",
+        "0.5",
+        "1/7 turn",
+        "'1/7'",
+    ])
+}
+
+/// The file with the values of some keys replaced, and some lines left out.
+fn spoiled(changes: &[(usize, Option<&str>)]) -> String {
+    let mut lines: Vec<String> = FULL.lines().map(str::to_owned).collect();
+    for (at, piece) in changes {
+        let at = at % lines.len();
+        match (piece, lines[at].split_once('=')) {
+            (Some(piece), Some((key, _))) => lines[at] = format!("{key}= {piece}"),
+            _ => lines[at].clear(),
+        }
+    }
+    lines.join("\n")
+}
+
+/// Everything that is asked of a layout is answered or refused, and what is answered holds.
+fn answered(text: &str) -> Result<(), TestCaseError> {
+    let Ok(layout) = parse("layout.toml", text) else { return Ok(()) };
+    let _ = loads(&layout, &[1, 2]);
+    let factors = vec![ratio(1, 2)];
+    let Ok(found) = remedy(&layout, &Wish { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
+    prop_assert!(found.holds());
+    prop_assert!(!report::remedy_section(&found, Dialect::Latex).contains("NaN"));
+    prop_assert!(!report::remedy_lines(&found).is_empty());
+    let json = serde_json::to_string(&report::remedy_document(&found)).expect("JSON");
+    let document: RemedyDocument = serde_json::from_str(&json).expect("the document reads");
+    prop_assert!(check_remedy_document(&document).is_ok());
+    Ok(())
+}
+
+#[test]
+fn the_full_file_is_answered() {
+    assert!(parse("layout.toml", FULL).is_ok_and(|layout| loads(&layout, &[1]).is_ok()));
+    answered(FULL).expect("an answer");
+    let bare = "inline.throws = [0, 100]";
+    answered(bare).expect("an answer");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn a_spoiled_file_is_answered_or_refused(
+        changes in prop::collection::vec((0..100_usize, prop::option::weighted(0.8, piece())), 1..4),
+    ) {
+        answered(&spoiled(&changes))?;
+    }
 
     #[test]
     fn weights_in_two_planes_leave_exactly_nothing_of_any_engine(

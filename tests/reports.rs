@@ -23,9 +23,9 @@ fn judged(entry: Entry, layout: Layout) -> (Entry, Layout, Vec<OrderBalance>) {
 /// The files of an engine's folder, by name.
 fn written(layout: &Layout, orders: &[OrderBalance]) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
-    let files = dialects
-        .into_iter()
-        .flat_map(|dialect| report::report(report::Subject { layout, orders, family: None, needed: None }, dialect));
+    let files = dialects.into_iter().flat_map(|dialect| {
+        report::report(report::Subject { layout, orders, family: None, needed: None, accuracy: None }, dialect)
+    });
     files.map(|file| (file.name, file.text)).collect()
 }
 
@@ -117,7 +117,10 @@ fn compare_layouts(below: &str) {
                     let open = open.map(|open| (family::classify(&open, &engine.orders), open));
                     let orders = verdict::classify(&engine, &engine.orders, false);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
-                    report::report(report::Subject { layout: &engine, orders: &orders, family, needed: None }, dialect)
+                    report::report(
+                        report::Subject { layout: &engine, orders: &orders, family, needed: None, accuracy: None },
+                        dialect,
+                    )
                 }
                 Engine::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
             };
@@ -145,8 +148,12 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
     let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
     for path in folders.filter(|path| path.is_dir()) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let linked = stored(&folder())["README.md"].contains(&format!("]({name}/"))
+            || stored(&folder())["README.md"].contains(&format!("]({name})"));
+        assert!(linked, "reports/README.md does not lead to reports/{name}");
         assert!(
-            ["atlas", "claims", "examples", "families"].contains(&name.as_str()) || layout::find(&name).is_some(),
+            ["accuracy", "atlas", "claims", "examples", "families", "stability", "thesis"].contains(&name.as_str())
+                || layout::find(&name).is_some(),
             "reports/{name} belongs to no engine"
         );
     }

@@ -30,7 +30,9 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
 
 fn text(layout: &Layout, dialect: Dialect) -> String {
     let orders = verdict::classify(layout, &layout.orders, false);
-    report::report(report::Subject { layout, orders: &orders, family: None, needed: None }, dialect).remove(0).text
+    report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
+        .remove(0)
+        .text
 }
 
 /// Each of these lines stands in the report.

@@ -3,17 +3,17 @@
 use std::f64::consts::TAU;
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::answer::{Answer, Evidence, Finding, Status};
 use super::compare::float;
 use super::order::half_of_lengths;
 use super::statement::{Subject, Tolerance, Value};
 use crate::layout::{Layout, LengthUnit};
+use crate::loads::unit_mass;
+use crate::motion::{self, SliderCrank};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;
-
-/// Terms of the series of c_k that are added up.
-const TERMS: u32 = 60;
 
 /// What an engine weighs and measures.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,6 +28,24 @@ pub struct Numbers {
     pub speed: BigRational,
     /// Spacing in metres that the layout's positions are multiples of; none where they are in metres.
     pub spacing: Option<BigRational>,
+}
+
+impl Numbers {
+    /// What a layout file says itself, where all rods are alike and without offset.
+    fn of(layout: &Layout) -> Option<Self> {
+        let mechanism = &layout.mechanism;
+        mechanism.mass.as_ref()?;
+        let rod = mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+        let crank_radius = mechanism.crank_radius.clone()?;
+        mechanism.rods.iter().all(|other| other == rod).then_some(())?;
+        Some(Numbers {
+            reciprocating_mass: unit_mass(layout),
+            rod_length: &crank_radius / &rod.ratio,
+            crank_radius,
+            speed: mechanism.speed.clone()?,
+            spacing: layout.positions_given.then(|| BigRational::from_integer(1.into())),
+        })
+    }
 }
 
 /// A largest value in newtons or newton-metres.
@@ -50,7 +68,9 @@ pub(super) fn answer(
     numbers: Option<&Numbers>,
     evidence: Vec<Evidence>,
 ) -> Answer {
-    let Some(numbers) = numbers else { return Answer::nothing("a value in N or N·m needs the table numbers") };
+    let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(layout)) else {
+        return Answer::nothing("a value in N or N·m needs the table numbers");
+    };
     let balance = if subject.quantity == Quantity::Moment { &order.moment } else { &order.force };
     let empty = crate::exact::PhasorSum::new(Vec::new());
     let sums = match subject.sense {
@@ -66,8 +86,9 @@ pub(super) fn answer(
     };
     let omega = float(&numbers.speed) / 60.0 * TAU;
     let scale = star * float(&numbers.reciprocating_mass) * float(&numbers.crank_radius) * omega * omega * arm;
-    let ratio = float(&numbers.crank_radius) / float(&numbers.rod_length);
-    let (first, whole) = coefficient(subject.order, ratio);
+    let Some((first, whole)) = coefficient(subject.order, &(&numbers.crank_radius / &numbers.rod_length)) else {
+        return Answer::nothing("the rod has to be longer than the crank radius");
+    };
     let (first_term, whole) = (scale * first.abs(), scale * whole.abs());
     let claimed = value.form.to_float();
     let takes_first = (claimed - first_term).abs() <= (claimed - whole).abs();
@@ -82,20 +103,8 @@ pub(super) fn answer(
     Answer { status, finding: Finding::Absolute(Box::new(order.clone()), absolute), evidence }
 }
 
-/// c_k of a centric crank: the first term of its series, and the sum (theory, section 2). c_1 = 1; other odd orders have none.
-fn coefficient(order: u32, ratio: f64) -> (f64, f64) {
-    if order % 2 == 1 {
-        let only = if order == 1 { 1.0 } else { 0.0 };
-        return (only, only);
-    }
-    let m = order / 2;
-    // C(1/2, j) C(2j, j−m) 4^{−j}, j from m on; (−1)^{j+m} C(1/2, j) has one sign for all of them.
-    let term = |j: u32| {
-        let half_choose = (0..j).fold(1.0, |product, i| product * (0.5 - f64::from(i)) / f64::from(i + 1));
-        let choose = (0..j - m).fold(1.0, |product, i| product * f64::from(2 * j - i) / f64::from(i + 1));
-        let sign = if (j + m).is_multiple_of(2) { 1.0 } else { -1.0 };
-        sign * half_choose * choose * 0.25_f64.powi(j as i32) * ratio.powi(2 * j as i32 - 1)
-    };
-    let factor = 2.0 * f64::from(order) * f64::from(order);
-    (factor * term(m), factor * (m..m + TERMS).map(term).sum::<f64>())
+/// c_k of a centric crank: the first term of its series, and the sum (theory, section 2); none of a crank that cannot turn.
+fn coefficient(order: u32, ratio: &BigRational) -> Option<(f64, f64)> {
+    let crank = SliderCrank::new(ratio.clone(), BigRational::zero()).ok()?;
+    Some((float(&motion::series(order, 1).value(ratio)), crank.coefficient(order).re.to_float()))
 }

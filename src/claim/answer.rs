@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::absolute::Absolute;
 use crate::exact::PhasorSum;
+use crate::loads::BearingLoads;
 use crate::proof::Certificate;
 use crate::verdict::{OrderBalance, Verdict};
 
@@ -111,6 +112,10 @@ pub enum Finding {
     Firing(Option<Vec<BigRational>>),
     /// A value in newtons or newton-metres.
     Absolute(Box<OrderBalance>, Absolute),
+    /// The crankshaft's mass in kilograms.
+    Mass(BigRational),
+    /// What the main bearings feel.
+    Bearings(Box<BearingLoads>),
     /// Nothing could be found out, for this reason.
     Nothing(String),
 }

@@ -1,7 +1,7 @@
 //! Which claim do these words make? A small grammar, described in the room's README.
 
-use super::statement::{Orders, Predicate, Statement, Subject};
-use super::written_value::{angle, value};
+use super::statement::{Masses, Orders, Predicate, Statement, Subject};
+use super::written_value::{angle, kilograms, value};
 use crate::layout::HIGHEST_ORDER;
 use crate::proof::{Quantity, Sense, Shape};
 
@@ -23,6 +23,12 @@ impl Mistake {
 const ORDINALS: [&str; 12] = [
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
     "twelfth",
+];
+const MASSES: [(&str, Masses); 4] = [
+    ("of the pistons", Masses::Reciprocating),
+    ("of the rotating masses", Masses::Rotating),
+    ("of the counterweights", Masses::Counterweights),
+    ("of all masses", Masses::All),
 ];
 const SHAPES: [(&str, Shape); 5] = [
     ("balanced", Shape::Balanced),
@@ -51,6 +57,18 @@ pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
         "no free moment" | "no free moments" => {
             return Ok(Statement::Vanish { orders: Orders::Every, quantities: vec![Quantity::Moment] });
         }
+        lower if lower.starts_with("crankshaft mass ") => return mass(lower),
+        lower if lower.starts_with("largest main-bearing load ") => {
+            let (sign, written) = next(&words["largest main-bearing load ".len()..]);
+            return match sign {
+                "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::Force)?)),
+                _ => Err(Mistake::new(
+                    format!("`{words}` says nothing that is understood"),
+                    "largest main-bearing load = 18733 N ± 1 %",
+                )),
+            };
+        }
+        lower if lower.starts_with("worst main bearing") => return worst_bearings(lower),
         lower if lower.starts_with("every ") || lower.starts_with("orders ") => return many(lower),
         _ => {}
     }
@@ -77,6 +95,28 @@ fn many(text: &str) -> Result<Statement, Mistake> {
         }
     };
     Ok(Statement::Vanish { orders, quantities })
+}
+
+/// `crankshaft mass = 4.08375 kg`.
+fn mass(text: &str) -> Result<Statement, Mistake> {
+    let (sign, written) = next(text.trim_start_matches("crankshaft mass "));
+    match sign {
+        "=" | "≈" => Ok(Statement::CrankshaftMass(kilograms(written, sign == "≈")?)),
+        _ => Err(Mistake::new(format!("`{text}` says nothing that is understood"), "crankshaft mass = 4.08375 kg")),
+    }
+}
+
+/// `worst main bearing 3`, `worst main bearings 2 and 3`.
+fn worst_bearings(text: &str) -> Result<Statement, Mistake> {
+    let list = text.trim_start_matches("worst main bearing").trim_start_matches('s').replace(" and ", ",");
+    let number = |word: &str| word.trim().parse::<usize>().ok().filter(|number| *number > 0);
+    let numbers: Option<Vec<usize>> = list.split(',').map(number).collect();
+    let right = "their numbers in the list of the layout file, such as \"worst main bearings 2 and 3\"";
+    let mut numbers =
+        numbers.ok_or_else(|| Mistake::new(format!("cannot read the bearings `{}`", list.trim()), right))?;
+    numbers.sort_unstable();
+    numbers.dedup();
+    Ok(Statement::WorstBearings(numbers))
 }
 
 /// The order, sense and quantity at the beginning, and the words behind them.
@@ -107,10 +147,15 @@ fn subject(words: &str) -> Result<(Subject, &str), Mistake> {
     let quantity = quantity(&word.to_lowercase()).ok_or_else(|| {
         Mistake::new(format!("`{word}` is nothing that a claim is about"), "force, moment, couple or torque")
     })?;
+    let named = MASSES.iter().find_map(|(words, masses)| Some((rest.strip_prefix(words)?.trim_start(), *masses)));
+    let (rest, masses) = named.unwrap_or((rest, Masses::default()));
+    if quantity == Quantity::Torque && named.is_some() {
+        return Err(Mistake::new("the torque is that of the pistons", "leave the words of the masses out"));
+    }
     if quantity == Quantity::Torque && sense.is_some() {
         return Err(Mistake::new("a torque has no direct and reverse vector", "leave the word out"));
     }
-    Ok((Subject { order, sense, quantity }, rest))
+    Ok((Subject { order, sense, quantity, masses }, rest))
 }
 
 fn predicate(text: &str, subject: Subject) -> Result<Predicate, Mistake> {

@@ -12,6 +12,7 @@ mod every;
 mod file;
 mod firing;
 mod grammar;
+mod masses;
 mod order;
 mod radicals;
 mod statement;
@@ -24,7 +25,7 @@ pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
-pub use statement::{Angle, Bearing, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
+pub use statement::{Angle, Bearing, Masses, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
 pub use student::{StarTable, Verdict as TableVerdict};
 
 /// Answers a claim about an engine.
@@ -32,6 +33,9 @@ pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>)
     match statement {
         Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
         Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),
+        Statement::CrankshaftMass(mass) => masses::crankshaft(layout, mass),
+        Statement::BearingLoad(value) => masses::bearing_load(layout, value),
+        Statement::WorstBearings(numbers) => masses::worst_bearings(layout, numbers),
         Statement::FiresEvenly { evenly } => firing::answer(layout, *evenly),
     }
 }

@@ -6,7 +6,8 @@ use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Finding, Status};
 use super::compare;
 use super::condition::{of_vanishing, plane_of_vanishing, senses};
-use super::statement::{Angle, Predicate, Subject, Value};
+use super::masses;
+use super::statement::{Angle, Masses, Predicate, Subject, Value};
 use crate::exact::PhasorSum;
 use crate::layout::Layout;
 use crate::numbers::{self, Form};
@@ -56,8 +57,15 @@ impl<'a> Vectors<'a> {
 /// Answers a claim about one order.
 pub(super) fn answer(layout: &Layout, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
     let with_torque = subject.quantity == Quantity::Torque;
-    let Some(order) = verdict::classify(layout, &[subject.order], with_torque).pop() else {
-        return Answer::nothing("no order");
+    let order = match subject.masses {
+        Masses::Reciprocating => {
+            verdict::classify(layout, &[subject.order], with_torque).pop().ok_or("no order".into())
+        }
+        masses => masses::balance(layout, subject.order, masses),
+    };
+    let order = match order {
+        Ok(order) => order,
+        Err(reason) => return Answer::nothing(&reason),
     };
     let Some(vectors) = Vectors::new(&order, subject) else { return Answer::nothing("no vectors") };
     let mut evidence = vectors.evidence();

@@ -22,6 +22,12 @@ pub enum Statement {
         /// Force, moment, or both where it is empty of a name.
         quantities: Vec<Quantity>,
     },
+    /// The crankshaft's mass in the thesis's sense, in kilograms ([`crate::layout::Layout::crankshaft_mass`]).
+    CrankshaftMass(Value),
+    /// The largest force on any main bearing.
+    BearingLoad(Value),
+    /// The main bearings, by their numbers from 1, that feel the largest force.
+    WorstBearings(Vec<usize>),
     /// Whether the firing intervals are equal.
     FiresEvenly {
         /// False where the claim denies it.
@@ -38,6 +44,22 @@ pub struct Subject {
     pub sense: Option<Sense>,
     /// Force, moment or torque.
     pub quantity: Quantity,
+    /// Whose.
+    pub masses: Masses,
+}
+
+/// Which masses a claim is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Masses {
+    /// The reciprocating ones, where no others are named.
+    #[default]
+    Reciprocating,
+    /// Those that turn with the crankpins: rods, pins and webs.
+    Rotating,
+    /// The counterweights.
+    Counterweights,
+    /// All that the layout file names, balancer shafts too.
+    All,
 }
 
 /// Which orders a claim about many is about.

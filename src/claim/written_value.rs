@@ -37,6 +37,20 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
     Ok(Value { form, tolerance, unit })
 }
 
+/// `4.08375 kg`, `4.0837 kg ± 0.0001 kg`.
+pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, Mistake> {
+    let (number, tolerance) = split_tolerance(text);
+    let right = "a mass in kilograms, such as 4.08375 kg";
+    let mistake = || Mistake::new(format!("cannot read the mass `{number}`"), right);
+    let number = number.strip_suffix("kg").ok_or_else(mistake)?.trim_end();
+    let mass = parse_number(number).ok().filter(|mass| !mass.is_negative()).ok_or_else(mistake)?;
+    let tolerance = match tolerance {
+        Some(text) => self::tolerance(text.trim_end_matches("kg").trim_end())?,
+        None => unstated(number, about),
+    };
+    Ok(Value { form: Form::rational(mass), tolerance, unit: None })
+}
+
 /// `30°`, `-18.43° ± 0.01°`, `1/12 turn`, `-arctan(1/3)`.
 pub(super) fn angle(text: &str) -> Result<Angle, Mistake> {
     let (number, tolerance) = split_tolerance(text);

@@ -1,5 +1,6 @@
 //! What can be asked on the command line?
 
+mod accuracy;
 mod atlas;
 mod bearings;
 mod check;
@@ -9,6 +10,7 @@ mod failure;
 mod layouts;
 mod list;
 mod loads;
+mod remedy;
 mod report;
 mod search;
 mod terminal;
@@ -58,9 +60,13 @@ enum Command {
     Loads(loads::Loads),
     /// Compute what the main bearings feel, order by order and through a revolution
     Bearings(bearings::Bearings),
+    /// Compare methods for the peak loads: error, guarantee and time
+    Accuracy(accuracy::Accuracy),
+    /// Find counterweights and balancer shafts that take away what is left
+    Remedy(remedy::Remedy),
     /// Write the report with the proofs
     Report(report::Report),
-    /// Check every certificate in the output of `classify --json`
+    /// Check every certificate in the output of `classify --json` or `remedy --json`
     Verify {
         /// The JSON file, or - for standard input
         file: PathBuf,
@@ -134,6 +140,8 @@ pub fn run() -> ExitCode {
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
+        Command::Accuracy(accuracy) => accuracy.run().map(done),
+        Command::Remedy(remedy) => remedy.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use crankstar::family;
-use crankstar::layout::Engine;
-use crankstar::report::{self, Dialect};
+use crankstar::layout::{Engine, Layout};
+use crankstar::proof::Quantity;
+use crankstar::report::{self, AccuracyCase, Dialect};
 use crankstar::verdict;
 
 use super::failure::Failure;
@@ -27,6 +28,15 @@ pub struct Report {
     output: Option<PathBuf>,
     #[command(flatten)]
     auto: Auto,
+    /// Add what the peak loads are by other methods, and how far off those are
+    #[arg(long)]
+    accuracy: bool,
+}
+
+fn accuracy_of(layout: &Layout) -> Result<AccuracyCase, Failure> {
+    let torque = layout.effects.torque.then_some(Quantity::Torque);
+    let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
+    AccuracyCase::of(layout, &quantities, false).map_err(Failure::new)
 }
 
 impl Report {
@@ -45,7 +55,14 @@ impl Report {
                 let balances = verdict::classify(layout, orders, false);
                 let open = family.as_ref().map(|family| (family.as_ref(), family::classify(family, orders)));
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
-                let subject = report::Subject { layout, orders: &balances, family, needed: needed.as_ref() };
+                let accuracy = self.accuracy.then(|| accuracy_of(layout)).transpose()?;
+                let subject = report::Subject {
+                    layout,
+                    orders: &balances,
+                    family,
+                    needed: needed.as_ref(),
+                    accuracy: accuracy.as_ref(),
+                };
                 (report::report(subject, dialect), terminal::summary(layout, &balances))
             }
             Engine::Open(family) => {

@@ -5,7 +5,8 @@ use comfy_table::{Cell, Color, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
-use crankstar::report::{self, Compared};
+use crankstar::remedy::Remedy;
+use crankstar::report::{self, AccuracyCase, Compared};
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -96,6 +97,44 @@ pub fn compare(engines: &[Compared]) -> String {
         }));
     }
     format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
+}
+
+/// A table a rod ratio and load: a row a method.
+pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
+    let mut out = format!("{}\n", layout.title);
+    for case in cases {
+        for study in &case.studies {
+            out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
+            if study.rows.is_empty() {
+                continue;
+            }
+            let mut table = Table::new();
+            table.load_style(UTF8_HORIZONTAL_ONLY);
+            table.set_header(report::ACCURACY_HEADER);
+            for row in report::accuracy_rows(layout, study) {
+                table.add_row(row);
+            }
+            out.push_str(&format!("{table}\n"));
+        }
+    }
+    out.push_str("Errors are parts of the peak; ● no other method is both faster and more accurate.\n");
+    out
+}
+
+/// The title and a table of weights, with what they come to.
+pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
+    let lines = report::remedy_lines(remedy).join("\n");
+    let rows = report::remedy_rows(remedy);
+    if rows.rows.is_empty() {
+        return format!("{}\n{lines}\n", layout.title);
+    }
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row);
+    }
+    format!("{}\n{table}\n{lines}\n", layout.title)
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

@@ -3,14 +3,16 @@
 use std::io::Read;
 use std::path::Path;
 
-use crankstar::proof::{Document, OpenDocument, check_document, check_open_document};
+use crankstar::proof::{
+    Document, OpenDocument, RemedyDocument, check_document, check_open_document, check_remedy_document,
+};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::failure::Failure;
 use super::write;
 
-/// Checks a `classify --json` output.
+/// Checks a `classify --json` or `remedy --json` output.
 pub fn run(file: &Path) -> Result<(), Failure> {
     let name = if file == Path::new("-") { "standard input".to_owned() } else { format!("`{}`", file.display()) };
     let mut json = Vec::new();
@@ -26,6 +28,10 @@ pub fn run(file: &Path) -> Result<(), Failure> {
         let document: OpenDocument = serde_json::from_slice(&json).map_err(no_output)?;
         let count = check_open_document(&document).map_err(fault)?;
         (document.title, count)
+    } else if is_remedy(&json) {
+        let document: RemedyDocument = serde_json::from_slice(&json).map_err(no_output)?;
+        let count = check_remedy_document(&document).map_err(fault)?;
+        (document.title, count)
     } else {
         let document: Document = serde_json::from_slice(&json).map_err(no_output)?;
         let count = check_document(&document).map_err(fault)?;
@@ -40,6 +46,16 @@ fn is_family(json: &[u8]) -> bool {
     struct Names {
         #[serde(rename = "open_verdicts")]
         _open_verdicts: IgnoredAny,
+    }
+    serde_json::from_slice::<Names>(json).is_ok()
+}
+
+/// Remedies have weights and sums instead of verdicts.
+fn is_remedy(json: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Names {
+        #[serde(rename = "remedied_orders")]
+        _remedied_orders: IgnoredAny,
     }
     serde_json::from_slice::<Names>(json).is_ok()
 }

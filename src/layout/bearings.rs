@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use serde_spanned::Spanned;
 
-use super::engine::LengthUnit;
+use super::engine::{Layout, LengthUnit};
 use super::error::LayoutError;
 use super::quantities::{self, List, misread};
 use super::written::{Text, place};
@@ -51,6 +51,18 @@ fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result
         *unit = own;
     }
     Ok(known.clone())
+}
+
+/// Every bearing stands on the crankshaft, where the file says how long that is.
+pub(super) fn check_ends(list: Option<&List>, layout: &Layout) -> Result<(), LayoutError> {
+    let (Some(list), Some([low, high])) = (list, layout.shaft_ends()) else { return Ok(()) };
+    for (index, (at, text)) in layout.bearings.iter().zip(list.get_ref()).enumerate() {
+        if *at < low || *at > high {
+            let message = format!("main bearing {} at {at} is beyond the crankshaft", index + 1);
+            return Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), place(text)));
+        }
+    }
+    Ok(())
 }
 
 /// Bearings of a layout that leaves an angle or a position open.

@@ -97,13 +97,12 @@ impl Layout {
         Some([rotating, unit * &self.cylinders[cylinder].reciprocating_mass])
     }
 
-    /// What the counterweights of a throw of balance factor 1 hold in balance, in kilogram-metres:
+    /// What the counterweights of each throw hold in balance at the factor 1, in kilogram-metres:
     /// `m_rot r + ½ n_rods m_rec r` (theory, section 7), with pin, webs and the rotating parts of the rods.
     ///
-    /// `None` where the layout gives no masses or no crank radius. The index is that of [`throws`].
-    pub fn throw_mass_radius(&self, index: usize) -> Option<BigRational> {
-        let throw = throws(self).into_iter().nth(index)?;
-        self.mass_radius_of(index, &throw)
+    /// One of each of [`throws`]; `None` where the layout gives no masses or no crank radius.
+    pub fn throw_mass_radii(&self) -> Option<Vec<BigRational>> {
+        throws(self).iter().enumerate().map(|(index, throw)| self.mass_radius_of(index, throw)).collect()
     }
 
     fn mass_radius_of(&self, index: usize, throw: &Throw) -> Option<BigRational> {
@@ -117,7 +116,7 @@ impl Layout {
         Some(at_pin * self.radius_of(throw)? + webs)
     }
 
-    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Layout::throw_mass_radius`]
+    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Layout::throw_mass_radii`]
     /// (theory, section 7); a skewed weight counts in full.
     ///
     /// `None` where the layout gives no masses or no crank radius, and for a throw without mass.
@@ -154,11 +153,20 @@ impl Layout {
         Some(BobWeight { per_cylinder, per_throw })
     }
 
-    /// The ends of the crankshaft along z, where the file gives its length.
+    /// The ends of the crankshaft along z: by its length, or else the outermost main bearings and cylinders; `None` where the
+    /// file gives neither length nor bearings.
     pub fn shaft_ends(&self) -> Option<[BigRational; 2]> {
-        let half = self.crankshaft.length.as_ref()? / BigRational::from_integer(2.into());
         let positions = || self.cylinders.iter().map(|cylinder| &cylinder.position);
-        let middle = (positions().min()? + positions().max()?) / BigRational::from_integer(2.into());
-        Some([&middle - &half, middle + half])
+        if let Some(length) = &self.crankshaft.length {
+            let two = BigRational::from_integer(2.into());
+            let middle = (positions().min()? + positions().max()?) / &two;
+            let half = length / two;
+            return Some([&middle - &half, middle + half]);
+        }
+        if self.bearings.is_empty() {
+            return None;
+        }
+        let all = || positions().chain(&self.bearings);
+        Some([all().min()?.clone(), all().max()?.clone()])
     }
 }

@@ -1,4 +1,4 @@
-//! How are the masses on the crankshaft written? `[crankshaft]`, `[[counterweight]]`, `[[balancer]]`.
+//! How are the masses on the crankshaft written? `[crankshaft]`, `[[counterweight]]`.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -8,17 +8,14 @@ use num_traits::{Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::crankshaft::{Balancer, Counterweight, Crankshaft, Web};
+use super::balancer_keys;
+use super::crankshaft::{Counterweight, Crankshaft, Web};
 use super::engine::{Layout, LengthUnit};
 use super::error::LayoutError;
-use super::file::HIGHEST_ORDER;
-use super::number::parse_number;
-use super::quantities::{self, misread};
+use super::quantities::{self, factor, mass, metres, misread, positive_metres};
 use super::throws::{Throw, throws};
-use super::units;
 use super::written::{Column, Table, Text, Values, place};
 use crate::exact::Turn;
-use crate::proof::Sense;
 
 /// `[crankshaft]`: each mass key holds one value for all throws, or a list with one a throw.
 #[derive(Deserialize)]
@@ -44,26 +41,11 @@ pub(super) struct CounterweightKeys {
     position: Option<Text>,
 }
 
-/// `[[balancer]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct BalancerKeys {
-    order: Text,
-    sense: Text,
-    mass: Option<Text>,
-    radius: Option<Text>,
-    mass_radius: Option<Text>,
-    angle: Text,
-    position: Text,
-    height: Option<Text>,
-    offset: Option<Text>,
-}
-
 /// The tables of a file that speak of what turns, and what they refer to.
 pub(super) struct Tables<'a> {
     pub crankshaft: &'a Option<Spanned<Table<Keys>>>,
     pub counterweights: &'a Option<Spanned<Vec<Spanned<Table<CounterweightKeys>>>>>,
-    pub balancers: &'a Option<Spanned<Vec<Spanned<Table<BalancerKeys>>>>>,
+    pub balancers: &'a Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     pub values: &'a BTreeMap<String, BigRational>,
 }
 
@@ -86,7 +68,7 @@ impl Tables<'_> {
                 let message = "both a balance factor and counterweights are given";
                 return Err(LayoutError::new(message, "a balance factor makes the counterweights itself", place(list)));
             }
-            (Some(factors), None) => self.from_factors(factors, layout, &throws)?,
+            (Some(factors), None) => self.make_counterweights(factors, layout, &throws)?,
             (None, Some(list)) => {
                 for table in list.get_ref() {
                     let weight = self.counterweight(table, layout, &throws)?;
@@ -96,7 +78,7 @@ impl Tables<'_> {
             (None, None) => {}
         }
         for table in self.balancers.iter().flat_map(|list| list.get_ref()) {
-            let shaft = self.balancer(table, layout)?;
+            let shaft = balancer_keys::read(table, |text| self.along(text, layout))?;
             layout.crankshaft.balancers.push(shaft);
         }
         Ok(())
@@ -141,7 +123,7 @@ impl Tables<'_> {
     }
 
     /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane.
-    fn from_factors(&self, list: &Column, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
+    fn make_counterweights(&self, list: &Column, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
         let Some(keys) = self.crankshaft.as_ref().map(|table| &table.get_ref().0) else { return Ok(()) };
         let Some(radii) = &keys.counterweight_radius else {
             let right = "add counterweight_radius, the distance of their centres of gravity from the axis";
@@ -158,12 +140,12 @@ impl Tables<'_> {
             None => None,
         };
         let two = BigRational::from_integer(2.into());
+        let Some(wholes) = layout.throw_mass_radii() else {
+            let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
+            return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
+        };
         for (index, throw) in throws.iter().enumerate() {
-            let Some(whole) = layout.throw_mass_radius(index) else {
-                let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
-                return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
-            };
-            let mass = whole * &factors[index] / &radii[index];
+            let mass = &wholes[index] * &factors[index] / &radii[index];
             let weight = |mass: BigRational, position: BigRational| Counterweight {
                 throw: Some(index),
                 angle: throw.angle.opposite(),
@@ -212,49 +194,6 @@ impl Tables<'_> {
         };
         on_the_shaft(layout, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
         Ok(Counterweight { throw, angle, mass: mass(&keys.mass)?, radius: positive_metres(&keys.radius)?, position })
-    }
-
-    fn balancer(&self, table: &Spanned<Table<BalancerKeys>>, layout: &mut Layout) -> Result<Balancer, LayoutError> {
-        let keys = &table.get_ref().0;
-        let mass_radius = match (&keys.mass, &keys.radius, &keys.mass_radius) {
-            (Some(weight), Some(radius), None) => mass(weight)? * positive_metres(radius)?,
-            (None, None, Some(text)) => {
-                let written = &text.get_ref().0;
-                let value =
-                    units::mass_radius(written).map_err(|right| misread("mass-radius", written, right, text))?;
-                not_negative(value, "mass-radius", text)?
-            }
-            (None, None, None) => {
-                let right = "add mass and radius, or mass_radius in kg m";
-                return Err(LayoutError::new("a balancer shaft without a weight", right, place(table)));
-            }
-            (_, _, Some(text)) => {
-                let right = "mass and radius, or mass_radius: one of them is enough";
-                return Err(LayoutError::new("the weight of a balancer shaft is given twice", right, place(text)));
-            }
-            (Some(text), None, None) => {
-                return Err(LayoutError::new("a mass without its radius", "add radius", place(text)));
-            }
-            (None, Some(text), None) => {
-                return Err(LayoutError::new("a radius without its mass", "add mass", place(text)));
-            }
-        };
-        let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);
-        Ok(Balancer {
-            order: speed_ratio(&keys.order)?,
-            sense: match keys.sense.get_ref().0.as_str() {
-                "with" => Sense::Direct,
-                "against" => Sense::Reverse,
-                other => {
-                    return Err(misread("sense", other, "\"with\" or \"against\" the crank".to_owned(), &keys.sense));
-                }
-            },
-            mass_radius,
-            angle: Turn::new(quantities::known_angle(&keys.angle)?),
-            position: self.along(&keys.position, layout)?,
-            height: zero(&keys.height)?,
-            offset: zero(&keys.offset)?,
-        })
     }
 
     /// A length along the crankshaft, in the unit of the positions.
@@ -311,29 +250,6 @@ fn number_of_throw(text: &Text, count: usize) -> Result<usize, LayoutError> {
     })
 }
 
-/// A whole multiple of the crank speed.
-fn speed_ratio(text: &Text) -> Result<u32, LayoutError> {
-    let written = &text.get_ref().0;
-    if let Ok(order) = written.parse::<u32>()
-        && (1..=HIGHEST_ORDER).contains(&order)
-    {
-        return Ok(order);
-    }
-    let half = BigRational::new(1.into(), 2.into());
-    let right = match parse_number(written) {
-        Ok(value) if value.abs() == half => {
-            "a shaft at half crank speed turns once in two revolutions, and no inertia force of the cranks has order 1/2"
-                .to_owned()
-        }
-        Ok(value) if !value.is_integer() => format!(
-            "inertia forces repeat with every revolution: their orders are whole numbers, and so is that of a shaft, 1 to {HIGHEST_ORDER}"
-        ),
-        Ok(value) if value.is_negative() => "a whole number above 0; sense = \"against\" turns the other way".to_owned(),
-        _ => format!("a whole number from 1 to {HIGHEST_ORDER}: how many times the shaft turns in a revolution"),
-    };
-    Err(misread("order of a balancer shaft", written, right, text))
-}
-
 /// A counterweight has to stand on the crankshaft.
 fn on_the_shaft(layout: &Layout, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
     match layout.shaft_ends() {
@@ -343,36 +259,4 @@ fn on_the_shaft(layout: &Layout, position: &BigRational, span: Option<Range<usiz
         }
         _ => Ok(()),
     }
-}
-
-fn mass(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    not_negative(units::mass(written).map_err(|right| misread("mass", written, right, text))?, "mass", text)
-}
-
-fn metres(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    units::length(written).map(|length| length.value).map_err(|right| misread("length", written, right, text))
-}
-
-fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
-    let radius = metres(text)?;
-    if radius.is_positive() {
-        Ok(radius)
-    } else {
-        Err(misread("radius", &text.get_ref().0, "a length above 0".to_owned(), text))
-    }
-}
-
-fn factor(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let value = parse_number(written).map_err(|error| misread("balance factor", written, error.to_string(), text))?;
-    not_negative(value, "balance factor", text)
-}
-
-fn not_negative(value: BigRational, what: &str, text: &Text) -> Result<BigRational, LayoutError> {
-    if value.is_negative() {
-        return Err(misread(what, &text.get_ref().0, format!("a {what} is 0 or more"), text));
-    }
-    Ok(value)
 }

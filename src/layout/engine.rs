@@ -105,11 +105,13 @@ pub struct Layout {
     pub file: String,
 }
 
-/// What a layout file asks for beyond the forces and moments of its masses: `effects = ["torque"]`.
+/// What a layout file asks for beyond the forces and moments of its masses: `effects = ["torque", "remedy"]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effects {
     /// The inertia torque.
     pub torque: bool,
+    /// Counterweights and balancer shafts for what is left of orders 1 and 2.
+    pub remedy: bool,
 }
 
 impl Layout {

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use num_rational::BigRational;
-use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
+use super::balancer_keys;
 use super::bearings;
 use super::crankshaft_keys;
 use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
@@ -19,7 +19,6 @@ use super::linear::Linear;
 use super::mechanism::{self, Mechanism};
 use super::quantities;
 use super::title_block;
-use super::units;
 use super::written::{Table, Text, place, read};
 
 /// The highest order that is answered.
@@ -44,7 +43,7 @@ struct File {
     mechanism: Option<Table<mechanism::Keys>>,
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
-    balancer: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::BalancerKeys>>>>>,
+    balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -160,6 +159,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         };
     };
     turning.read(&mut layout)?;
+    bearings::check_ends(given_bearings, &layout)?;
     layout.firing = firing(&file.firing_order, &file.firing_angles, cycle, &layout.cylinders)?;
     layout.reference_plane_given = given_plane.is_some();
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
@@ -187,7 +187,10 @@ fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
     for text in list {
         match text.get_ref().0.as_str() {
             "torque" => effects.torque = true,
-            other => return Err(quantities::misread("effect", other, "\"torque\"".to_owned(), text)),
+            "remedy" => effects.remedy = true,
+            other => {
+                return Err(quantities::misread("effect", other, "\"torque\" or \"remedy\"".to_owned(), text));
+            }
         }
     }
     Ok(effects)
@@ -263,7 +266,7 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
             reciprocating_mass: table
                 .reciprocating_mass
                 .as_ref()
-                .map_or(Ok(BigRational::from_integer(1.into())), mass)?,
+                .map_or(Ok(BigRational::from_integer(1.into())), quantities::mass)?,
             crank_radius: BigRational::from_integer(1.into()),
             pin: table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize,
         })
@@ -274,21 +277,19 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
 }
 
-/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position.
+/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins
+/// are numbered from 0 without gaps.
 fn number_pins(cylinders: &mut [SymbolicCylinder]) {
     let mut pins: BTreeMap<Linear, usize> = BTreeMap::new();
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
         cylinder.pin = *pins.entry(cylinder.position.clone()).or_insert(MOST_CYLINDERS + 1 + index);
     }
-}
-
-fn mass(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let mass = units::mass(written).map_err(|right| quantities::misread("mass", written, right, text))?;
-    if mass.is_negative() {
-        return Err(quantities::misread("mass", written, "a mass is 0 or more".to_owned(), text));
+    let mut numbers: Vec<usize> = cylinders.iter().map(|cylinder| cylinder.pin).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    for cylinder in cylinders {
+        cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
     }
-    Ok(mass)
 }
 
 fn cylinder_name(text: &Text) -> Result<String, LayoutError> {

@@ -273,21 +273,21 @@ fn fan(
         let message = format!("{} cylinders", banks.len() * pins.pins.len());
         return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
     }
-    let numbered = || pins.pins.iter().enumerate();
-    let pairs: Vec<(&Bank, (usize, &(Linear, Linear)))> = match numbering.map(|text| text.get_ref().0.as_str()) {
-        None | Some("by-bank") => banks.iter().flat_map(|bank| numbered().map(move |pin| (bank, pin))).collect(),
-        Some("by-pin") => numbered().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
+    let numbers = || 0..pins.pins.len();
+    let pairs: Vec<(&Bank, usize)> = match numbering.map(|text| text.get_ref().0.as_str()) {
+        None | Some("by-bank") => banks.iter().flat_map(|bank| numbers().map(move |pin| (bank, pin))).collect(),
+        Some("by-pin") => numbers().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
         Some(other) => {
             let place = numbering.and_then(place);
             let message = format!("cannot read the numbering `{other}`");
             return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
         }
     };
-    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, (pin, (throw, position))))| SymbolicCylinder {
+    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, pin))| SymbolicCylinder {
         name: (index + 1).to_string(),
-        throw: throw.plus(&bank.split),
+        throw: pins.pins[pin].0.plus(&bank.split),
         bank: bank.angle.clone(),
-        position: position.plus(&bank.offset),
+        position: pins.pins[pin].1.plus(&bank.offset),
         reciprocating_mass: one(),
         crank_radius: one(),
         pin,

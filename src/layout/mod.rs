@@ -2,6 +2,7 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod balancer_keys;
 mod bearings;
 mod catalogue;
 mod crankshaft;
@@ -32,5 +33,6 @@ pub use firing::{Cycle, Firing, Shot};
 pub use linear::Linear;
 pub use mechanism::{Given, Measure, Mechanism, Rod};
 pub use number::{NumberError, parse_number};
+pub use quantities::{parse_angle, parse_length};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;

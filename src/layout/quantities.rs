@@ -1,6 +1,7 @@
 //! How are the quantities of a layout file read, and what is said of one that cannot be?
 
 use num_rational::BigRational;
+use num_traits::Signed;
 use serde_spanned::Spanned;
 
 use super::engine::LengthUnit;
@@ -8,8 +9,26 @@ use super::error::LayoutError;
 use super::family::{DELTA, PHI};
 use super::forms::MOST_CYLINDERS;
 use super::linear::Linear;
+use super::number::parse_number;
 use super::units;
 use super::written::{Text, place};
+
+/// Reads an angle as a layout file does, in turns that are not reduced.
+///
+/// # Errors
+/// What would be right.
+pub fn parse_angle(text: &str) -> Result<BigRational, String> {
+    units::angle(text)
+}
+
+/// Reads a length as a layout file does: in metres where a unit stands behind it, else in the unit of the layout.
+///
+/// # Errors
+/// What would be right.
+pub fn parse_length(text: &str) -> Result<(BigRational, LengthUnit), String> {
+    let length = units::length(text)?;
+    Ok((length.value, if length.has_unit { LengthUnit::Metre } else { LengthUnit::Spacing }))
+}
 
 /// A list with its place in the file.
 pub(super) type List = Spanned<Vec<Text>>;
@@ -82,4 +101,41 @@ pub(super) fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
         Ok(count) if (1..=MOST_CYLINDERS as i64).contains(&count) => Ok(count),
         _ => Err(misread(what, written, format!("a whole number from 1 to {MOST_CYLINDERS}"), text)),
     }
+}
+
+/// A mass in kilograms, 0 or more.
+pub(super) fn mass(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    not_negative(units::mass(written).map_err(|right| misread("mass", written, right, text))?, "mass", text)
+}
+
+/// A length in metres of either sign.
+pub(super) fn metres(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    units::length(written).map(|length| length.value).map_err(|right| misread("length", written, right, text))
+}
+
+/// A length in metres above 0.
+pub(super) fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
+    let radius = metres(text)?;
+    if radius.is_positive() {
+        Ok(radius)
+    } else {
+        Err(misread("radius", &text.get_ref().0, "a length above 0".to_owned(), text))
+    }
+}
+
+/// A balance factor, 0 or more.
+pub(super) fn factor(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let value = parse_number(written).map_err(|error| misread("balance factor", written, error.to_string(), text))?;
+    not_negative(value, "balance factor", text)
+}
+
+/// A value that is 0 or more.
+pub(super) fn not_negative(value: BigRational, what: &str, text: &Text) -> Result<BigRational, LayoutError> {
+    if value.is_negative() {
+        return Err(misread(what, &text.get_ref().0, format!("a {what} is 0 or more"), text));
+    }
+    Ok(value)
 }

@@ -121,7 +121,7 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(layout) })
 }
 
-/// Whether the forces of an effect reach the crankshaft.
+/// Whether the forces of an effect reach the crankshaft; a balancer shaft lies in bearings of its own.
 fn loads_the_shaft(effect: Effect) -> bool {
     match effect {
         Effect::Reciprocating | Effect::Rotating | Effect::Crankshaft | Effect::Counterweights => true,

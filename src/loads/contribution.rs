@@ -28,6 +28,12 @@ pub enum Effect {
     Balancers,
 }
 
+impl Effect {
+    /// All effects of masses.
+    pub const ALL: [Effect; 5] =
+        [Effect::Reciprocating, Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers];
+}
+
 /// The coefficient of a sum: none is 1; else c_k of this rod, whose offset is not negative above order 1.
 pub type Factor = Option<Rod>;
 
@@ -84,14 +90,19 @@ fn turning(layout: &Layout, effect: Effect, weighing: Weighing, order: u32, sens
     if terms.is_empty() { Parts::new() } else { Parts::from([(None, PhasorSum::new(terms))]) }
 }
 
-/// A mass that turns at `order` times the crank speed.
-struct TurningMass {
-    order: u32,
-    sense: Sense,
-    /// U = m r, in the masses and crank radii of the layout.
-    mass_radius: BigRational,
-    angle: Turn,
-    position: BigRational,
+/// A mass that turns at a multiple of the crank speed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TurningMass {
+    /// The multiple.
+    pub order: u32,
+    /// With the crank or against it.
+    pub sense: Sense,
+    /// Mass times radius: in kilogram-metres, with 1 for a mass m or a crank radius r that the layout does not name.
+    pub mass_radius: BigRational,
+    /// Its direction at θ = 0.
+    pub angle: Turn,
+    /// Where it stands along the crankshaft.
+    pub position: BigRational,
 }
 
 impl TurningMass {
@@ -100,6 +111,15 @@ impl TurningMass {
         let order = BigRational::from_integer(self.order.into());
         &order * &order * &self.mass_radius * BigRational::from_integer(2.into())
     }
+}
+
+/// All masses of an engine that turn and weigh something, their mass-radii in multiples of m r.
+pub fn all_turning_masses(layout: &Layout) -> Vec<TurningMass> {
+    let unit = unit_mass(layout) * unit_radius(layout);
+    let of_effect = |effect| turning_masses(layout, effect);
+    let all = [Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers].into_iter();
+    let weighing = all.flat_map(of_effect).filter(|mass| !mass.mass_radius.is_zero());
+    weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
 }
 
 /// The masses of an effect that turn.
@@ -176,7 +196,7 @@ pub(super) fn torque_parts(layout: &Layout, order: u32) -> BTreeMap<Rod, PhasorS
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
-fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
+pub fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
     match &layout.mechanism.mass {
         Some(mass) if mass.is_zero() => BigRational::zero(),
         _ => cylinder.weight(),

@@ -5,6 +5,7 @@
 mod bearing;
 mod contribution;
 mod needed;
+mod roll;
 mod shares;
 mod swing;
 mod vector;
@@ -17,10 +18,10 @@ use std::fmt;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
-pub use contribution::{Effect, Factor, Parts, Weighing, unit_mass};
+pub use contribution::{Effect, Factor, Parts, TurningMass, Weighing, all_turning_masses, mass_radius, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
@@ -45,6 +46,12 @@ pub struct Loads {
     pub moment: Waveform,
     /// The inertia torque, where the file asks for it.
     pub torque: Option<Torque>,
+    /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives
+    /// no bearings.
+    pub bearings: Option<[BearingLoads; 2]>,
+    /// The roll moment on the frame, −torque and the balancer shafts, where the engine has any and the file asks for the
+    /// torque.
+    pub roll: Option<Torque>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
     pub scale: Option<Scale>,
     /// How many values of the motion's coefficients were computed: the cost of the scene.
@@ -56,7 +63,7 @@ pub struct Loads {
 pub struct OrderLoads {
     /// The order k.
     pub order: u32,
-    /// Coefficient c_k; none where the rods differ or where it is zero.
+    /// Coefficient c_k; none where the rods differ, where it is zero, or where nothing is left of the order that calls for it.
     pub coefficient: Option<Coefficient>,
     /// The shaking force.
     pub force: Swing,
@@ -226,12 +233,21 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
         force: Waveform::new(force),
         moment: Waveform::new(moment),
     });
+    let solve = |method| bearing_loads(layout, orders, method);
+    let bearings = match layout.bearings.is_empty() {
+        true => None,
+        false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
+    };
     let torque = layout.effects.torque.then(|| torque(layout, &motion, orders));
+    let has_shafts = !layout.crankshaft.balancers.is_empty();
+    let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, orders));
     Ok(Loads {
         effects: effects.collect(),
         force,
         moment,
         torque,
+        bearings,
+        roll,
         scale: scale(layout),
         orders: total,
         coefficients: motion.computed.get(),
@@ -257,11 +273,17 @@ pub fn comparable(layout: &Layout) -> Result<(), Missing> {
 /// The exact sums of one order and sense, of all effects that the layout calls for, each force weighed by its position:
 /// by coefficient, in multiples of m r. They stand for an engine that is [`comparable`] and whose rods are known.
 pub fn sums(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Parts {
-    let of_effect = |effect| contribution::parts(layout, effect, weighing, order, sense);
-    merged(&contribution::effects_of(layout).into_iter().map(of_effect).collect::<Vec<_>>())
+    sums_of(layout, &contribution::effects_of(layout), weighing, order, sense)
 }
 
-fn scale(layout: &Layout) -> Option<Scale> {
+/// The same of these effects alone.
+pub fn sums_of(layout: &Layout, effects: &[Effect], weighing: Weighing, order: u32, sense: Sense) -> Parts {
+    let of_effect = |effect: &Effect| contribution::parts(layout, *effect, weighing, order, sense);
+    merged(&effects.iter().map(of_effect).collect::<Vec<_>>())
+}
+
+/// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
+pub fn scale(layout: &Layout) -> Option<Scale> {
     let mechanism = &layout.mechanism;
     Some(Scale {
         mass: mechanism.mass.as_ref().map(|_| contribution::unit_mass(layout))?,
@@ -356,14 +378,14 @@ impl Motion {
         })
     }
 
-    /// The coefficient that all cylinders have in common, where it is not zero.
+    /// The coefficient that all cylinders have in common, where a vector asked for it.
     fn common(&self, order: u32) -> Option<Coefficient> {
         let mut rods = self.cranks.keys();
         let (Some(rod), None) = (rods.next(), rods.next()) else { return None };
-        contribution::factor(rod, order).map(|_| match order {
-            1 if rod.offset.is_zero() => exactly_one(),
-            _ => self.coefficient(&Some(rod.clone()), order),
-        })
+        let (factor, sign) = contribution::factor(rod, order)?;
+        let Some(rod) = factor else { return Some(exactly_one()) };
+        let known = self.known.borrow().get(&(rod, order)).cloned()?;
+        Some(Coefficient { re: known.re.times(&sign), im: known.im.times(&sign) })
     }
 }
 

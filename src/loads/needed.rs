@@ -4,11 +4,16 @@
 //! `Σ_{k≥1} |c_k − [k=1]| = (λ+|δ|)/√(1−(λ+|δ|)²)`, the acceleration there. What the first K leave of that bounds all
 //! the orders above K, whatever the star of the engine.
 
-use num_traits::{Signed, ToPrimitive};
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive};
 
 use super::{Loads, Missing, OrderLoads, Swing, contribution, loads};
-use crate::layout::Layout;
+use crate::layout::{Effects, Layout, Rod};
 use crate::motion::SliderCrank;
+use crate::verdict;
 
 /// Orders that are looked at one by one; the rest is bounded together.
 const LOOKED_AT: [u32; 3] = [24, 60, 100];
@@ -24,7 +29,8 @@ pub struct Needed {
     pub dropped: Vec<u32>,
     /// Orders up to this one were looked at; all above it are left out.
     pub looked_at: u32,
-    /// What is left out is at most this part of the peak force; none where there is no force.
+    /// What is left out is at most this part of the peak force; none where no order has a force; infinite where orders above
+    /// those that were looked at may have more than these.
     pub force_bound: Option<f64>,
     /// The same of the moment.
     pub moment_bound: Option<f64>,
@@ -35,11 +41,23 @@ pub struct Needed {
 /// # Errors
 /// What the layout lacks for numbers.
 pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> {
+    // The torque has no part in the choice.
+    let layout = &Layout { effects: Effects::default(), ..layout.clone() };
     let mut found = None;
     for highest in LOOKED_AT {
         let orders: Vec<u32> = (1..=highest).collect();
         let all = loads(layout, &orders)?;
-        let rest = rest(layout, highest)?;
+        let mut rest = rest(layout, highest)?;
+        // The exact sums repeat after a period: what is proved to vanish for a whole one vanishes for ever, if no balancer shaft
+        // hides an order of the pistons.
+        if layout.crankshaft.balancers.is_empty() && BigInt::from(highest) > verdict::period(layout) {
+            let swings: [fn(&OrderLoads) -> &Swing; 2] = [|loads| &loads.force, |loads| &loads.moment];
+            for (rest, swing) in rest.iter_mut().zip(swings) {
+                if all.orders.iter().all(|loads| swing(loads).vanishes()) {
+                    *rest = 0.0;
+                }
+            }
+        }
         let (needed, holds) = choose(&all, rest, accuracy, highest);
         found = Some(needed);
         if holds {
@@ -49,24 +67,38 @@ pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> 
     found.ok_or(Missing::Rods)
 }
 
-/// Bounds of force and moment of all orders above the highest.
+/// Bounds of force and moment of all orders above the highest, in multiples of m r ω².
 fn rest(layout: &Layout, highest: u32) -> Result<[f64; 2], Missing> {
     let mut bounds = contribution::faster_shafts(layout, highest).map(|size| size.to_f64().unwrap_or(f64::INFINITY));
+    let mut known: BTreeMap<&Rod, f64> = BTreeMap::new();
     for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
-        let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
-        let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
-        let reach = (&rod.ratio + rod.offset.abs()).to_f64().unwrap_or(1.0);
-        let whole = reach / ((1.0 - reach) * (1.0 + reach)).sqrt();
-        let known = (1..=highest).map(|order| {
-            let c = crank.coefficient(order).to_complex();
-            if order == 1 { (c - 1.0).norm() } else { c.norm() }
-        });
-        let left = (whole - known.sum::<f64>()).max(0.0) + ROUNDING * whole;
-        let weight = cylinder.weight().to_f64().unwrap_or(f64::INFINITY).abs();
-        bounds[0] += left * weight;
-        bounds[1] += left * weight * layout.arm(cylinder).to_f64().unwrap_or(f64::INFINITY).abs();
+        let left = match known.get(rod) {
+            Some(left) => *left,
+            None => *known.entry(rod).or_insert(rest_of_one(rod, highest)?),
+        };
+        let size = |number: BigRational| number.abs().to_f64().unwrap_or(f64::INFINITY);
+        let weight = contribution::mass_radius(layout, cylinder);
+        bounds[1] += left * size(&weight * layout.arm(cylinder));
+        bounds[0] += left * size(weight);
     }
     Ok(bounds)
+}
+
+/// What the orders above the highest of one cylinder add up to at most, in multiples of its m r ω².
+fn rest_of_one(rod: &Rod, highest: u32) -> Result<f64, Missing> {
+    let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
+    let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
+    let one = BigRational::one();
+    let reach = &rod.ratio + rod.offset.abs();
+    // Exact as long as it can cancel: near the end of reach a float would not tell the gap.
+    let squared = &reach * &reach / ((&one - &reach) * (&one + &reach));
+    let whole = squared.to_f64().unwrap_or(f64::INFINITY).sqrt();
+    let known = (1..=highest).map(|order| {
+        let c = crank.coefficient(order);
+        // c_1 has the crank's own 1, exactly, in its real part.
+        if order == 1 { c.im.to_float().abs() } else { c.to_complex().norm() }
+    });
+    Ok((whole - known.sum::<f64>()).max(0.0) + ROUNDING * whole)
 }
 
 /// Leaves out the shortest vectors as long as the bound allows; the flag says whether it holds at all.
@@ -83,8 +115,9 @@ fn choose(all: &Loads, rest: [f64; 2], accuracy: f64, highest: u32) -> (Needed, 
         parts.fold(0.0, f64::max)
     };
     left.sort_by(|a, b| share(largest(a)).total_cmp(&share(largest(b))));
-    let exists = [!all.force.harmonics().is_empty(), !all.moment.harmonics().is_empty()];
-    let mut sums = [if exists[0] { rest[0] } else { 0.0 }, if exists[1] { rest[1] } else { 0.0 }];
+    let exists =
+        [!all.force.harmonics().is_empty() || rest[0] > 0.0, !all.moment.harmonics().is_empty() || rest[1] > 0.0];
+    let mut sums = rest;
     let holds = share(sums) <= accuracy;
     let mut dropped = Vec::new();
     for loads in &left {

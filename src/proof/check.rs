@@ -84,7 +84,7 @@ impl fmt::Display for Refusal {
 impl std::error::Error for Refusal {}
 
 /// Collected terms: weight by angle in `[0, 1)`, no weight zero.
-type Collected = BTreeMap<BigRational, BigRational>;
+pub(super) type Collected = BTreeMap<BigRational, BigRational>;
 
 /// Checks that a certificate proves that the sum of these vectors is zero, or that it is not.
 ///
@@ -101,7 +101,7 @@ pub fn check_certificate(terms: &[Vector], vanishes: bool, certificate: &Certifi
     }
 }
 
-fn collect(vectors: impl IntoIterator<Item = (BigRational, BigRational)>) -> Collected {
+pub(super) fn collect(vectors: impl IntoIterator<Item = (BigRational, BigRational)>) -> Collected {
     let mut collected = Collected::new();
     for (angle, weight) in vectors {
         let angle = &angle - angle.floor();

@@ -10,6 +10,7 @@ mod check;
 mod document;
 mod fraction;
 mod open;
+mod remedy;
 mod theorem;
 
 pub use certificate::{Certificate, Polygon, Residue, Step};
@@ -20,5 +21,8 @@ pub use document::{
 pub use open::{
     AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
     SumClaim, WhenClaim, check_open_document,
+};
+pub use remedy::{
+    CorrectedClaim, RemedyDocument, RodClaim, RodCylinder, TurningClaim, WeightClaim, WeightPart, check_remedy_document,
 };
 pub use theorem::{OrderClaim, Survivors, TheoremClaim};

@@ -4,10 +4,11 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::sums::{Subject, Sums};
-use super::weight::Weight;
+use super::weight::{Weight, doubled_square};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::{Throw, throws};
 use crate::proof::Sense;
+use crate::{loads, numbers};
 
 /// Counterweights of each throw opposite to it, or turned on from there by a skew, sized by a balance factor: `BF·D` with
 /// `D = m_rot r + ½ Σ m_rec r` (theory, section 7). One weight a throw, in its plane.
@@ -15,11 +16,12 @@ use crate::proof::Sense;
 /// A list that is shorter than the number of throws goes on with its last value.
 pub fn bay_by_bay(subject: &Subject, factors: &[BigRational], skews: &[Turn]) -> Vec<Weight> {
     let throws = throws(subject.layout());
+    let wholes = throw_weights(subject, &throws);
     let weight = |(index, throw): (usize, &Throw)| {
         let factor = value_of(factors, index).cloned().unwrap_or_else(BigRational::zero);
         let skew = value_of(skews, index).cloned().unwrap_or_else(Turn::zero);
         let angle = &throw.angle.opposite() + &skew;
-        let weight = throw_weight(subject, index, throw) * factor;
+        let weight = &wholes[index] * factor;
         Weight {
             order: 1,
             sense: Sense::Direct,
@@ -34,21 +36,25 @@ fn value_of<T>(list: &[T], index: usize) -> Option<&T> {
     list.get(index).or(list.last())
 }
 
-/// D of a throw in multiples of m r; engines without numbers have their reciprocating masses only.
-fn throw_weight(subject: &Subject, index: usize, throw: &Throw) -> BigRational {
+/// D of each throw in multiples of m r; engines without numbers have their reciprocating masses only.
+fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
     let layout = subject.layout();
-    if let (Some([unit, _]), Some(whole)) = (subject.scale(), layout.throw_mass_radius(index)) {
-        return whole / unit;
+    if let (Some([unit, _]), Some(wholes)) = (subject.scale(), layout.throw_mass_radii()) {
+        return wholes.into_iter().map(|whole| whole / &unit).collect();
     }
+    // Without a crank radius all masses stand at the crankpins, and it cancels.
     let two = BigRational::from_integer(2.into());
-    let unit = crate::loads::unit_mass(layout);
+    let unit = loads::unit_mass(layout);
     let cylinder = |&at: &usize| {
         let rotating = layout.mechanism.rotating_masses.get(at).map_or_else(BigRational::zero, |mass| mass / &unit);
         let cylinder = &layout.cylinders[at];
-        (rotating + &cylinder.reciprocating_mass / &two) * &cylinder.crank_radius
+        rotating * &cylinder.crank_radius + loads::mass_radius(layout, cylinder) / &two
     };
-    let pin = layout.crankshaft.pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
-    throw.cylinders.iter().map(cylinder).sum::<BigRational>() + pin * &throw.crank_radius
+    let whole = |(index, throw): (usize, &Throw)| {
+        let pin = layout.crankshaft.pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
+        throw.cylinders.iter().map(cylinder).sum::<BigRational>() + pin * &throw.crank_radius
+    };
+    throws.iter().enumerate().map(whole).collect()
 }
 
 /// Weights in two planes that take a force P and its moment C about position 0 away:
@@ -57,7 +63,7 @@ fn throw_weight(subject: &Subject, index: usize, throw: &Throw) -> BigRational {
 /// Weights of length zero are left out. The planes must differ.
 pub fn two_planes(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes: &[BigRational; 2]) -> Vec<Weight> {
     let [first, second] = planes;
-    let size = (second - first) * super::weight::doubled_square(order);
+    let size = (second - first) * doubled_square(order);
     let share = BigRational::one() / size;
     let at_first = moment.minus(&force.scaled(second)).scaled(&share);
     let at_second = force.scaled(first).minus(moment).scaled(&share);
@@ -69,18 +75,24 @@ pub fn two_planes(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes:
 /// The one weight that takes both away, where the force acts in one plane: `C = z_0 P` with a rational position z_0.
 pub fn one_plane(order: u32, sense: Sense, force: &Sums, moment: &Sums) -> Option<Weight> {
     let (factor, sum) = force.parts().iter().next()?;
+    let fits = |position: &BigRational| moment.minus(&force.scaled(position)).vanishes();
     let position = match moment.parts().get(factor) {
-        None => BigRational::zero(),
-        Some(arm) => {
-            // C P̄ = z_0 |P|²: the means of their conjugates are as z_0 to 1, or z_0 is not rational.
-            let above = crate::numbers::mean_of_conjugates(&arm.times(&sum.conjugate()))?;
-            let below = crate::numbers::mean_of_conjugates(&sum.squared_modulus())?;
-            if below.is_zero() {
-                return None;
-            }
-            above / below
-        }
-    };
-    let vector = force.scaled(&-(BigRational::one() / super::weight::doubled_square(order)));
-    moment.minus(&force.scaled(&position)).vanishes().then_some(Weight { order, sense, position, vector })
+        None => Some(BigRational::zero()).filter(fits),
+        Some(arm) => ratio_of_terms(arm, sum).filter(fits).or_else(|| ratio_of_means(arm, sum).filter(fits)),
+    }?;
+    let vector = force.scaled(&-(BigRational::one() / doubled_square(order)));
+    Some(Weight { order, sense, position, vector })
+}
+
+/// `z_0` where the sums are alike term by term: all that acts stands in one plane.
+fn ratio_of_terms(moment: &PhasorSum, force: &PhasorSum) -> Option<BigRational> {
+    let first = force.collected().into_iter().next()?;
+    let arm = moment.collected().into_iter().find(|term| term.angle == first.angle)?;
+    Some(arm.weight / first.weight)
+}
+
+/// `C P̄ = z_0 |P|²`: the means of their conjugates are as z_0 to 1, or z_0 is not rational; up to conductor 1000.
+fn ratio_of_means(moment: &PhasorSum, force: &PhasorSum) -> Option<BigRational> {
+    let below = numbers::mean_of_conjugates(&force.squared_modulus()).filter(|mean| !mean.is_zero())?;
+    Some(numbers::mean_of_conjugates(&moment.times(&force.conjugate()))? / below)
 }

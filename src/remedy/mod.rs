@@ -15,6 +15,7 @@ mod weight;
 use std::fmt;
 
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
@@ -69,6 +70,15 @@ impl Remedy {
         self.bays.iter().chain(shafts).cloned().collect()
     }
 
+    /// The crankshaft's mass in kilograms, as [`Layout::crankshaft_mass`] counts it, with the counterweights of the remedy at
+    /// the crank radius; `None` where the layout gives no numbers.
+    pub fn crankshaft_mass(&self) -> Option<f64> {
+        let bare = self.subject.layout().crankshaft_mass()?.to_f64()?;
+        let own = self.crankshaft.iter().flat_map(|shaft| &shaft.weights);
+        let masses = self.bays.iter().chain(own).map(|weight| weight.mass_at_crank_radius(&self.subject));
+        Some(bare + masses.sum::<Option<f64>>()?)
+    }
+
     /// Whether every sum of the corrected engine is proved to be zero.
     pub fn holds(&self) -> bool {
         self.corrected.iter().all(Corrected::vanishes)
@@ -82,6 +92,8 @@ pub enum Refused {
     Missing(Missing),
     /// Both planes stand at this position.
     PlanesCoincide(BigRational),
+    /// A plane at this position lies beyond the ends of the crankshaft.
+    BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
     /// More values are given than there are throws.
     TooMany {
         /// What is given too often.
@@ -101,6 +113,13 @@ impl fmt::Display for Refused {
                 f,
                 "both planes stand at {position}: weights in one plane make no couple; give planes at two positions"
             ),
+            Refused::BeyondTheShaft(position, ends) => {
+                write!(
+                    f,
+                    "a plane at {position} is beyond the crankshaft, which reaches from {} to {}",
+                    ends[0], ends[1]
+                )
+            }
             Refused::TooMany { what, given, throws } => {
                 write!(f, "{given} {what} for {throws} throws; give one for all, or one a throw")
             }
@@ -134,7 +153,14 @@ pub fn remedy(layout: &Layout, wish: &Wish) -> Result<Remedy, Refused> {
     }
     let planes = match &wish.planes {
         Some([first, second]) if first == second => return Err(Refused::PlanesCoincide(first.clone())),
-        Some(planes) => planes.clone(),
+        Some(planes) => {
+            if let Some(ends) = layout.shaft_ends()
+                && let Some(beyond) = planes.iter().find(|plane| **plane < ends[0] || **plane > ends[1])
+            {
+                return Err(Refused::BeyondTheShaft(beyond.clone(), Box::new(ends)));
+            }
+            planes.clone()
+        }
         None => usual_planes(layout),
     };
     let bays = if wish.factors.is_empty() { Vec::new() } else { bay_by_bay(&subject, &wish.factors, &wish.skews) };

@@ -6,13 +6,14 @@
 //! `P⁻ = 2 m r cos V`: the peak is `(|1 − 2f| + |cos V|) m r ω²`.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 use crate::exact::{PhasorSum, Term};
 use crate::layout::Layout;
+use crate::loads;
 use crate::numbers::{self, Form};
 use crate::phasor;
-use crate::proof::{Quantity, Sense};
+use crate::proof::Sense;
 
 /// What is left of the first order over the balanced part f of the reciprocating masses.
 #[derive(Clone, Debug)]
@@ -35,19 +36,26 @@ pub struct Ellipse {
 }
 
 impl Partial {
-    /// The first order of a layout.
+    /// The first order of a layout; `None` with a pin offset, whose c_1 is no longer 1.
     ///
     /// ```standalone_crate
     /// use crankstar::remedy::Partial;
     /// use num_rational::BigRational;
     /// let twin = "vee = { bank_angle = 90, throws = [0] }";
-    /// let twin = Partial::new(&crankstar::layout::parse("twin.toml", twin).unwrap());
+    /// let twin = Partial::new(&crankstar::layout::parse("twin.toml", twin).unwrap()).unwrap();
     /// let half = BigRational::new(1.into(), 2.into());
     /// assert_eq!(twin.ellipse(&half).peak_decimal, 0.0);
     /// ```
-    pub fn new(layout: &Layout) -> Self {
-        let sum = |sense| PhasorSum::new(phasor::sum(layout, Quantity::Force, 1, Some(sense)).collected());
-        Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) }
+    pub fn new(layout: &Layout) -> Option<Self> {
+        let sum = |sense| {
+            let term = |cylinder| Term {
+                angle: phasor::phase(cylinder, 1, Some(sense)),
+                weight: loads::mass_radius(layout, cylinder),
+            };
+            PhasorSum::new(PhasorSum::new(layout.cylinders.iter().map(term).collect()).collected())
+        };
+        let centric = layout.mechanism.rods.iter().all(|rod| rod.offset.is_zero());
+        centric.then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 
     /// P⁺ where this part of the reciprocating masses is balanced, formed term by term.

@@ -75,7 +75,7 @@ impl Sums {
         match factor {
             None => numbers::direction_of(sum),
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
-            Some(rod) if rod.offset.is_zero() && order % 4 == 0 => {
+            Some(rod) if rod.offset.is_zero() && order.is_multiple_of(4) => {
                 numbers::direction_of(&sum.turned(&Turn::fraction(1, 2)))
             }
             Some(rod) if rod.offset.is_zero() => numbers::direction_of(sum),
@@ -111,6 +111,11 @@ impl Subject {
     /// The layout; its rods are made up where it names none.
     pub fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// Whether the layout names its rods.
+    pub fn rods_known(&self) -> bool {
+        self.rods_known
     }
 
     /// The vector of one order and sense, each force weighed by its position.

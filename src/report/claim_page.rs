@@ -21,6 +21,7 @@ struct Statement {
     source: Option<String>,
     conclusion: Option<String>,
     claims: Vec<Answered>,
+    proved: bool,
 }
 
 #[derive(Serialize)]
@@ -60,11 +61,13 @@ fn count(all: &[bool], wanted: bool) -> usize {
 
 fn statement(published: &Published, dialect: Dialect) -> Statement {
     let quoted = |text: &Option<String>| text.as_ref().map(|text| dialect.quoted(text));
+    let claims: Vec<Answered> = published.claims.iter().map(|claim| answered(claim, dialect)).collect();
     Statement {
         text: quoted(&published.text),
         source: quoted(&published.source),
         conclusion: quoted(&published.conclusion),
-        claims: published.claims.iter().map(|claim| answered(claim, dialect)).collect(),
+        proved: claims.iter().any(|claim| !claim.evidence.is_empty()),
+        claims,
     }
 }
 

@@ -1,9 +1,12 @@
 //! How is the answer to a claim put in words?
 
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
 use super::left;
 use super::typeset::{self, Amount};
 use crate::claim::{
-    Absolute, Answer, Condition, Evidence, Finding, StarTable, Statement, Status, Subject, TableVerdict,
+    Absolute, Answer, Condition, Evidence, Finding, Masses, StarTable, Statement, Status, Subject, TableVerdict,
 };
 use crate::layout::Layout;
 use crate::phasor;
@@ -53,6 +56,8 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
             let degrees = intervals.iter().map(typeset::turns);
             format!("The intervals are {}.", degrees.collect::<Vec<_>>().join(", "))
         }
+        (Finding::Mass(mass), _) => format!("The crankshaft's mass is {} kg.", kilograms(mass)),
+        (Finding::Bearings(loads), _) => super::bearings::peaks_in_words(loads),
         (Finding::Nothing(reason), _) => format!("{reason}."),
     }
 }
@@ -70,6 +75,7 @@ fn about_order(subject: Subject, order: &OrderBalance) -> String {
         Sense::Reverse => &balance.reverse,
     });
     let name = if is_force { "force" } else { left::moment_name(order) };
+    let name = &format!("{name}{}", whose(subject.masses));
     match verdict {
         Some(verdict) if verdict.vanishes() => {
             format!("The {} vector of the {name} of order {} is 0.", verdict_sense(verdict), subject.order)
@@ -90,6 +96,23 @@ fn about_order(subject: Subject, order: &OrderBalance) -> String {
             let largest = left::largest(balance).plain();
             format!("The {name} of order {} is {shape}, its largest value {largest}{}.", subject.order, line(balance))
         }
+    }
+}
+
+/// A mass as a decimal where it ends, however many places that takes.
+fn kilograms(mass: &BigRational) -> String {
+    let decimal = mass.to_f64().map(|mass| mass.to_string());
+    let is_exact = |text: &String| crate::layout::parse_number(text).is_ok_and(|number| number == *mass);
+    decimal.filter(is_exact).unwrap_or_else(|| typeset::number(mass))
+}
+
+/// Whose force or moment it is, where it is not that of the pistons.
+fn whose(masses: Masses) -> &'static str {
+    match masses {
+        Masses::Reciprocating => "",
+        Masses::Rotating => " of the rotating masses",
+        Masses::Counterweights => " of the counterweights",
+        Masses::All => " of all masses",
     }
 }
 

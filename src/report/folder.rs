@@ -6,7 +6,8 @@ use super::calculation;
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
 use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
-use super::{left, render, svg};
+use super::remedy::remedy_figure;
+use super::{left, render};
 use crate::family::OpenOrder;
 use crate::layout::{Entry, Family, Layout};
 use crate::verdict::OrderBalance;
@@ -28,16 +29,21 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
         return vec![File { name: "report.tex".into(), text }];
     }
     let mut drawn = figures(subject.layout, subject.orders);
+    if let Some(Ok(remedy)) = subject.remedy() {
+        let figure = remedy_figure(&remedy);
+        drawn.extend(figure.map(|(name, figure)| NamedFigure {
+            name: name.into(),
+            caption: "Partial balance".into(),
+            figure,
+        }));
+    }
     let torque = torque_verdicts(subject.layout, subject.orders);
     drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
     if let Some(Ok(loads)) = &loads {
         drawn.extend(calculation::figures(subject.layout, loads));
+        drawn.extend(calculation::bearing_figures(loads));
     }
-    let drawing = |named: NamedFigure| File {
-        text: svg::svg(&named.figure, &named.caption),
-        name: format!("{}.svg", named.name),
-    };
-    [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(drawing)).collect()
+    [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
 }
 
 /// The report of a family: one file, without diagrams, for its angles are open.

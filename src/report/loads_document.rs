@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use crate::layout::Layout;
-use crate::loads::{Arm, Effect, Loads, Needed, Outcome, Peak, Swing, Vector, Waveform};
+use crate::loads::{Arm, Effect, Loads, Needed, Outcome, Peak, Scale, Swing, Vector, Waveform};
 
 /// The loads of an engine as data.
 #[derive(Clone, Debug, Serialize)]
@@ -19,6 +19,9 @@ pub struct LoadsDocument {
     coefficients: Vec<CoefficientEntry>,
     orders: Vec<OrderEntry>,
     torque: Vec<TorqueEntry>,
+    /// On the frame: −torque and the balancer shafts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    roll: Vec<TorqueEntry>,
     peaks: Peaks,
     coefficients_computed: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -27,10 +30,10 @@ pub struct LoadsDocument {
 
 /// What the numbers are counted in.
 #[derive(Clone, Debug, Serialize)]
-struct Units {
-    force: &'static str,
-    moment: &'static str,
-    torque: &'static str,
+pub(super) struct Units {
+    pub force: &'static str,
+    pub moment: &'static str,
+    pub torque: &'static str,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -124,13 +127,16 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         let c = order.coefficient.as_ref()?.to_complex();
         Some(CoefficientEntry { order: order.order, re: c.re, im: c.im })
     };
-    let torque = loads.torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
-        order: order.order,
-        vanishes: vanishes(&order.vector),
-        amplitude: order.vector.value.norm() * torque_factor,
-        phase_deg: angle(&order.vector),
-        dimensionless: order.vector.value.norm(),
-    });
+    let torque_orders = |torque: &Option<crate::loads::Torque>| -> Vec<TorqueEntry> {
+        let orders = torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
+            order: order.order,
+            vanishes: vanishes(&order.vector),
+            amplitude: order.vector.value.norm() * torque_factor,
+            phase_deg: angle(&order.vector),
+            dimensionless: order.vector.value.norm(),
+        });
+        orders.collect()
+    };
     let effects = |part: fn(&crate::loads::EffectLoads) -> &Waveform, peak: &Peak| {
         let shares =
             loads.effects.iter().map(|effect| (effect_name(effect.effect), share(part(effect), peak) * factor));
@@ -146,7 +152,7 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         title: layout.title.clone(),
         reference_plane: layout.reference_plane.to_string(),
         amplitudes: "zero-to-peak",
-        units: units(layout, loads),
+        units: units(layout, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {
             mass_kg: scale.mass.to_f64().unwrap_or(f64::NAN),
             crank_radius_m: scale.crank_radius.to_f64().unwrap_or(f64::NAN),
@@ -157,7 +163,8 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         effects: loads.effects.iter().map(|effect| effect_name(effect.effect)).collect(),
         coefficients: loads.orders.iter().filter_map(coefficient).collect(),
         orders: rows.collect(),
-        torque: torque.collect(),
+        torque: torque_orders(&loads.torque),
+        roll: torque_orders(&loads.roll),
         peaks: Peaks {
             force: entry(force, effects(|effect| &effect.force, &force), factor),
             moment: entry(moment, effects(|effect| &effect.moment, &moment), factor),
@@ -237,8 +244,8 @@ pub(super) fn effect_name(effect: Effect) -> &'static str {
     }
 }
 
-fn units(layout: &Layout, loads: &Loads) -> Units {
-    match (&loads.scale, Arm::of(layout)) {
+pub(super) fn units(layout: &Layout, scale: Option<&Scale>) -> Units {
+    match (scale, Arm::of(layout)) {
         (Some(_), Arm::Metre) => Units { force: "N", moment: "N m", torque: "N m" },
         (Some(_), Arm::Spacing) => Units { force: "N", moment: "N a", torque: "N m" },
         (None, Arm::Metre) => Units { force: "m r ω²", moment: "m r ω² · 1 m", torque: "m r² ω²" },

@@ -2,6 +2,9 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
+mod accuracy_document;
+mod accuracy_page;
+mod accuracy_words;
 mod argument;
 mod atlas;
 mod bearings;
@@ -23,6 +26,7 @@ mod open_table;
 mod open_words;
 mod page;
 pub mod plot;
+mod remedy;
 mod render;
 mod star;
 mod svg;
@@ -32,6 +36,9 @@ mod tikz;
 mod typeset;
 mod views;
 
+pub use accuracy_document::{AccuracyDocument, accuracy_document};
+pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
+pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{
     BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
@@ -48,5 +55,6 @@ pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
 pub use page::Subject;
+pub use remedy::{RemedyPage, remedy_document, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
 pub use svg::svg;
 pub use tikz::tikz;

@@ -2,11 +2,16 @@
 
 use serde::Serialize;
 
+use super::accuracy_page::{AccuracySection, accuracy_section};
+use super::accuracy_words::AccuracyCase;
 use super::calculation::{self, Calculation};
 use super::dialect::Dialect;
 use super::figure::Figure;
+use super::folder::File;
 use super::open_page::OpenPage;
+use super::remedy::remedy_section;
 use super::star::{star_figure, torque_figure};
+use super::svg::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
@@ -15,6 +20,7 @@ use crate::family::OpenOrder;
 use crate::layout::{Cycle, Family, Firing, Layout};
 use crate::loads::{Loads, Missing, Needed};
 use crate::proof::Sense;
+use crate::remedy::{self, Refused, Remedy, Wish};
 use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
 /// Everything that the template of a report places.
@@ -41,6 +47,8 @@ pub struct Page {
     torque: Option<TorqueSection>,
     every_order: theorem::Section,
     calculation: Option<Calculation>,
+    remedy: Option<String>,
+    accuracy: Option<AccuracySection>,
     file: Vec<String>,
     fence: String,
 }
@@ -91,9 +99,18 @@ pub struct Subject<'a> {
     pub family: Option<(&'a Family, &'a [OpenOrder])>,
     /// The choice of the orders, where it was made by an accuracy.
     pub needed: Option<&'a Needed>,
+    /// The errors of the methods for the peak loads, where they are asked for.
+    pub accuracy: Option<&'a AccuracyCase>,
 }
 
 impl Subject<'_> {
+    /// The remedy for orders 1 and 2, where the file asks for it.
+    pub(super) fn remedy(&self) -> Option<Result<Remedy, Refused>> {
+        let orders = [1, 2].into_iter().filter(|order| self.orders.iter().any(|judged| judged.order == *order));
+        let wish = Wish { orders: orders.collect(), ..Wish::default() };
+        self.layout.effects.remedy.then(|| remedy::remedy(self.layout, &wish))
+    }
+
     /// The numbers of the engine, where its file gives any.
     pub(super) fn loads(&self) -> Option<Result<Loads, Missing>> {
         let mut orders: Vec<u32> = self.orders.iter().map(|order| order.order).collect();
@@ -107,6 +124,13 @@ pub(super) struct NamedFigure {
     pub name: String,
     pub caption: String,
     pub figure: Figure,
+}
+
+impl NamedFigure {
+    /// The SVG file of the drawing.
+    pub fn into_svg(self) -> File {
+        File { text: svg(&self.figure, &self.caption), name: format!("{}.svg", self.name) }
+    }
 }
 
 /// All drawings of a report: the two views, then the stars of each order.
@@ -140,7 +164,7 @@ pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigu
 impl Page {
     /// Sets a report in a dialect.
     pub fn new(subject: Subject, loads: Option<&Result<Loads, Missing>>, dialect: Dialect) -> Self {
-        let Subject { layout, orders, family, needed } = subject;
+        let Subject { layout, orders, family, needed, accuracy } = subject;
         let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
@@ -174,6 +198,11 @@ impl Page {
             torque: torque_section(layout, orders, dialect),
             every_order: theorem::Section::new(layout, &theorem, dialect),
             calculation,
+            remedy: subject.remedy().map(|remedy| match remedy {
+                Ok(remedy) => remedy_section(&remedy, dialect),
+                Err(refused) => dialect.prose(&format!("No remedy: {refused}.")),
+            }),
+            accuracy: accuracy.map(|case| accuracy_section(dialect, std::slice::from_ref(case))),
             file: layout.file.lines().map(|line| dialect.verbatim(line)).collect(),
             fence: fence(&layout.file),
         }
@@ -213,7 +242,7 @@ const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}
 const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
                      ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
 
-fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
+pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
     let body = match dialect {
         Dialect::Latex => tikz::tikz(&named.figure),
         _ => format!("{}.svg", named.name),
@@ -230,7 +259,7 @@ impl Section {
             balance.verdicts().into_iter().map(paragraph).collect()
         };
         Section {
-            heading: format!("Order {}", left::order_name(order)),
+            heading: dialect.prose(&format!("Order {}", left::order_name(order))),
             table: table::vector_star(dialect, layout, order),
             stars,
             force: paragraphs(&order.force, "P"),

@@ -11,6 +11,7 @@ const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
 const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
 const BEARINGS: &str = include_str!("../../templates/bearings.md");
+const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
 const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
 const COMPARE: &str = include_str!("../../templates/compare.md");
@@ -43,6 +44,11 @@ pub(super) fn claims(page: &impl Serialize) -> String {
 /// Fills the template of a page of main bearings.
 pub(super) fn bearings(page: &impl Serialize) -> String {
     fill(BEARINGS, page, false)
+}
+
+/// Fills the template of a page on accuracy.
+pub(super) fn accuracy(page: &impl Serialize) -> String {
+    fill(ACCURACY, page, false)
 }
 
 /// Fills the template of a comparison.

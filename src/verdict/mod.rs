@@ -30,7 +30,10 @@ pub struct Verdict {
 
 impl Verdict {
     fn new(layout: &Layout, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
-        let sum = phasor::sum(layout, quantity, order, sense);
+        Verdict::of(quantity, order, sense, phasor::sum(layout, quantity, order, sense))
+    }
+
+    fn of(quantity: Quantity, order: u32, sense: Option<Sense>, sum: PhasorSum) -> Self {
         let certificate = sum.certificate();
         Verdict { quantity, order, sense, sum, certificate }
     }
@@ -56,8 +59,14 @@ pub struct Balance {
 
 impl Balance {
     fn new(layout: &Layout, quantity: Quantity, order: u32) -> Self {
-        let direct = Verdict::new(layout, quantity, order, Some(Sense::Direct));
-        let reverse = Verdict::new(layout, quantity, order, Some(Sense::Reverse));
+        let sum = |sense| phasor::sum(layout, quantity, order, Some(sense));
+        Balance::of(quantity, order, sum(Sense::Direct), sum(Sense::Reverse))
+    }
+
+    /// Judges any two sums as the vectors of one order: those of other masses than the reciprocating ones.
+    pub fn of(quantity: Quantity, order: u32, direct: PhasorSum, reverse: PhasorSum) -> Self {
+        let direct = Verdict::of(quantity, order, Some(Sense::Direct), direct);
+        let reverse = Verdict::of(quantity, order, Some(Sense::Reverse), reverse);
         let (shape, comparison) = match (direct.vanishes(), reverse.vanishes()) {
             (true, true) => (Shape::Balanced, None),
             (false, true) => (Shape::Rotating, None),

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::amounts::Unit;
+use super::super::calculation::Unit;
+use super::amounts::unit_of;
 use crate::layout::Layout;
 use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Factor, Outcome, Parts, Peak, Vector};
 
@@ -78,7 +79,7 @@ struct Term {
 
 /// What the main bearings feel as data, in newtons where the layout gives mass, crank radius and speed.
 pub fn bearings_document(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
-    let unit = Unit::of(continuous);
+    let unit = unit_of(continuous);
     BearingsDocument {
         title: layout.title.clone(),
         amplitudes: "zero-to-peak",

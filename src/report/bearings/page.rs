@@ -5,9 +5,10 @@ use serde::Serialize;
 use super::super::calculation::Rows;
 use super::super::dialect::Dialect;
 use super::super::folder::File;
+use super::super::page::NamedFigure;
 use super::super::render;
 use super::super::table::Table;
-use super::amounts::{self, Unit};
+use super::amounts;
 use super::{plots, tables};
 use crate::layout::Layout;
 use crate::loads::BearingLoads;
@@ -39,7 +40,7 @@ struct Drawing {
 
 /// The bearings with the largest peak: `bearing 3 with ≈ 18733 N`; none where no bearing feels anything.
 pub(in super::super) fn worst(loads: &BearingLoads) -> Option<String> {
-    let unit = Unit::of(loads);
+    let unit = amounts::unit_of(loads);
     let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
     let named = if numbers.len() == 1 { "bearing" } else { "bearings" };
     let peak = loads.worst.first().map(|index| &loads.bearings[*index].peak);
@@ -62,7 +63,20 @@ pub fn bearings_lines(continuous: &BearingLoads, determinate: &BearingLoads) -> 
     ]
 }
 
-const ASSUMPTIONS: [&str; 4] = [
+/// The peaks of all bearings in one sentence.
+pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> String {
+    let unit = amounts::unit_of(loads);
+    let peaks: Vec<String> = loads.bearings.iter().map(|bearing| amounts::size(&bearing.peak, unit)).collect();
+    let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
+    let worst = match numbers.as_slice() {
+        [] => "none is loaded".to_owned(),
+        [only] => format!("bearing {only} is the worst"),
+        several => format!("bearings {} are the worst", several.join(" and ")),
+    };
+    format!("The peaks of the bearings in {} are, in order, {}: {worst}.", unit.name, peaks.join(", "))
+}
+
+pub(in crate::report) const ASSUMPTIONS: [&str; 4] = [
     "The shaft is one straight beam of constant stiffness EI on rigid bearings in line that have no clearance and do not clamp it; masses of the shaft \
      itself that the layout does not name are left out.",
     "The loads are the inertia forces: those of the reciprocating masses along the cylinder axes, and those of the masses that turn. No gas force, no weight.",
@@ -82,9 +96,10 @@ pub fn bearings_page(layout: &Layout, continuous: &BearingLoads, determinate: &B
         Table::new(dialect, &header, rows.rows)
     };
     let drawings = plots::drawings(continuous);
-    let section = |(index, drawn): (usize, &[plots::Drawn; 2])| Section {
+    let drawing = |named: &NamedFigure| Drawing { caption: named.caption.clone(), file: format!("{}.svg", named.name) };
+    let section = |(index, drawn): (usize, &[NamedFigure; 2])| Section {
         heading: format!("Bearing {}", index + 1),
-        drawings: drawn.iter().map(|d| Drawing { caption: d.caption.clone(), file: d.file.name.clone() }).collect(),
+        drawings: drawn.iter().map(drawing).collect(),
     };
     let page = Page {
         title: dialect.quoted(&layout.title),
@@ -98,6 +113,6 @@ pub fn bearings_page(layout: &Layout, continuous: &BearingLoads, determinate: &B
         bearings: drawings.iter().enumerate().map(section).collect(),
     };
     let mut files = vec![File { name: "bearings.md".into(), text: render::bearings(&page) }];
-    files.extend(drawings.into_iter().flatten().map(|drawn| drawn.file));
+    files.extend(drawings.into_iter().flatten().map(NamedFigure::into_svg));
     files
 }

@@ -1,22 +1,17 @@
 //! How does the force on a bearing go through a revolution? Its components over the crank angle, and its polar diagram.
 
+use super::super::calculation::Unit;
+use super::super::page::NamedFigure;
 use super::super::plot::{Axis, Curve, Plot, PointMark, Polar};
-use super::super::{folder::File, svg};
-use super::amounts::Unit;
+use super::amounts::unit_of;
 use crate::loads::{BearingLoad, BearingLoads, Circle};
-
-/// A drawing of a bearing: its file, and what it shows.
-pub(super) struct Drawn {
-    pub file: File,
-    pub caption: String,
-}
 
 /// Steps of a revolution: half a degree each.
 const STEPS: usize = 720;
 
 /// The two drawings of each bearing, in the order of the file.
-pub(super) fn drawings(loads: &BearingLoads) -> Vec<[Drawn; 2]> {
-    let unit = Unit::of(loads);
+pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[NamedFigure; 2]> {
+    let unit = unit_of(loads);
     let circle = Circle::new(STEPS);
     let draw = |(index, bearing): (usize, &BearingLoad)| {
         // Seen from the free end: y upwards in direction 0, x to the right.
@@ -29,7 +24,7 @@ pub(super) fn drawings(loads: &BearingLoads) -> Vec<[Drawn; 2]> {
     loads.bearings.iter().enumerate().map(draw).collect()
 }
 
-fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Drawn {
+fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> NamedFigure {
     let caption = format!("Bearing {number}: components of the force through a revolution");
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
     let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear(format!("Force in {}", unit.name)));
@@ -38,10 +33,10 @@ fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Drawn {
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
     };
     plot.curves = vec![curve(0, "y, along direction 0", |tip| tip.1), curve(1, "x, to the right", |tip| tip.0)];
-    drawn(format!("bearing-{number}"), svg(&plot.figure(), &caption), caption)
+    NamedFigure { name: format!("bearing-{number}"), caption, figure: plot.figure() }
 }
 
-fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> Drawn {
+fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> NamedFigure {
     let caption = format!("Bearing {number}: polar diagram of the force, seen from the free end");
     let label = format!("Force in {}; 0° is the reference direction", unit.name);
     let quarters = [(0, "θ = 0"), (1, "90"), (2, "180"), (3, "270")];
@@ -55,9 +50,5 @@ fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit
     if let Some(angle) = bearing.peak.angle {
         polar.marks.push(PointMark::dot((-tip.im, tip.re), format!("θ = {angle:.0}°")));
     }
-    drawn(format!("bearing-{number}-polar"), svg(&polar.figure(), &caption), caption)
-}
-
-fn drawn(name: String, text: String, caption: String) -> Drawn {
-    Drawn { file: File { name: format!("{name}.svg"), text }, caption }
+    NamedFigure { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() }
 }

@@ -2,13 +2,13 @@
 
 use super::super::calculation::Rows;
 use super::super::{left, table, typeset};
-use super::amounts::{self, Unit};
+use super::amounts;
 use crate::layout::Layout;
 use crate::loads::{BearingLoad, BearingLoads, Parts};
 
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
 pub fn bearings_rows(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> Rows {
-    let unit = Unit::of(continuous);
+    let unit = amounts::unit_of(continuous);
     let place = format!("Position{}", table::position_unit(layout));
     let force = |what: &str| format!("{what} in {}", unit.name);
     let header = vec![
@@ -40,7 +40,7 @@ pub fn bearings_rows(layout: &Layout, continuous: &BearingLoads, determinate: &B
 
 /// The largest value of each order of each reaction: a row a bearing, a column an order.
 pub fn bearings_tables(loads: &BearingLoads) -> Rows {
-    let unit = Unit::of(loads);
+    let unit = amounts::unit_of(loads);
     let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
     let header =
         ["Bearing".to_owned()].into_iter().chain(orders.iter().map(|o| format!("Order {} in {}", o.order, unit.name)));
@@ -53,7 +53,7 @@ pub fn bearings_tables(loads: &BearingLoads) -> Rows {
 
 /// The two vectors of each order of each reaction: exact, in multiples of m r c_k, and in newtons.
 pub(super) fn vectors(loads: &BearingLoads) -> Rows {
-    let unit = Unit::of(loads);
+    let unit = amounts::unit_of(loads);
     let header = [
         "Order".to_owned(),
         "Bearing".into(),

@@ -1,7 +1,7 @@
 //! How are newtons shown? Decimals of six digits after ≈, in the unit that the layout file allows; 0 is proved.
 
 use crate::layout::Layout;
-use crate::loads::{Arm, Loads, Outcome, Swing, Vector};
+use crate::loads::{Arm, Loads, Outcome, Scale, Swing, Vector};
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
@@ -19,23 +19,32 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
+    /// The unit of forces: newtons where the scale is known.
+    pub fn of_force(scale: Option<&Scale>) -> Self {
+        match scale {
+            Some(scale) => Unit { name: "N", tex: "N", factor: scale.force() },
+            None => Unit { name: "m r ω²", tex: "m\\,r\\,\\omega^2", factor: 1.0 },
+        }
+    }
+
     /// The unit of forces, moments or the torque of a layout.
     pub fn of(layout: &Layout, loads: &Loads, quantity: Quantity) -> Self {
         let arm = Arm::of(layout);
+        if quantity == Quantity::Force {
+            return Unit::of_force(loads.scale.as_ref());
+        }
         let Some(scale) = &loads.scale else {
             let (name, tex) = match (quantity, arm) {
-                (Quantity::Force, _) => ("m r ω²", "m\\,r\\,\\omega^2"),
-                (Quantity::Moment, Arm::Metre) => ("m r ω²·1 m", "m\\,r\\,\\omega^2\\,m"),
-                (Quantity::Moment, Arm::Spacing) => ("m r ω² a", "m\\,r\\,\\omega^2\\,a"),
                 (Quantity::Torque, _) => ("m r² ω²", "m\\,r^2\\,\\omega^2"),
+                (_, Arm::Metre) => ("m r ω²·1 m", "m\\,r\\,\\omega^2\\,m"),
+                (_, Arm::Spacing) => ("m r ω² a", "m\\,r\\,\\omega^2\\,a"),
             };
             return Unit { name, tex, factor: 1.0 };
         };
         match (quantity, arm) {
-            (Quantity::Force, _) => Unit { name: "N", tex: "N", factor: scale.force() },
-            (Quantity::Moment, Arm::Metre) => Unit { name: "N·m", tex: "N\\,m", factor: scale.force() },
-            (Quantity::Moment, Arm::Spacing) => Unit { name: "N·a", tex: "N\\,a", factor: scale.force() },
             (Quantity::Torque, _) => Unit { name: "N·m", tex: "N\\,m", factor: scale.torque() },
+            (_, Arm::Metre) => Unit { name: "N·m", tex: "N\\,m", factor: scale.force() },
+            (_, Arm::Spacing) => Unit { name: "N·a", tex: "N\\,a", factor: scale.force() },
         }
     }
 }
@@ -78,8 +87,10 @@ pub(crate) fn vector(vector: &Vector, unit: Unit) -> String {
     match vector.outcome {
         Outcome::Zero => "0".to_owned(),
         Outcome::NotZero => {
-            let angle = digits(super::expression::rounded(vector.value.arg().to_degrees(), DIGITS));
-            format!("{} at {angle}°", amount(vector.value.norm() / 2.0, unit))
+            let angle = super::expression::rounded(vector.value.arg().to_degrees(), DIGITS);
+            // Half a turn has two names.
+            let angle = if angle == -180.0 { 180.0 } else { angle };
+            format!("{} at {}°", amount(vector.value.norm() / 2.0, unit), digits(angle))
         }
         Outcome::Undecided { .. } => format!("not decided, {}", below(&[vector], unit)),
     }

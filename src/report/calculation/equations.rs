@@ -3,7 +3,7 @@
 use num_traits::Zero;
 
 use crate::layout::Layout;
-use crate::loads::Loads;
+use crate::loads::{Effect, Loads};
 
 /// The equations with what they say, in TeX with their numbers.
 pub(super) fn equations(layout: &Layout, loads: &Loads) -> Vec<(&'static str, String)> {
@@ -29,15 +29,25 @@ pub(super) fn equations(layout: &Layout, loads: &Loads) -> Vec<(&'static str, St
             },
         ),
     ];
-    let rotating = if loads.effects.len() > 1 {
-        " + [k=1]\\; 2 \\sum_j \\frac{m_{\\mathrm{rot},j}\\, r_j}{m\\,r}\\, e^{i\\beta_j}"
-    } else {
-        ""
-    };
+    let turning = [Effect::Rotating, Effect::Crankshaft, Effect::Counterweights];
+    let has = |wanted: &[Effect]| loads.effects.iter().any(|loads| wanted.contains(&loads.effect));
+    let rotating = if has(&turning) { " + [k=1]\\; 2 \\sum_u \\frac{U_u}{m\\,r}\\, e^{i\\beta_u}" } else { "" };
     equations.push((
         "The rotating vectors of order k are, with the stars of (2) and the arms for the moment W,",
         format!("\\begin{{aligned}} V_k^{{+}} &= \\sum_j \\frac{{m_j\\, r_j}}{{m\\,r}}\\, c_{{k,j}}\\, e^{{i(k\\beta_j - (k-1)\\alpha_j)}}{rotating}, \\\\ V_k^{{-}} &= \\sum_j \\frac{{m_j\\, r_j}}{{m\\,r}}\\, c_{{k,j}}^{{*}}\\, e^{{i(-k\\beta_j + (k+1)\\alpha_j)}} \\end{{aligned}}"),
     ));
+    if has(&turning) {
+        equations.push((
+            "where U is the mass-radius of a mass that turns with the crank, at its angle β; for a rotating mass at a crankpin",
+            "U_u = m_{\\mathrm{rot}}\\, r".to_owned(),
+        ));
+    }
+    if has(&[Effect::Balancers]) {
+        equations.push((
+            "A balancer shaft at n times the speed of the crank, with it or against it, with its weight U at the angle γ for θ = 0, adds",
+            "\\Delta V_n^{\\pm} = 2 n^2 \\frac{U}{m\\,r}\\, e^{i\\gamma}".to_owned(),
+        ));
+    }
     equations.push((
         "and the force of order k, with its largest and smallest length,",
         "\\begin{aligned} F_k(\\theta) &= \\tfrac12 K \\left( V_k^{+} e^{ik\\theta} + V_k^{-} e^{-ik\\theta} \\right), \\\\ \\hat F_k,\\ \\check F_k &= \\tfrac12 K \\left|\\, |V_k^{+}| \\pm |V_k^{-}| \\,\\right| \\end{aligned}".to_owned(),

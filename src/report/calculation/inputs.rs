@@ -1,10 +1,14 @@
 //! What goes into a calculation? The values of the layout file, and what follows from them line by line.
 
+use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::expression::{Expression, Line, fraction, power, quantity};
+use crate::exact::Turn;
 use crate::layout::{Given, Layout, Measure};
 use crate::loads::{Loads, Scale};
+use crate::proof::Sense;
+use crate::report::typeset;
 
 /// Lines are written for each cylinder only up to this many; beyond, the table of inputs holds the values.
 const MOST_LINES: usize = 12;
@@ -32,7 +36,7 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
 pub(super) fn rows(layout: &Layout) -> Vec<Vec<String>> {
     let row = |given: &Given| {
         let (name, symbol, unit) = words(given.quantity);
-        let value = super::super::typeset::number(&given.value);
+        let value = typeset::number(&given.value);
         let of = given.cylinder.map_or("all".to_owned(), |index| layout.cylinders[index].name.clone());
         vec![
             name.to_owned(),
@@ -43,6 +47,37 @@ pub(super) fn rows(layout: &Layout) -> Vec<Vec<String>> {
         ]
     };
     layout.mechanism.given.iter().map(row).collect()
+}
+
+/// Rows of the table of turning masses: what, mass, radius, angle at θ = 0, position, speed.
+pub(super) fn turning(layout: &Layout) -> Vec<Vec<String>> {
+    let crankshaft = &layout.crankshaft;
+    let row = |name: String, mass: String, radius: String, angle: &Turn, position: &BigRational, speed: &str| {
+        vec![name, mass, radius, typeset::angle(angle), typeset::number(position), speed.to_owned()]
+    };
+    let throws = crate::layout::throws(layout);
+    let named = |index: usize| format!("throw {}", index + 1);
+    let pins = crankshaft.pins.iter().zip(&throws).enumerate().map(|(index, (mass, throw))| {
+        row(format!("pin, {}", named(index)), typeset::number(mass), "r".into(), &throw.angle, &throw.position, "1")
+    });
+    let webs = crankshaft.webs.iter().zip(&throws).enumerate().map(|(index, (web, throw))| {
+        let (mass, radius) = (typeset::number(&web.mass), typeset::number(&web.radius));
+        row(format!("webs, {}", named(index)), mass, radius, &throw.angle, &throw.position, "1")
+    });
+    let weights = crankshaft.counterweights.iter().map(|weight| {
+        let of = weight.throw.map_or_else(String::new, |throw| format!(", {}", named(throw)));
+        let (mass, radius) = (typeset::number(&weight.mass), typeset::number(&weight.radius));
+        row(format!("counterweight{of}"), mass, radius, &weight.angle, &weight.position, "1")
+    });
+    let shafts = crankshaft.balancers.iter().map(|shaft| {
+        let speed = match shaft.sense {
+            Sense::Direct => shaft.order.to_string(),
+            Sense::Reverse => format!("−{}", shaft.order),
+        };
+        let product = format!("{} kg·m", typeset::number(&shaft.mass_radius));
+        row("balancer shaft".into(), product, "–".into(), &shaft.angle, &shaft.position, &speed)
+    });
+    pins.chain(webs).chain(weights).chain(shafts).collect()
 }
 
 /// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².
@@ -125,7 +160,7 @@ fn masses(
 }
 
 fn of_engine(scale: &Scale) -> Vec<Line> {
-    let float = |value: &num_rational::BigRational| value.to_f64().unwrap_or(f64::INFINITY);
+    let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
     let speed = quantity("n", float(&scale.speed));
     let omega =
         fraction(Expression::Product(vec![Expression::Number(2), Expression::Pi, speed]), Expression::Number(60));

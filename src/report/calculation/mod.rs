@@ -13,12 +13,14 @@ mod words;
 
 use serde::Serialize;
 
-pub(super) use amounts::{Unit, largest};
+pub(super) use amounts::{Unit, digits, largest, vector};
 pub(super) use plots::figures;
 pub use summary::{Rows, loads_lines, loads_rows};
 
+use super::bearings;
 use super::dialect::Dialect;
 use super::loads_document::share;
+use super::page::NamedFigure;
 use super::table::Table;
 use crate::layout::Layout;
 use crate::loads::{Effect, Loads, Missing, Needed, Peak, Waveform};
@@ -39,6 +41,7 @@ struct Results {
     effects: Table,
     shares: String,
     inputs: Table,
+    turning: Option<Table>,
     source: Option<String>,
     assumptions: Vec<String>,
     nomenclature: Table,
@@ -50,6 +53,7 @@ struct Results {
     orders: Vec<Lines>,
     peaks: Vec<Lines>,
     torque: Option<TorqueSection>,
+    bearings: Option<BearingSection>,
     needed: Option<String>,
     plots: Vec<super::page::Drawing>,
     limits: Vec<String>,
@@ -66,6 +70,16 @@ struct Lines {
     heading: String,
     words: String,
     lines: Vec<String>,
+}
+
+/// What the main bearings feel.
+#[derive(Clone, Debug, Serialize)]
+struct BearingSection {
+    words: Vec<String>,
+    peaks: Table,
+    orders: Table,
+    assumptions: Vec<String>,
+    plots: Vec<super::page::Drawing>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -133,8 +147,9 @@ impl Results {
                 "The share is what the effect adds, along the direction of the peak, where the peak stands; the shares of a column sum to the peak.",
             ),
             inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
+            turning: turning_table(layout, dialect),
             source: layout.mechanism.source.as_ref().map(|source| dialect.quoted(source)),
-            assumptions: prose(words::assumptions(layout)),
+            assumptions: prose(words::assumptions(layout, loads)),
             nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
             equations: equations::equations(layout, loads).into_iter().map(equation).collect(),
             derived: inputs::lines(layout, loads).iter().map(display).collect(),
@@ -147,11 +162,19 @@ impl Results {
                 peak(Quantity::Moment, "moment", &loads.moment),
             ],
             torque: torque_section(layout, loads, dialect),
+            bearings: bearing_section(layout, loads, dialect),
             needed: needed.map(|needed| dialect.prose(&summary::needed_sentence(needed))),
             plots,
             limits: prose(words::limits(layout, loads, needed.is_some())),
         }
     }
+}
+
+/// The masses on the crankshaft and the balancer shafts, where there are any.
+fn turning_table(layout: &Layout, dialect: Dialect) -> Option<Table> {
+    let header = ["Turning mass", "Mass in kg", "Radius in m", "Angle at θ = 0", "Position z", "Turns a revolution"];
+    let rows = inputs::turning(layout);
+    (!rows.is_empty()).then(|| Table::new(dialect, &header, rows))
 }
 
 /// The table of inputs with a person's words in the given column: nothing in them is markup.
@@ -179,15 +202,12 @@ fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
         };
         [cell(0), cell(1)]
     };
-    let none = || ["–".to_owned(), "–".to_owned()];
-    let rows = words::effects(layout, loads).into_iter().enumerate().map(|(place, cells)| {
-        let shares = match place {
-            0 => shares(Effect::Reciprocating),
-            1 => shares(Effect::Rotating),
-            _ => none(),
-        };
-        cells.into_iter().chain(shares).collect()
-    });
+    let row = |row: words::EffectRow| {
+        let inside = if row.inside { "yes" } else { "no" };
+        let shares = row.effect.map_or_else(|| ["–".to_owned(), "–".to_owned()], shares);
+        [row.name.to_owned(), inside.to_owned(), row.why].into_iter().chain(shares).collect()
+    };
+    let rows = words::effects(layout, loads).into_iter().map(row);
     let header = ["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"];
     Table::new(dialect, &header, rows.collect())
 }
@@ -249,6 +269,27 @@ fn units(layout: &Layout, loads: &Loads) -> String {
          yawing moment. Angles of the vectors are those at θ = 0.",
         force.name, moment.name
     )
+}
+
+fn bearing_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
+    let [continuous, determinate] = loads.bearings.as_ref()?;
+    let table = |rows: Rows| {
+        let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
+        Table::new(dialect, &header, rows.rows)
+    };
+    Some(BearingSection {
+        words: bearings::bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
+        peaks: table(bearings::bearings_rows(layout, continuous, determinate)),
+        orders: table(bearings::bearings_tables(continuous)),
+        assumptions: bearings::ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),
+        plots: bearing_figures(loads).into_iter().map(|figure| super::page::drawing(figure, dialect)).collect(),
+    })
+}
+
+/// The plots of the main bearings, where the scene has any.
+pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
+    let continuous = loads.bearings.iter().map(|[continuous, _]| continuous);
+    continuous.flat_map(bearings::drawings).flatten().collect()
 }
 
 fn torque_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<TorqueSection> {

@@ -8,7 +8,7 @@ use crate::layout::{Layout, Measure};
 use crate::loads::{Arm, Effect, Loads};
 
 /// What every number rests on.
-pub(super) fn assumptions(layout: &Layout) -> Vec<String> {
+pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
     let mut lines = vec![
         "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".to_owned(),
         "All clearances are zero, and gravity and friction are left out.".to_owned(),
@@ -23,7 +23,7 @@ pub(super) fn assumptions(layout: &Layout) -> Vec<String> {
             "The masses are given as reciprocating and rotating ones; how the rod is split is the giver's.".to_owned(),
         );
     }
-    if layout.mechanism.rotating_masses.is_empty() {
+    if loads.effects.len() == 1 {
         lines.push(
             "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".to_owned(),
         );
@@ -92,24 +92,46 @@ pub(super) fn nomenclature(layout: &Layout, loads: &Loads) -> Vec<Vec<String>> {
     rows
 }
 
-/// What is in the scene and what is not, and why: effect, in the scene, why.
-pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<[String; 3]> {
-    let cell = |effect: &str, inside: bool, why: &str| {
-        [effect.to_owned(), if inside { "yes" } else { "no" }.to_owned(), why.to_owned()]
+/// A row of the table of effects.
+pub(super) struct EffectRow {
+    /// What it is about.
+    pub name: &'static str,
+    /// Whether the file asks for it.
+    pub inside: bool,
+    /// Why, or why not.
+    pub why: String,
+    /// The effect of the loads that its shares are those of, if any.
+    pub effect: Option<Effect>,
+}
+
+/// What is in the scene and what is not, and why.
+pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<EffectRow> {
+    let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
+    let masses = Effect::ALL.into_iter().map(|effect| {
+        let inside = loads.effects.iter().any(|loads| loads.effect == effect);
+        let why = match (effect, inside) {
+            (Effect::Reciprocating, _) => format!("orders {}", orders.join(", ")),
+            (_, true) => "given in the file".to_owned(),
+            (_, false) => "none given".to_owned(),
+        };
+        EffectRow { name: name(effect), inside, why, effect: Some(effect) }
+    });
+    let row = |name, inside: bool, yes: &str, no: &str| EffectRow {
+        name,
+        inside,
+        why: if inside { yes } else { no }.to_owned(),
+        effect: None,
     };
-    let rotates = loads.effects.iter().any(|effect| effect.effect == Effect::Rotating);
-    let offset = layout.mechanism.rods.iter().any(|rod| rod.offset.abs() > Zero::zero());
     let first = layout.mechanism.rods.first();
     let unequal = layout.mechanism.rods.iter().any(|rod| Some(rod) != first) || !layout.has_unit_masses();
-    let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
-    let either = |inside: bool, yes: &'static str, no: &'static str| if inside { yes } else { no };
-    vec![
-        cell(name(Effect::Reciprocating), true, &format!("orders {}", orders.join(", "))),
-        cell(name(Effect::Rotating), rotates, either(rotates, "given in the file", "none given")),
-        cell("pin offset", offset, either(offset, "given: odd orders appear", "none: no odd orders but 1")),
-        cell("unequal cylinders", unequal, either(unequal, "masses, radii or rods differ", "all are alike")),
-        cell("inertia torque", loads.torque.is_some(), either(loads.torque.is_some(), "asked for", "not asked for")),
-    ]
+    let others = [
+        row("pin offset", layout.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
+        row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
+        row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
+        row("main bearings", !layout.bearings.is_empty(), "positions given", "no positions given"),
+        row("gas forces", false, "", "not part of this program"),
+    ];
+    masses.chain(others).collect()
 }
 
 /// Where the numbers end.

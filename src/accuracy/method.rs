@@ -1,0 +1,183 @@
+//! Which methods are compared, what do they find, and how wrong are they?
+
+use std::time::Duration;
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::branch::Search;
+use super::interval::Interval;
+use super::orders::Orders;
+use super::reference::Fractions;
+use super::sample::{Doubles, Singles};
+use super::timing::measured;
+use crate::layout::Layout;
+use crate::loads::Missing;
+use crate::motion::Enclosure;
+use crate::proof::Quantity;
+
+/// A way to find a peak load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The orders up to this one, summed in doubles and searched for the peak.
+    Orders(u32),
+    /// The closed form at so many equal steps of the crank angle, in doubles.
+    Doubles(u32),
+    /// The same in single floats.
+    Singles(u32),
+    /// Intervals of doubles, until so many digits are sure.
+    Intervals(u32),
+    /// Intervals of fractions.
+    Fractions,
+}
+
+/// Orders that are kept.
+const ORDERS: [u32; 8] = [2, 4, 6, 8, 12, 16, 24, 32];
+/// Orders whose vectors are summed into the bound of what is cut off; those above are bounded together.
+const SUMMED: u32 = 60;
+/// As many for a load that is one rotating vector: all others have to be proved small.
+const SUMMED_OF_STEADY: u32 = 160;
+/// Steps of a revolution.
+const STEPS: [u32; 3] = [36, 360, 3600];
+/// Digits asked of the intervals.
+const DIGITS: [u32; 4] = [3, 6, 9, 12];
+/// Spans that the intervals may look at.
+const MOST_SPANS: usize = 4000;
+/// Roundings of a float sum, in units of its last place.
+const ROUNDINGS: f64 = 64.0;
+
+/// What a method finds, and what it costs.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Which method.
+    pub method: Method,
+    /// The peak, in the multiples of the loads: m r ω², that times the unit of the positions, or m r² ω².
+    pub value: f64,
+    /// Guaranteed: the method itself is off by at most this part of the peak, roundings of doubles apart. None where it has no bound.
+    pub bound: Option<f64>,
+    /// Measured: it is off by this part of the peak.
+    pub error: f64,
+    /// How many crank angles or spans it looked at; none for a search in orders.
+    pub looked_at: Option<usize>,
+    /// Median time of one evaluation, all numbers of the engine at hand; none where it was not asked for.
+    pub time: Option<Duration>,
+}
+
+/// One load of an engine by all methods.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Which load.
+    pub quantity: Quantity,
+    /// The peak, guaranteed; at most the largest bound that is known where the load vanishes.
+    pub peak: Enclosure,
+    /// Errors below this part of the peak are roundings of doubles, which differ between machines, or lie in the doubt about
+    /// the peak.
+    pub rounding: f64,
+    /// The methods; none where the load vanishes at every order.
+    pub rows: Vec<Row>,
+}
+
+/// Finds the peak of a load by all methods, and their times if they are wanted.
+///
+/// # Errors
+/// What the layout lacks for numbers.
+pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, Missing> {
+    let orders = Orders::new(layout, quantity, SUMMED)?;
+    let fractions = Fractions::new(layout, quantity);
+    let (steady, steady_rest) = match orders.steady() {
+        false => (false, 0.0),
+        true => {
+            let more = Orders::new(layout, quantity, SUMMED_OF_STEADY)?;
+            (more.steady(), more.bound(SUMMED_OF_STEADY))
+        }
+    };
+    let peak = || match steady {
+        true => fractions.at_zero().map(|at| widened(&at, steady_rest)),
+        false => fractions.peak(orders.bound(0), orders.angle()),
+    };
+    let (enclosure, time) = measured(timed, peak);
+    let nothing = || Missing::Motion("the peak cannot be enclosed: a crank comes too near the end of its reach".into());
+    let enclosure = enclosure.ok_or_else(nothing)?;
+    if orders.waveform.harmonics().is_empty() && steady {
+        return Ok(Study { quantity, peak: enclosure, rounding: 0.0, rows: Vec::new() });
+    }
+    let yardstick = Yardstick::new(&enclosure);
+    let mut rows = Vec::new();
+    for order in ORDERS {
+        let waveform = orders.up_to(order);
+        let (value, time) = measured(timed, || orders.peak(&waveform));
+        let bound = Some(orders.bound(order) / yardstick.size);
+        rows.push(Row {
+            method: Method::Orders(order),
+            value,
+            bound,
+            error: yardstick.error(value),
+            looked_at: None,
+            time,
+        });
+    }
+    let doubles = Doubles::new(layout, quantity)?;
+    let singles = Singles::new(layout, quantity);
+    for steps in STEPS {
+        let (value, time) = measured(timed, || doubles.peak(steps));
+        let looked_at = Some(steps as usize);
+        let error = yardstick.error(value);
+        rows.push(Row { method: Method::Doubles(steps), value, bound: None, error, looked_at, time });
+    }
+    for steps in STEPS {
+        let (value, time) = measured(timed, || singles.peak(steps));
+        let looked_at = Some(steps as usize);
+        let error = yardstick.error(value);
+        rows.push(Row { method: Method::Singles(steps), value, bound: None, error, looked_at, time });
+    }
+    let search = Search::new(layout, quantity);
+    for digits in DIGITS {
+        let (found, time) = measured(timed, || search.run(ten_to_minus(digits), MOST_SPANS));
+        let squares = Interval { low: found.low, high: found.high };
+        let ends = [squares.low.sqrt().next_down(), squares.high.sqrt().next_up()];
+        let value = f64::midpoint(ends[0], ends[1]);
+        let bound = Some((ends[1] - ends[0]) / yardstick.size);
+        let (error, looked_at) = (yardstick.error(value), Some(found.looked_at));
+        rows.push(Row { method: Method::Intervals(digits), value, bound, error, looked_at, time });
+    }
+    let doubt = (enclosure.width() / &yardstick.middle).to_f64().unwrap_or(f64::INFINITY);
+    let (value, error) = (yardstick.size, yardstick.error(yardstick.size));
+    rows.push(Row { method: Method::Fractions, value, bound: Some(doubt), error, looked_at: None, time });
+    let rounding = (ROUNDINGS * f64::EPSILON * orders.largest_sum / yardstick.size).max(doubt);
+    Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), rows })
+}
+
+/// The length at one angle becomes the peak where all that changes is at most this.
+fn widened(length: &Enclosure, change: f64) -> Enclosure {
+    let change = BigRational::from_float(2.0 * change).unwrap_or_else(BigRational::zero);
+    Enclosure { low: length.low.clone(), high: &length.high + change }
+}
+
+/// What values are compared with.
+struct Yardstick {
+    middle: BigRational,
+    size: f64,
+}
+
+impl Yardstick {
+    fn new(peak: &Enclosure) -> Self {
+        let middle = (&peak.low + &peak.high) / BigRational::from_integer(2.into());
+        let size = middle.to_f64().unwrap_or(f64::NAN);
+        Yardstick { middle, size }
+    }
+
+    /// Relative error of a value.
+    fn error(&self, value: f64) -> f64 {
+        let difference = BigRational::from_float(value).map(|value| (value - &self.middle).abs() / &self.middle);
+        difference.and_then(|difference| difference.to_f64()).unwrap_or(f64::NAN)
+    }
+}
+
+fn ten_to_minus(digits: u32) -> f64 {
+    format!("1e-{digits}").parse().unwrap_or(0.0)
+}
+
+/// The power of ten at or above a positive number.
+fn ten_above(number: f64) -> f64 {
+    format!("1e{}", number.log10().ceil()).parse().unwrap_or(number)
+}

@@ -1,0 +1,53 @@
+//! What does accuracy cost? The same peak load by several methods, each with its error and its time.
+//!
+//! Orders and samples in floats are fast and come with a bound or none; intervals and fractions are slow and certain. The most
+//! accurate of them is the yardstick of all.
+//!
+//! ```standalone_crate
+//! use crankstar::accuracy::{self, Method};
+//! use crankstar::proof::Quantity;
+//! use num_rational::BigRational;
+//!
+//! let i4 = crankstar::layout::find("I4").unwrap().layout().unwrap();
+//! let i4 = accuracy::with_rod_ratio(&i4, &BigRational::new(3.into(), 10.into()));
+//! let force = accuracy::study(&i4, Quantity::Force, false).unwrap();
+//! let second_order = force.rows.iter().find(|row| row.method == Method::Orders(2)).unwrap();
+//! assert!(0.02 < second_order.error && second_order.error < second_order.bound.unwrap());
+//! ```
+
+mod branch;
+mod engine;
+mod fixed;
+mod front;
+mod interval;
+mod jet;
+mod method;
+mod orders;
+mod real;
+mod reference;
+mod sample;
+mod tail;
+mod timing;
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+pub use front::front;
+pub use method::{Method, Row, Study, study};
+
+use crate::layout::{Layout, Rod};
+
+/// The same engine with this rod ratio λ at every cylinder.
+///
+/// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. A layout without rods gets rods without offset.
+pub fn with_rod_ratio(layout: &Layout, ratio: &BigRational) -> Layout {
+    let mut changed = layout.clone();
+    changed.mechanism.rods.resize(layout.cylinders.len(), Rod { ratio: ratio.clone(), offset: BigRational::zero() });
+    for rod in &mut changed.mechanism.rods {
+        if !rod.ratio.is_zero() {
+            rod.offset = &rod.offset * ratio / &rod.ratio;
+        }
+        rod.ratio.clone_from(ratio);
+    }
+    changed
+}

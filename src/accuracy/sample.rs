@@ -1,0 +1,104 @@
+//! What is the largest load at equal steps of the crank angle, from the closed form of the motion, in floats?
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::engine::{Engine, phases};
+use super::real::single_direction;
+use crate::exact::Turn;
+use crate::layout::Layout;
+use crate::loads::{self, Missing};
+use crate::motion::SliderCrank;
+use crate::numbers;
+use crate::proof::Quantity;
+
+/// An engine in doubles.
+#[derive(Clone, Debug)]
+pub(super) struct Doubles {
+    quantity: Quantity,
+    pistons: Vec<Piston>,
+    rotating: Complex<f64>,
+}
+
+#[derive(Clone, Debug)]
+struct Piston {
+    crank: SliderCrank,
+    phase: f64,
+    part: Complex<f64>,
+}
+
+impl Doubles {
+    /// # Errors
+    /// A crank cannot turn round.
+    pub fn new(layout: &Layout, quantity: Quantity) -> Result<Self, Missing> {
+        let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
+        let arm = |cylinder| match quantity {
+            Quantity::Moment => float(&layout.arm(cylinder)),
+            Quantity::Force | Quantity::Torque => 1.0,
+        };
+        let mut pistons = Vec::new();
+        for ((cylinder, rod), phase) in layout.cylinders.iter().zip(&layout.mechanism.rods).zip(phases(layout)) {
+            let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
+            let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
+            let weight = float(&loads::mass_radius(layout, cylinder)) * arm(cylinder);
+            let part = match quantity {
+                Quantity::Torque => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
+                Quantity::Force | Quantity::Moment => numbers::direction(&cylinder.bank) * weight,
+            };
+            pistons.push(Piston { crank, phase: float(phase.turns()) * TAU, part });
+        }
+        let unit = loads::unit_mass(layout);
+        let masses = layout.cylinders.iter().zip(&layout.mechanism.rotating_masses);
+        let masses = masses.filter(|_| quantity != Quantity::Torque);
+        let rotating = masses.map(|(cylinder, mass)| {
+            numbers::direction(&cylinder.throw) * (float(&(mass / &unit * &cylinder.crank_radius)) * arm(cylinder))
+        });
+        Ok(Doubles { quantity, rotating: rotating.sum(), pistons })
+    }
+
+    /// The largest length at so many angles.
+    pub fn peak(&self, angles: u32) -> f64 {
+        let length = |place: u32| {
+            let theta = TAU * f64::from(place) / f64::from(angles);
+            let load = |piston: &Piston| match self.quantity {
+                Quantity::Torque => piston.part * piston.crank.torque(theta + piston.phase),
+                Quantity::Force | Quantity::Moment => piston.part * -piston.crank.acceleration(theta + piston.phase),
+            };
+            let rotating = self.rotating * Complex::cis(theta);
+            self.pistons.iter().map(load).fold(rotating, |sum, load| sum + load).norm()
+        };
+        (0..angles).map(length).fold(0.0, f64::max)
+    }
+}
+
+/// An engine in single floats: IEEE 754 operations alone, so that errors are the same on every machine.
+#[derive(Clone, Debug)]
+pub(super) struct Singles {
+    engine: Engine<f32>,
+    phases: Vec<f32>,
+}
+
+impl Singles {
+    pub fn new(layout: &Layout, quantity: Quantity) -> Self {
+        let number = |number: &BigRational| number.to_f32().unwrap_or(f32::NAN);
+        let direction = |angle: &Turn| {
+            let direction = numbers::direction(angle);
+            [direction.re as f32, direction.im as f32]
+        };
+        let phases = phases(layout).iter().map(|phase| number(phase.turns())).collect();
+        Singles { engine: Engine::new(layout, quantity, &number, &direction), phases }
+    }
+
+    /// The largest length at so many angles.
+    pub fn peak(&self, angles: u32) -> f64 {
+        let square = |place: u32| {
+            let turns = place as f32 / angles as f32;
+            let cylinders = self.phases.iter().map(|phase| single_direction(turns + phase));
+            self.engine.squared_load(&single_direction(turns), cylinders).unwrap_or(f32::NAN)
+        };
+        f64::from((0..angles).map(square).fold(0.0, f32::max).sqrt())
+    }
+}

@@ -1,0 +1,31 @@
+//! How long does an evaluation take?
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Evaluations whose times are compared.
+const REPEATS: usize = 7;
+/// Short evaluations are timed together, so many that they take about this long.
+const BATCH: Duration = Duration::from_micros(500);
+
+/// The result, and the median time where it is wanted.
+pub(super) fn measured<T>(timed: bool, run: impl Fn() -> T) -> (T, Option<Duration>) {
+    let start = Instant::now();
+    let result = run();
+    if !timed {
+        return (result, None);
+    }
+    let first = start.elapsed().max(Duration::from_nanos(1));
+    let batch = (BATCH.as_nanos() / first.as_nanos()).clamp(1, 100_000) as u32;
+    let mut times: Vec<Duration> = (0..REPEATS)
+        .map(|_| {
+            let start = Instant::now();
+            for _ in 0..batch {
+                black_box(run());
+            }
+            start.elapsed() / batch
+        })
+        .collect();
+    times.sort_unstable();
+    (result, Some(times[REPEATS / 2]))
+}

@@ -1,0 +1,104 @@
+//! Is it true, what is said about other masses than the pistons: rotating ones, counterweights, bearings, the crankshaft?
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::answer::{Answer, Finding, Status};
+use super::compare;
+use super::statement::{Masses, Tolerance, Value};
+use crate::exact::PhasorSum;
+use crate::layout::Layout;
+use crate::loads::{self, BearingLoads, Effect, Method, Weighing};
+use crate::proof::{Quantity, Sense};
+use crate::verdict::{Balance, OrderBalance};
+
+/// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
+pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<OrderBalance, String> {
+    loads::comparable(layout).map_err(|missing| missing.to_string())?;
+    if layout.mechanism.rods.is_empty() {
+        return Err(loads::Missing::Rods.to_string());
+    }
+    let effects: &[Effect] = match masses {
+        Masses::Reciprocating => &[Effect::Reciprocating],
+        Masses::Rotating => &[Effect::Rotating, Effect::Crankshaft],
+        Masses::Counterweights => &[Effect::Counterweights],
+        Masses::All => {
+            &[Effect::Reciprocating, Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers]
+        }
+    };
+    let one_coefficient = |weighing: Weighing, sense: Sense| {
+        let parts = loads::sums_of(layout, effects, weighing, order, sense);
+        // A sum that vanishes is kept: its certificate is the proof.
+        let mut left = parts.into_values().filter(|sum| !sum.collected().is_empty());
+        match (left.next(), left.next()) {
+            (None, _) => Ok(PhasorSum::new(Vec::new())),
+            (Some(only), None) => Ok(PhasorSum::new(only.collected())),
+            _ => Err("the masses have more than one coefficient".to_owned()),
+        }
+    };
+    let of = |quantity: Quantity, weighing: Weighing| {
+        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| one_coefficient(weighing, sense));
+        Ok::<_, String>(Balance::of(quantity, order, direct?, reverse?))
+    };
+    let arm = |position: &BigRational| position - &layout.reference_plane;
+    Ok(OrderBalance {
+        order,
+        class: None,
+        force: of(Quantity::Force, &|_| BigRational::one())?,
+        moment: of(Quantity::Moment, &arm)?,
+        torque: None,
+    })
+}
+
+/// Answers a claim about the crankshaft's mass.
+pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
+    let Some(mass) = layout.crankshaft_mass() else {
+        return Answer::nothing("the mass of the crankshaft needs the masses and the crank radius");
+    };
+    let Some(claimed) = value.form.as_rational() else { return Answer::nothing("a mass is a rational number") };
+    let off = (&mass - &claimed).abs();
+    let status = match &value.tolerance {
+        _ if off.is_zero() => Status::True,
+        Tolerance::Within(within) if off <= *within => Status::True,
+        Tolerance::Part(part) if off <= part * &claimed => Status::True,
+        Tolerance::Exact { rounding: Some(half) } if off <= *half => Status::TrueAsRounded,
+        _ => Status::False,
+    };
+    Answer { status, finding: Finding::Mass(mass), evidence: Vec::new() }
+}
+
+/// Answers a claim about which main bearings feel the largest force.
+pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
+    of_bearings(layout, |loads| {
+        let is_so = loads.worst.iter().map(|index| index + 1).eq(claimed.iter().copied());
+        Ok(if is_so { Status::True } else { Status::False })
+    })
+}
+
+/// Answers a claim about that force: decimals, which are compared within the tolerance or the digits given.
+pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
+    of_bearings(layout, |loads| {
+        let peak = loads.worst.first().map_or(0.0, |index| loads.bearings[*index].peak.value);
+        let peak = match (&loads.scale, value.unit) {
+            (Some(scale), Some(_)) => peak * scale.force(),
+            (None, Some(_)) => return Err("a value in N needs the masses, the crank radius and the speed".to_owned()),
+            (_, None) => peak,
+        };
+        let claimed = value.form.to_float();
+        let within = match &value.tolerance {
+            Tolerance::Within(within) => compare::float(within),
+            Tolerance::Part(part) => compare::float(part) * claimed,
+            Tolerance::Exact { rounding } => rounding.as_ref().map_or(0.5, compare::float),
+        };
+        Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })
+    })
+}
+
+/// Solves the main bearings at the orders of the layout file, and judges.
+fn of_bearings(layout: &Layout, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
+    let loads = loads::bearing_loads(layout, &layout.orders, Method::Continuous);
+    match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
+        Err(reason) => Answer::nothing(&reason),
+        Ok((status, loads)) => Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() },
+    }
+}

@@ -1,0 +1,63 @@
+//! `accuracy`: what does accuracy cost?
+
+use std::path::PathBuf;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use crankstar::accuracy;
+use crankstar::layout::{self, Engine};
+use crankstar::proof::Quantity;
+use crankstar::report::{self, AccuracyCase};
+
+use super::failure::Failure;
+use super::{layouts, print_json, terminal, write};
+
+/// Arguments of `accuracy`.
+#[derive(clap::Args)]
+pub struct Accuracy {
+    /// A name of the catalogue, or the path of a layout file
+    layout: String,
+    /// Rod ratios λ, from 0 to below 1, in place of those of the layout
+    #[arg(long, value_name = "RATIOS", value_delimiter = ',', value_parser = ratio)]
+    rod_ratio: Vec<BigRational>,
+    /// Folder for a page with its plots
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Print errors and times as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn ratio(text: &str) -> Result<BigRational, String> {
+    match layout::parse_number(text) {
+        Ok(ratio) if !ratio.is_negative() && ratio < BigRational::one() => Ok(ratio),
+        _ => Err("a number from 0 to below 1, such as 0.3".to_owned()),
+    }
+}
+
+impl Accuracy {
+    /// Measures all methods and prints what they find, or writes the page.
+    pub fn run(&self) -> Result<(), Failure> {
+        let Engine::Known(layout, _) = layouts::read(&self.layout)? else {
+            return Err(Failure::new("peaks need an engine without unknowns; give them values below [values]"));
+        };
+        if layout.mechanism.rods.is_empty() && self.rod_ratio.is_empty() {
+            return Err(Failure::new("the layout says nothing of its rods; name some with --rod-ratio 0.3"));
+        }
+        let engines = match self.rod_ratio.as_slice() {
+            [] => vec![layout.as_ref().clone()],
+            ratios => ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio)).collect(),
+        };
+        let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+        let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, true));
+        let cases = cases.collect::<Result<Vec<_>, _>>().map_err(Failure::new)?;
+        if let Some(folder) = &self.output {
+            write::to_folder(folder, &report::accuracy_page(&layout, &cases))?;
+        }
+        if self.json {
+            return print_json(&report::accuracy_document(&layout, &cases));
+        }
+        write::to_stdout(&terminal::accuracy(&layout, &cases))
+    }
+}

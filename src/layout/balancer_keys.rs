@@ -1,0 +1,100 @@
+//! How are balancer shafts written? `[[balancer]]`.
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::crankshaft::Balancer;
+use super::error::LayoutError;
+use super::file::HIGHEST_ORDER;
+use super::number::parse_number;
+use super::quantities::{self, mass, metres, misread, not_negative, positive_metres};
+use super::units;
+use super::written::{Table, Text, place};
+use crate::exact::Turn;
+use crate::proof::Sense;
+
+/// `[[balancer]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    order: Text,
+    sense: Text,
+    mass: Option<Text>,
+    radius: Option<Text>,
+    mass_radius: Option<Text>,
+    angle: Text,
+    position: Text,
+    height: Option<Text>,
+    offset: Option<Text>,
+}
+
+/// Reads one table; `along` reads a length along the crankshaft.
+pub(super) fn read(
+    table: &Spanned<Table<Keys>>,
+    along: impl FnOnce(&Text) -> Result<BigRational, LayoutError>,
+) -> Result<Balancer, LayoutError> {
+    let keys = &table.get_ref().0;
+    let mass_radius = match (&keys.mass, &keys.radius, &keys.mass_radius) {
+        (Some(weight), Some(radius), None) => mass(weight)? * positive_metres(radius)?,
+        (None, None, Some(text)) => {
+            let written = &text.get_ref().0;
+            let value = units::mass_radius(written).map_err(|right| misread("mass-radius", written, right, text))?;
+            not_negative(value, "mass-radius", text)?
+        }
+        (None, None, None) => {
+            let right = "add mass and radius, or mass_radius in kg m";
+            return Err(LayoutError::new("a balancer shaft without a weight", right, place(table)));
+        }
+        (_, _, Some(text)) => {
+            let right = "mass and radius, or mass_radius: one of them is enough";
+            return Err(LayoutError::new("the weight of a balancer shaft is given twice", right, place(text)));
+        }
+        (Some(text), None, None) => {
+            return Err(LayoutError::new("a mass without its radius", "add radius", place(text)));
+        }
+        (None, Some(text), None) => {
+            return Err(LayoutError::new("a radius without its mass", "add mass", place(text)));
+        }
+    };
+    let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);
+    Ok(Balancer {
+        order: speed_ratio(&keys.order)?,
+        sense: match keys.sense.get_ref().0.as_str() {
+            "with" => Sense::Direct,
+            "against" => Sense::Reverse,
+            other => {
+                return Err(misread("sense", other, "\"with\" or \"against\" the crank".to_owned(), &keys.sense));
+            }
+        },
+        mass_radius,
+        angle: Turn::new(quantities::known_angle(&keys.angle)?),
+        position: along(&keys.position)?,
+        height: zero(&keys.height)?,
+        offset: zero(&keys.offset)?,
+    })
+}
+
+/// A whole multiple of the crank speed.
+fn speed_ratio(text: &Text) -> Result<u32, LayoutError> {
+    let written = &text.get_ref().0;
+    if let Ok(order) = written.parse::<u32>()
+        && (1..=HIGHEST_ORDER).contains(&order)
+    {
+        return Ok(order);
+    }
+    let half = BigRational::new(1.into(), 2.into());
+    let right = match parse_number(written) {
+        Ok(value) if value.abs() == half => {
+            "a shaft at half crank speed turns once in two revolutions, and no inertia force of the cranks has order 1/2"
+                .to_owned()
+        }
+        Ok(value) if !value.is_integer() => format!(
+            "inertia forces repeat with every revolution: their orders are whole numbers, and so is that of a shaft, 1 to {HIGHEST_ORDER}"
+        ),
+        Ok(value) if value.is_negative() => "a whole number above 0; sense = \"against\" turns the other way".to_owned(),
+        _ => format!("a whole number from 1 to {HIGHEST_ORDER}: how many times the shaft turns in a revolution"),
+    };
+    Err(misread("order of a balancer shaft", written, right, text))
+}

@@ -1,0 +1,63 @@
+//! How does the frame roll? With what answers the inertia torque, and with the balancer shafts beside the crankshaft.
+//!
+//! The torque T on the crankshaft turns the frame with −T. A shaft whose axis stands at `p = height + i·offset` pulls there
+//! with its force F, and turns the frame with `Im(p̄ F)`: for a mass-radius U at angle γ of a shaft at +n that is
+//! `n²Uω² Re(−i p̄ e^{iγ} e^{inθ})`, at −n `n²Uω² Re(i p e^{−iγ} e^{inθ})`.
+
+use num_complex::Complex;
+use num_rational::BigRational;
+
+use super::contribution::{self, unit_mass};
+use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform, exactly_one};
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::Layout;
+use crate::motion::Coefficient;
+use crate::proof::Sense;
+
+/// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
+pub(super) fn roll(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
+    let shafts = layout.crankshaft.balancers.iter().map(|shaft| shaft.order);
+    let mut all: Vec<u32> = orders.iter().copied().chain(shafts).collect();
+    all.sort_unstable();
+    all.dedup();
+    let orders: Vec<TorqueOrder> = all.into_iter().map(|order| of_order(layout, motion, order)).collect();
+    let zero = Complex::new(0.0, 0.0);
+    let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
+    Torque { waveform: Waveform::new(harmonics), orders }
+}
+
+fn of_order(layout: &Layout, motion: &Motion, order: u32) -> TorqueOrder {
+    let minus = BigRational::from_integer((-1).into());
+    let shafts = shafts(layout, order);
+    let torque = contribution::torque_parts(layout, order);
+    let torque = torque.iter().filter(|(_, sum)| !sum.vanishes());
+    let mut pairs: Vec<(Coefficient, &PhasorSum)> = torque
+        .map(|(rod, sum)| {
+            let t = motion.torque(rod, order);
+            (Coefficient { re: t.re.times(&minus), im: t.im.times(&minus) }, sum)
+        })
+        .collect();
+    if !shafts.vanishes() {
+        pairs.push((exactly_one(), &shafts));
+    }
+    TorqueOrder { order, coefficient: None, vector: Vector::of(&pairs, false) }
+}
+
+/// What the shafts of an order add, in multiples of m r²; their crank radius is known where there are any.
+fn shafts(layout: &Layout, order: u32) -> PhasorSum {
+    let radius = layout.mechanism.crank_radius.clone().unwrap_or_else(|| BigRational::from_integer(1.into()));
+    let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
+    let share = square / (unit_mass(layout) * &radius * &radius);
+    let shafts = layout.crankshaft.balancers.iter().filter(|shaft| shaft.order == order);
+    let terms = shafts.flat_map(|shaft| {
+        let (angle, quarter) = match shaft.sense {
+            Sense::Direct => (shaft.angle.clone(), Turn::fraction(3, 4)),
+            Sense::Reverse => (-&shaft.angle, Turn::fraction(1, 4)),
+        };
+        let size = &shaft.mass_radius * &share;
+        let high = Term { angle: &angle + &quarter, weight: &size * &shaft.height };
+        let aside = Term { angle: angle.opposite(), weight: size * &shaft.offset };
+        [high, aside]
+    });
+    PhasorSum::new(terms.collect())
+}

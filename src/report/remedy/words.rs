@@ -1,0 +1,80 @@
+//! What are the weights of a remedy called, and how are their sizes written?
+
+use num_traits::Zero;
+
+use super::super::typeset::{Amount, Bearing};
+use crate::loads::Factor;
+use crate::numbers;
+use crate::proof::Sense;
+use crate::remedy::{Kind, Remedy, Shaft, Weight};
+
+/// A weight and the part of the remedy that it belongs to.
+pub(super) struct Part<'a> {
+    /// Of the remedy.
+    pub name: &'static str,
+    /// Whether its shaft makes a Lanchester pair with another.
+    pub lanchester: bool,
+    /// The weight.
+    pub weight: &'a Weight,
+}
+
+/// All weights, in the order of [`Remedy::weights`].
+pub(super) fn parts(remedy: &Remedy) -> Vec<Part<'_>> {
+    let bays = remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay", lanchester: false, weight });
+    let crankshaft = remedy
+        .crankshaft
+        .iter()
+        .flat_map(|shaft| shaft.weights.iter().map(|weight| Part { name: "counterweight", lanchester: false, weight }));
+    let shafts = remedy.shafts.iter().flat_map(|shaft| {
+        shaft.weights.iter().map(move |weight| Part { name: shaft_name(shaft), lanchester: shaft.lanchester, weight })
+    });
+    bays.chain(crankshaft).chain(shafts).collect()
+}
+
+fn shaft_name(shaft: &Shaft) -> &'static str {
+    match (shaft.lanchester, shaft.kind) {
+        (true, _) => "Lanchester shaft",
+        (false, Kind::Force) => "balancer shaft",
+        (false, Kind::Couple) => "couple shaft",
+        (false, Kind::ForceAndMoment) => "balancer shaft with two weights",
+    }
+}
+
+/// `1×, with the crank`.
+pub(super) fn speed(weight: &Weight) -> String {
+    let sense = if weight.sense == Sense::Direct { "with" } else { "against" };
+    format!("{}×, {sense} the crank", weight.order)
+}
+
+/// Letters of the longest closed form of a mass-radius that is shown.
+const LONGEST_FORM: usize = 24;
+
+/// The mass-radius in multiples of m r or of m r |c_k|: `= √3/4 ≈ 0.4330 m r`.
+pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
+    // A form whose digits only repeat those of the layout's masses and lengths says nothing more than its decimals.
+    let exact = weight.modulus().filter(|form| form.to_string().chars().count() <= LONGEST_FORM);
+    let amount = |decimal: f64| Amount { exact: exact.clone(), decimal }.plain();
+    match (weight.vector.only(), weight.decimals(&remedy.subject)) {
+        (Some((None, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
+        (Some((Some(_), sum)), _) => format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order),
+        (None, Some([size, _])) => format!("{} m r", amount(size)),
+        (None, None) => format!("depends on c_{}", weight.order),
+    }
+}
+
+/// The direction at θ = 0.
+pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
+    let exact = weight.direction();
+    let centric = |factor: &Factor| factor.as_ref().is_none_or(|rod| rod.offset.is_zero());
+    let decimal = match (weight.decimals(&remedy.subject), weight.vector.only()) {
+        (Some([_, degrees]), _) => degrees,
+        (None, Some((factor, sum))) if centric(factor) => {
+            let value = numbers::evaluate(sum);
+            // c_4, c_8, … are below 0 (theory, section 2).
+            let value = if factor.is_some() && weight.order.is_multiple_of(4) { -value } else { value };
+            value.arg().to_degrees()
+        }
+        (None, _) => return format!("depends on c_{}", weight.order),
+    };
+    Bearing { exact, decimal }.plain()
+}

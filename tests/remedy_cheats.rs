@@ -1,0 +1,104 @@
+//! Does the checker of remedies refuse what does not hold, whatever is changed?
+
+use crankstar::layout::parse;
+use crankstar::proof::{Certificate, RemedyDocument, Sense, check_remedy_document};
+use crankstar::remedy::{Wish, remedy};
+use crankstar::report::remedy_document;
+use num_rational::BigRational;
+
+const I3: &str = include_str!("../reports/examples/thesis-i3/layout.toml");
+const OFFSET: &str = include_str!("../reports/examples/i6-offset/layout.toml");
+
+fn document_of(text: &str, orders: &[u32]) -> RemedyDocument {
+    let layout = parse("layout.toml", text).expect("a layout");
+    let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
+    let json = serde_json::to_string(&remedy_document(&remedy(&layout, &wish).expect("a remedy"))).expect("JSON");
+    serde_json::from_str(&json).expect("the document reads")
+}
+
+fn document() -> RemedyDocument {
+    document_of(I3, &[1, 2])
+}
+
+#[track_caller]
+fn assert_refused(cheat: impl Fn(&mut RemedyDocument), words: &str) {
+    let mut cheated = document();
+    cheat(&mut cheated);
+    assert_ne!(cheated, document(), "nothing was changed");
+    let fault = check_remedy_document(&cheated).expect_err("the cheat is seen").to_string();
+    assert!(fault.contains(words), "{fault}");
+}
+
+fn fraction(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+#[test]
+fn what_is_honest_holds() {
+    assert_eq!(check_remedy_document(&document()).map_err(|fault| fault.to_string()), Ok(8));
+    let offset = document_of(OFFSET, &[1, 2, 3, 6]);
+    assert!(check_remedy_document(&offset).is_ok_and(|count| count > 12));
+    let lone = "[inline]\nthrows = [0, 100]\n[mechanism]\nrod_ratio = 0.3\noffset_ratio = [0.1, -0.1]\nreciprocating_mass = [1, 2]";
+    assert!(check_remedy_document(&document_of(lone, &[1, 2, 3])).is_ok());
+}
+
+#[test]
+fn a_changed_engine_is_refused() {
+    let words = "not those of the engine";
+    assert_refused(|d| d.cylinders[0].throw = fraction(1, 7), words);
+    assert_refused(|d| d.cylinders[0].bank = fraction(1, 7), words);
+    assert_refused(|d| d.cylinders[1].position = fraction(1, 7), words);
+    assert_refused(|d| d.cylinders[2].weight = fraction(2, 1), words);
+    assert_refused(|d| d.reference_plane = fraction(1, 1), words);
+    assert_refused(|d| d.masses[0].angle = fraction(1, 7), words);
+    assert_refused(|d| d.masses[0].mass_radius = fraction(0, 1), words);
+    assert_refused(|d| d.masses[0].sense = Sense::Reverse, words);
+    assert_refused(|d| drop(d.masses.pop()), words);
+    assert_refused(|d| drop(d.cylinders.pop()), words);
+}
+
+#[test]
+fn a_changed_weight_is_refused() {
+    let words = "not those of the engine";
+    assert_refused(|d| d.weights[0].position = fraction(1, 7), words);
+    assert_refused(|d| d.weights[0].order = 3, words);
+    assert_refused(|d| d.weights[0].sense = Sense::Reverse, words);
+    assert_refused(|d| d.weights[0].parts[0].terms[0].weight += fraction(1, 1_000_000_000), words);
+    assert_refused(|d| d.weights[0].parts[0].terms[0].angle += fraction(1, 1_000_000_007), words);
+    assert_refused(|d| drop(d.weights.pop()), words);
+}
+
+#[test]
+fn a_sum_that_is_left_out_or_stands_twice_is_refused() {
+    assert_refused(|d| drop(d.sums.pop()), "left out");
+    assert_refused(|d| d.sums.clear(), "left out");
+    assert_refused(|d| d.remedied_orders.push(4), "left out");
+    assert_refused(|d| d.sums.push(d.sums[0].clone()), "twice");
+}
+
+#[test]
+fn a_sum_that_is_not_zero_is_refused_whatever_its_evidence() {
+    let nothing = || Certificate::Polygons { polygons: Vec::new() };
+    // Both the weight and the sum are changed alike: the terms agree, but they are not zero.
+    let bare = |d: &mut RemedyDocument| {
+        d.weights.clear();
+        let engine = document_of(&I3.replace("title", "# title"), &[1, 2]);
+        for (sum, own) in d.sums.iter_mut().zip(&engine.sums) {
+            sum.terms = own.terms.iter().take(own.terms.len()).cloned().collect();
+            sum.certificate = nothing();
+        }
+    };
+    let mut cheated = document();
+    bare(&mut cheated);
+    assert!(check_remedy_document(&cheated).is_err());
+    assert_refused(|d| d.sums[0].certificate = nothing(), "sums[0]");
+    assert_refused(|d| d.sums[2].terms[0].weight += fraction(1, 1_000_000), "sums[2]");
+}
+
+#[test]
+fn an_engine_without_orders_claims_nothing() {
+    let mut empty = document();
+    empty.remedied_orders.clear();
+    empty.sums.clear();
+    assert!(check_remedy_document(&empty).is_err(), "there is nothing to check");
+}
