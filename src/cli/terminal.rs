@@ -1,7 +1,7 @@
 //! How do the verdicts look on a terminal? In colour there, in plain text elsewhere.
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
-use comfy_table::{Cell, Color, Table};
+use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
@@ -87,6 +87,8 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
 pub fn compare(engines: &[Compared]) -> String {
     let mut table = Table::new();
     table.load_style(UTF8_HORIZONTAL_ONLY);
+    // On a terminal the cells are wrapped to its width.
+    table.set_content_arrangement(ContentArrangement::Dynamic);
     let rows = report::compare_rows(engines);
     table.set_header(rows.header);
     for row in rows.rows {

@@ -20,6 +20,7 @@ mod firmness;
 mod folder;
 mod left;
 mod loads_document;
+mod multiples;
 mod open_document;
 mod open_page;
 mod open_table;

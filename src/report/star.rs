@@ -70,14 +70,14 @@ impl Star {
     }
 
     /// The length that fills the panel.
-    fn reach(&self) -> f64 {
+    pub(super) fn reach(&self) -> f64 {
         let rays = self.rays.iter().map(|ray| ray.total().to_f64().unwrap_or(0.0));
         rays.chain(self.resultant.map(|sum| sum.norm())).fold(0.0, f64::max)
     }
 }
 
 /// Size of the panel of one star, and where things stand in it, in millimetres.
-const PANEL: (f64, f64) = (74.0, 68.0);
+pub(super) const PANEL: (f64, f64) = (74.0, 68.0);
 const CENTRE: Point = Point::new(37.0, 32.0);
 const RADIUS: f64 = 19.0;
 const LABELS: f64 = RADIUS + 3.2;
@@ -111,93 +111,22 @@ pub(super) fn torque_figure(layout: &Layout, verdicts: &[Verdict]) -> Figure {
     figure
 }
 
-/// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
-pub(super) struct Column<'a> {
-    /// What stands above it.
-    pub name: String,
-    /// The engine.
-    pub layout: &'a Layout,
-    /// The order.
-    pub order: &'a OrderBalance,
-}
-
-/// Columns beside each other; more begin a new band.
-const MOST_COLUMNS: usize = 4;
-/// Height of the names above a band.
-const NAMES: f64 = 7.0;
-
-/// The stars of one order of several engines, a column each, every row drawn to one scale: force, then moment.
-///
-/// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
-pub(super) fn multiples(columns: &[Column]) -> Figure {
-    let in_line = |layout: &Layout| layout.cylinders.windows(2).all(|pair| pair[0].bank == pair[1].bank);
-    let senses = if columns.iter().all(|column| in_line(column.layout)) { 1 } else { 2 };
-    let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
-    let quantities = if columns.iter().any(has_arm) { 2 } else { 1 };
-    let stars = |column: &Column| -> Vec<Star> {
-        let balances = [&column.order.force, &column.order.moment].into_iter().take(quantities);
-        balances.flat_map(|balance| balance.verdicts().into_iter().take(senses)).map(Star::new).collect()
-    };
-    let stars: Vec<Vec<Star>> = columns.iter().map(stars).collect();
-    let rows = senses * quantities;
-    // Direct and reverse stars share their scale; moments only where they are in one unit.
-    let scale_of = |column: &Column, quantity: usize| {
-        let alike = |other: &Column| quantity == 0 || other.layout.length_unit == column.layout.length_unit;
-        let of_quantity =
-            |stars: &Vec<Star>| stars[quantity * senses..][..senses].iter().map(Star::reach).fold(0.0, f64::max);
-        let reaches = columns.iter().zip(&stars).filter(|(other, _)| alike(other)).map(|(_, stars)| of_quantity(stars));
-        scale(reaches.fold(0.0, f64::max))
-    };
-    let band = rows as f64 * PANEL.1 + NAMES;
-    let bands = columns.len().div_ceil(MOST_COLUMNS);
-    let mut figure = Figure::new(columns.len().min(MOST_COLUMNS) as f64 * PANEL.0, bands as f64 * band);
-    for (index, (column, stars)) in columns.iter().zip(&stars).enumerate() {
-        let left = (index % MOST_COLUMNS) as f64 * PANEL.0;
-        let bottom = (bands - 1 - index / MOST_COLUMNS) as f64 * band;
-        figure.heading(Point::new(left + PANEL.0 / 2.0, bottom + band - NAMES / 2.0), shortened(&column.name));
-        let verdicts = [&column.order.force, &column.order.moment]
-            .into_iter()
-            .take(quantities)
-            .flat_map(|balance| balance.verdicts().into_iter().take(senses));
-        for (row, (verdict, star)) in verdicts.zip(stars).enumerate() {
-            let corner = Point::new(left, bottom + (rows - 1 - row) as f64 * PANEL.1);
-            let scale = scale_of(column, row / senses);
-            // A short resultant is drawn thinner, so that its head does not hide it.
-            let length = star.resultant.map_or(0.0, |sum| sum.norm() * scale);
-            let width = RESULTANT * (length / SHORT).clamp(0.2, 1.0);
-            draw_star(&mut figure, corner, column.layout, verdict, star, (scale, width));
-        }
-    }
-    figure
-}
-
-/// Letters of a name that a panel has room for.
-const LONGEST_NAME: usize = 38;
-
-fn shortened(name: &str) -> String {
-    match name.chars().count() {
-        0..=LONGEST_NAME => name.to_owned(),
-        _ => name.chars().take(LONGEST_NAME - 1).chain(['…']).collect(),
-    }
-}
-
 fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) {
     let star = Star::new(verdict);
     let scale = scale(star.reach());
     draw_star(figure, corner, layout, verdict, &star, (scale, RESULTANT));
 }
 
-/// Width of a resultant, and below which length it is drawn thinner beside others, in millimetres.
-const RESULTANT: f64 = 1.3;
-const SHORT: f64 = 8.0;
+/// Width of a resultant in millimetres.
+pub(super) const RESULTANT: f64 = 1.3;
 
 /// Millimetres a unit, where this length fills a panel.
-fn scale(reach: f64) -> f64 {
+pub(super) fn scale(reach: f64) -> f64 {
     if reach > 0.0 { RADIUS / reach } else { 1.0 }
 }
 
 /// One panel: the star at so many millimetres a unit, its resultant in a line of this width.
-fn draw_star(
+pub(super) fn draw_star(
     figure: &mut Figure,
     corner: Point,
     layout: &Layout,

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::super::dialect::Dialect;
 use super::super::folder::File;
-use super::super::star::{self, Column};
+use super::super::multiples::{self, Column};
 use super::super::{left, render, svg};
 use super::{Compared, compare_lines, compare_rows, orders_of};
 use crate::verdict::OrderBalance;
@@ -32,7 +32,10 @@ pub fn compare_page(engines: &[Compared]) -> Vec<File> {
     for order in orders_of(engines) {
         let columns: Vec<Column> = engines.iter().flat_map(|engine| columns(engine, order)).collect();
         let drawing = Drawing { order, file: format!("stars-order-{order}.svg"), caption: caption(order) };
-        files.push(File { name: drawing.file.clone(), text: svg::svg(&star::multiples(&columns), &drawing.caption) });
+        files.push(File {
+            name: drawing.file.clone(),
+            text: svg::svg(&multiples::multiples(&columns), &drawing.caption),
+        });
         drawings.push(drawing);
     }
     // All cells may hold names and titles, which are a person's.
