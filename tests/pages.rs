@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crankstar::layout::{self, Layout};
-use crankstar::report::{self, Dialect};
+use crankstar::report::{self, Compared, Dialect};
 use crankstar::verdict;
 use serde_json::Value;
 
@@ -42,6 +42,25 @@ fn families() -> Vec<PathBuf> {
     let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
     let folders = ["families", "examples"].map(|below| fs::read_dir(reports.join(below)).expect("folders"));
     folders.into_iter().flatten().map(|entry| entry.expect("an entry").path()).collect()
+}
+
+/// The stored atlas: its table is as wide as a page can be.
+fn atlas() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/atlas")
+}
+
+/// A page of a comparison in a fresh folder, and the number of its pictures.
+fn comparison() -> (PathBuf, usize) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-comparison");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    let (orders, engines) = ([1, 2, 4], engines());
+    let few = engines.iter().filter(|(name, _)| name.starts_with("I5") || name.starts_with("strange"));
+    let compared: Vec<Compared> = few.map(|(name, layout)| Compared::new(name.clone(), layout, &orders)).collect();
+    for file in report::compare_page(&compared) {
+        fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    (folder, orders.len())
 }
 
 /// Compiles a report and looks for complaints in the log.
@@ -87,6 +106,10 @@ fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
         fs::copy(family.join("report.tex"), folder.join("report.tex")).expect("a report");
         compile(&name, &folder);
     }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::copy(atlas().join("atlas.tex"), folder.join("report.tex")).expect("the atlas");
+    compile("atlas", &folder);
 }
 
 /// Every formula that pandoc finds in a document.
@@ -121,8 +144,9 @@ fn every_formula_is_found_by_pandoc_and_read_by_katex() {
             all.extend(found);
         }
     }
-    for family in families() {
-        let json = run(&family, "pandoc", &["-f", "gfm", "-t", "json", "report.md"], "");
+    let stored = families().into_iter().map(|folder| (folder, "report.md"));
+    for (folder, page) in stored.chain([(atlas(), "README.md")]) {
+        let json = run(&folder, "pandoc", &["-f", "gfm", "-t", "json", page], "");
         let mut found = Vec::new();
         formulas(&serde_json::from_str(&json).expect("JSON"), &mut found);
         all.extend(found);
@@ -133,28 +157,34 @@ fn every_formula_is_found_by_pandoc_and_read_by_katex() {
     run(Path::new(env!("CARGO_TARGET_TMPDIR")), "node", &[script], &list);
 }
 
+/// Looks at a page in a browser: in this folder, which it writes to, with so many pictures.
+fn look(name: &str, folder: &Path, page: &str, pictures: usize) {
+    let check = include_str!("pages/check.html");
+    let body = run(folder, "pandoc", &["-f", "gfm", "-t", "html", "--mathml", page], "");
+    fs::write(folder.join("page.html"), check.replace("BODY", &body)).expect("a page");
+    let page = format!("file://{}", folder.join("page.html").display());
+    let profile = format!("--user-data-dir={}", folder.join("profile").display());
+    let quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"];
+    let more =
+        ["--disable-quic", "--disable-component-update", "--disable-sync", "--window-size=1100,900", "--dump-dom"];
+    let arguments: Vec<&str> = quiet.into_iter().chain(more).chain([profile.as_str(), page.as_str()]).collect();
+    let dom = run(folder, "chromium", &arguments, "");
+    let _ = fs::remove_dir_all(folder.join("profile"));
+    let title = format!("<title>{pictures} pictures, 0 broken, fits</title>");
+    assert!(dom.contains(&title), "{name}: {}", folder.display());
+}
+
 #[test]
 #[ignore = "needs pandoc 3 and Chromium"]
 fn every_page_shows_its_pictures_and_fits_a_browser_window() {
-    let check = include_str!("pages/check.html");
     for (name, layout) in engines() {
         let folder = write_report(&name, &layout, Dialect::GithubMarkdown);
-        let body = run(&folder, "pandoc", &["-f", "gfm", "-t", "html", "--mathml", "report.md"], "");
-        fs::write(folder.join("page.html"), check.replace("BODY", &body)).expect("a page");
-        let page = format!("file://{}", folder.join("page.html").display());
-        let profile = format!("--user-data-dir={}", folder.join("profile").display());
-        let quiet =
-            ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"];
-        let more =
-            ["--disable-quic", "--disable-component-update", "--disable-sync", "--window-size=1100,900", "--dump-dom"];
-        let arguments: Vec<&str> = quiet.into_iter().chain(more).chain([profile.as_str(), page.as_str()]).collect();
-        let dom = run(&folder, "chromium", &arguments, "");
-        let _ = fs::remove_dir_all(folder.join("profile"));
-        let pictures = 2 + layout.orders.len();
-        assert!(
-            dom.contains(&format!("<title>{pictures} pictures, 0 broken, fits</title>")),
-            "{name}: {}",
-            folder.display()
-        );
+        look(&name, &folder, "report.md", 2 + layout.orders.len());
     }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::copy(atlas().join("README.md"), folder.join("README.md")).expect("the atlas");
+    look("atlas", &folder, "README.md", 0);
+    let (folder, pictures) = comparison();
+    look("comparison", &folder, "compare.md", pictures);
 }

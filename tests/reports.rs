@@ -148,8 +148,11 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
     let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
     for path in folders.filter(|path| path.is_dir()) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let linked = stored(&folder())["README.md"].contains(&format!("]({name}/"))
+            || stored(&folder())["README.md"].contains(&format!("]({name})"));
+        assert!(linked, "reports/README.md does not lead to reports/{name}");
         assert!(
-            ["accuracy", "claims", "examples", "families", "stability", "thesis"].contains(&name.as_str())
+            ["accuracy", "atlas", "claims", "examples", "families", "stability", "thesis"].contains(&name.as_str())
                 || layout::find(&name).is_some(),
             "reports/{name} belongs to no engine"
         );

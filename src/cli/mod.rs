@@ -1,9 +1,11 @@
 //! What can be asked on the command line?
 
 mod accuracy;
+mod atlas;
 mod bearings;
 mod check;
 mod classify;
+mod compare;
 mod failure;
 mod layouts;
 mod list;
@@ -38,6 +40,7 @@ Examples:
   crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
   crankstar report I4 --output I4-report             a report with its diagrams
   crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
+  crankstar compare I5-12453 I5-15234 V6-60-even     engines side by side
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
 
 A layout file in its shortest form:
@@ -75,6 +78,10 @@ enum Command {
     },
     /// Find the crank stars that balance best
     Search(search::Search),
+    /// Compare engines side by side: what each leaves, its remedy, its firing
+    Compare(compare::Compare),
+    /// Write the atlas: the catalogue and the best stars in line, for print and for a spreadsheet
+    Atlas(atlas::Atlas),
     /// Print a completion script for a shell
     Completions {
         /// Which shell
@@ -139,6 +146,8 @@ pub fn run() -> ExitCode {
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),
         Command::Search(search) => search.run().map(done),
+        Command::Compare(compare) => compare.run().map(done),
+        Command::Atlas(atlas) => atlas.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {

@@ -1,12 +1,12 @@
 //! How do the verdicts look on a terminal? In colour there, in plain text elsewhere.
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
-use comfy_table::{Cell, Color, Table};
+use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
 use crankstar::remedy::Remedy;
-use crankstar::report::{self, AccuracyCase};
+use crankstar::report::{self, AccuracyCase, Compared};
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -81,6 +81,24 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
     let orders = table(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
     format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+}
+
+/// Engines side by side: a column an engine.
+pub fn compare(engines: &[Compared]) -> String {
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    // On a terminal the cells are wrapped to its width.
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    let rows = report::compare_rows(engines);
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row.into_iter().map(|text| {
+            let vanishes = text == "0";
+            // One part of a remedy a line: columns stay narrow.
+            verdict_cell(text.replace("; ", ";\n"), vanishes)
+        }));
+    }
+    format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
 }
 
 /// A table a rod ratio and load: a row a method.

@@ -50,13 +50,18 @@ pub fn order_name(order: &OrderBalance) -> String {
 
 /// `cylinders 1–3, λ = 0.25`.
 fn class_words(class: &Class) -> String {
-    let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
-    let several = if names.len() == 1 { "" } else { "s" };
     let offset = match class.rod.offset.is_zero() {
         true => String::new(),
         false => format!(", δ = {}", number(&class.rod.offset)),
     };
-    format!("cylinder{several} {}, λ = {}{offset}", typeset::names(&names), number(&class.rod.ratio))
+    format!("{}, λ = {}{offset}", class_cylinders(class), number(&class.rod.ratio))
+}
+
+/// `cylinders 1–3`.
+pub(super) fn class_cylinders(class: &Class) -> String {
+    let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
+    let several = if names.len() == 1 { "" } else { "s" };
+    format!("cylinder{several} {}", typeset::names(&names))
 }
 
 /// The force of an order in a few words: `0` or `= 4, planar`.

@@ -12,6 +12,9 @@ const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
 const BEARINGS: &str = include_str!("../../templates/bearings.md");
 const ACCURACY: &str = include_str!("../../templates/accuracy.md");
+const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
+const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
+const COMPARE: &str = include_str!("../../templates/compare.md");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -46,6 +49,19 @@ pub(super) fn bearings(page: &impl Serialize) -> String {
 /// Fills the template of a page on accuracy.
 pub(super) fn accuracy(page: &impl Serialize) -> String {
     fill(ACCURACY, page, false)
+}
+
+/// Fills the template of a comparison.
+pub(super) fn compare(page: &impl Serialize) -> String {
+    fill(COMPARE, page, false)
+}
+
+/// Fills the template of the atlas.
+pub(super) fn atlas(page: &impl Serialize, dialect: Dialect) -> String {
+    match dialect {
+        Dialect::Latex => fill(ATLAS_LATEX, page, true),
+        _ => fill(ATLAS_MARKDOWN, page, false),
+    }
 }
 
 /// Fills the template of the index of all reports.

@@ -70,14 +70,14 @@ impl Star {
     }
 
     /// The length that fills the panel.
-    fn reach(&self) -> f64 {
+    pub(super) fn reach(&self) -> f64 {
         let rays = self.rays.iter().map(|ray| ray.total().to_f64().unwrap_or(0.0));
         rays.chain(self.resultant.map(|sum| sum.norm())).fold(0.0, f64::max)
     }
 }
 
 /// Size of the panel of one star, and where things stand in it, in millimetres.
-const PANEL: (f64, f64) = (74.0, 68.0);
+pub(super) const PANEL: (f64, f64) = (74.0, 68.0);
 const CENTRE: Point = Point::new(37.0, 32.0);
 const RADIUS: f64 = 19.0;
 const LABELS: f64 = RADIUS + 3.2;
@@ -113,9 +113,28 @@ pub(super) fn torque_figure(layout: &Layout, verdicts: &[Verdict]) -> Figure {
 
 fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) {
     let star = Star::new(verdict);
+    let scale = scale(star.reach());
+    draw_star(figure, corner, layout, verdict, &star, (scale, RESULTANT));
+}
+
+/// Width of a resultant in millimetres.
+pub(super) const RESULTANT: f64 = 1.3;
+
+/// Millimetres a unit, where this length fills a panel.
+pub(super) fn scale(reach: f64) -> f64 {
+    if reach > 0.0 { RADIUS / reach } else { 1.0 }
+}
+
+/// One panel: the star at so many millimetres a unit, its resultant in a line of this width.
+pub(super) fn draw_star(
+    figure: &mut Figure,
+    corner: Point,
+    layout: &Layout,
+    verdict: &Verdict,
+    star: &Star,
+    (scale, width): (f64, f64),
+) {
     let centre = corner + CENTRE;
-    let reach = star.reach();
-    let scale = if reach > 0.0 { RADIUS / reach } else { 1.0 };
     figure.heading(corner + Point::new(PANEL.0 / 2.0, PANEL.1 - 5.0), heading(verdict));
     figure.circle(centre, RADIUS, Stroke::solid(Ink::Light, 0.25), None);
     figure.line(
@@ -127,13 +146,13 @@ fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) 
         draw_polygon(figure, centre, scale, polygon, index);
     }
     if let Some(resultant) = star.resultant {
-        figure.arrow(centre, centre + upright(resultant) * scale, Stroke::solid(Ink::Red, 1.3));
+        figure.arrow(centre, centre + upright(resultant) * scale, Stroke::solid(Ink::Red, width));
     }
     for ray in &star.rays {
         draw_ray(figure, centre, scale, ray);
     }
     if star.rays.len() <= MOST_LABELS {
-        draw_labels(figure, centre, layout, &star);
+        draw_labels(figure, centre, layout, star);
     }
     let place = corner + Point::new(PANEL.0 / 2.0, 3.6);
     let modulus = super::left::modulus(verdict);

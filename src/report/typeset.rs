@@ -76,6 +76,7 @@ pub(super) fn decimal(value: f64) -> String {
 }
 
 /// A length: exact where a closed form is known, and in decimals.
+#[derive(Clone)]
 pub(super) struct Amount {
     /// The number itself.
     pub exact: Option<Form>,

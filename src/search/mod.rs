@@ -15,6 +15,7 @@
 #![doc = include_str!("README.md")]
 
 mod answer;
+mod best;
 mod document;
 mod firing;
 mod found;
@@ -31,6 +32,7 @@ mod value;
 mod walk;
 
 pub use answer::{Front, every_value};
+pub use best::{Best, best_in_line};
 pub use document::{FrontDocument, MomentDocument, StarDocument, document};
 pub use found::{FoundStar, Moment, Standing};
 pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Mistake, Problem};

@@ -38,15 +38,17 @@ struct Drawing {
     file: String,
 }
 
+/// The bearings with the largest peak: `bearing 3 with ≈ 18733 N`; none where no bearing feels anything.
+pub(in super::super) fn worst(loads: &BearingLoads) -> Option<String> {
+    let unit = amounts::unit_of(loads);
+    let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
+    let named = if numbers.len() == 1 { "bearing" } else { "bearings" };
+    let peak = loads.worst.first().map(|index| &loads.bearings[*index].peak);
+    peak.map(|peak| format!("{named} {} with {} {}", numbers.join(", "), amounts::size(peak, unit), unit.name))
+}
+
 /// What follows the tables on a terminal, and stands first on the page.
 pub fn bearings_lines(continuous: &BearingLoads, determinate: &BearingLoads) -> Vec<String> {
-    let unit = amounts::unit_of(continuous);
-    let worst = |loads: &BearingLoads| {
-        let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
-        let named = if numbers.len() == 1 { "bearing" } else { "bearings" };
-        let peak = loads.worst.first().map(|index| &loads.bearings[*index].peak);
-        peak.map(|peak| format!("{named} {} with {} {}", numbers.join(", "), amounts::size(peak, unit), unit.name))
-    };
     let largest = match (worst(continuous), worst(determinate)) {
         (Some(continuous), Some(determinate)) => {
             format!("Largest force: {continuous}; by the determinate approximation {determinate}.")

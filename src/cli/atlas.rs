@@ -1,0 +1,36 @@
+//! `atlas`: what does every engine of the catalogue leave, and which stars in line are the best?
+
+use std::path::PathBuf;
+
+use crankstar::layout::{self, Cycle};
+use crankstar::report;
+use crankstar::search::{self, Options};
+
+use super::failure::Failure;
+use super::write;
+
+/// Arguments of `atlas`.
+#[derive(clap::Args)]
+pub struct Atlas {
+    /// Folder for README.md, atlas.tex and atlas.csv
+    #[arg(long, value_name = "DIR")]
+    output: PathBuf,
+}
+
+impl Atlas {
+    /// Searches the stars and writes the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        let engines = layout::catalogue()?;
+        let options = Options::default();
+        let mut stars = Vec::new();
+        for cycle in [Cycle::TwoStroke, Cycle::FourStroke] {
+            for cylinders in report::ATLAS_CYLINDERS {
+                stars.push(search::best_in_line(cylinders, cycle, &options).map_err(Failure::new)?);
+            }
+        }
+        let files = report::atlas(&engines, &stars)?;
+        write::to_folder(&self.output, &files)?;
+        let names: Vec<String> = files.iter().map(|file| self.output.join(&file.name).display().to_string()).collect();
+        write::to_stdout(&format!("Written: {}\n", names.join(", ")))
+    }
+}

@@ -1,0 +1,100 @@
+//! `compare`: what do engines leave, side by side?
+
+use std::path::{Path, PathBuf};
+
+use crankstar::layout::{self, Engine, Layout};
+use crankstar::report::{self, Compared};
+
+use super::failure::Failure;
+use super::{layouts, print_json, terminal, write};
+
+/// Arguments of `compare`.
+#[derive(clap::Args)]
+pub struct Compare {
+    /// Names of the catalogue, or paths of layout files
+    #[arg(required = true)]
+    layouts: Vec<String>,
+    /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    orders: Vec<u32>,
+    /// Print the comparison as JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    /// Folder for the page with its vector stars
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// More engines than this do not stand beside each other.
+const MOST_ENGINES: usize = 24;
+
+impl Compare {
+    /// Prints the table, and writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        let engines = self.read()?;
+        let mut orders = match self.orders.as_slice() {
+            [] => engines.iter().flat_map(|(_, layout)| layout.orders.clone()).collect(),
+            asked => asked.to_vec(),
+        };
+        orders.sort_unstable();
+        orders.dedup();
+        let compared: Vec<Compared> =
+            engines.iter().map(|(name, layout)| Compared::new(name.clone(), layout, &orders)).collect();
+        if self.json {
+            return print_json(&report::compare_document(&compared));
+        }
+        let mut text = terminal::compare(&compared);
+        if let Some(folder) = &self.output {
+            let files = report::compare_page(&compared);
+            write::to_folder(folder, &files)?;
+            text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+        }
+        write::to_stdout(&text)
+    }
+
+    /// The engines with short names; with their arguments where two would have the same.
+    fn read(&self) -> Result<Vec<(String, Layout)>, Failure> {
+        match self.layouts.len() {
+            1 => {
+                let only = &self.layouts[0];
+                return Err(Failure::new(format!(
+                    "one engine has nothing to be compared with; name two or more, or ask `crankstar classify {only}`"
+                )));
+            }
+            count if count > MOST_ENGINES => {
+                return Err(Failure::new(format!(
+                    "{count} engines are too many for a table; up to {MOST_ENGINES} are compared"
+                )));
+            }
+            _ => {}
+        }
+        let short: Vec<String> = self.layouts.iter().map(|argument| short_name(argument)).collect();
+        let is_unique = |name: &String| short.iter().filter(|other| *other == name).count() == 1;
+        let named = |(argument, name): (&String, &String)| {
+            let name = if is_unique(name) { name } else { argument };
+            match layouts::read(argument)? {
+                Engine::Known(layout, _) => Ok((name.clone(), *layout)),
+                Engine::Open(family) => Err(Failure::new(format!(
+                    "`{argument}` has unknowns: {}; engines are compared without, so give values below [values]",
+                    family.unknowns().into_iter().collect::<Vec<_>>().join(", ")
+                ))),
+            }
+        };
+        self.layouts.iter().zip(&short).map(named).collect()
+    }
+}
+
+/// A name of the catalogue as it is written there; else the name of the file, or of its folder for `layout.toml`.
+fn short_name(argument: &str) -> String {
+    if let Some(entry) = layout::find(argument) {
+        return entry.name.to_owned();
+    }
+    let path = Path::new(argument);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = path.parent().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+    match folder {
+        Some(folder) if stem == "layout" => folder,
+        _ if stem.is_empty() => argument.to_owned(),
+        _ => stem,
+    }
+}

@@ -1,0 +1,70 @@
+//! How is the atlas written for a spreadsheet? One line an engine and order, exact and in decimals.
+
+use std::fmt::Write;
+
+use super::super::left::shape_name;
+use super::entry::{Engine, Left, Origin};
+use crate::layout::{Cycle, LengthUnit};
+use crate::proof::Shape;
+
+const HEADER: &str = "origin,engine,title,firing,firing_order,stars,all_stars,position_unit,order,force,force_exact,force_shape,\
+    moment,moment_exact,moment_shape,first_force_left,first_moment_left,remedy_of_orders_1_and_2";
+
+/// The lines, with a header. Force in m r ω² c_k, moment in that times the unit of the positions; 0 is exact.
+pub(super) fn csv(all: &[Engine]) -> String {
+    let mut text = format!("{HEADER}\n");
+    for engine in all {
+        for order in &engine.orders {
+            let origin = match engine.origin {
+                Origin::Catalogue => "catalogue",
+                Origin::Found(Cycle::TwoStroke) => "best two-stroke star",
+                Origin::Found(Cycle::FourStroke) => "best four-stroke star",
+            };
+            let [stars, all] = match &engine.ties {
+                Some(ties) => [ties.stars.to_string(), ties.all.to_string()],
+                None => [String::new(), String::new()],
+            };
+            let unit = match engine.unit {
+                LengthUnit::Spacing => "spacing",
+                LengthUnit::Metre => "m",
+            };
+            let mut fields = vec![
+                origin.to_owned(),
+                engine.name.clone(),
+                engine.title.clone(),
+                engine.firing.clone(),
+                engine.firing_order.clone(),
+                stars,
+                all,
+                unit.to_owned(),
+                order.order.to_string(),
+            ];
+            fields.extend(amount(&order.force));
+            fields.extend(amount(&order.moment));
+            fields.extend(engine.first_left.clone());
+            fields.push(engine.remedy.clone());
+            let quoted: Vec<String> = fields.iter().map(|field| quoted(field)).collect();
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{}", quoted.join(","));
+        }
+    }
+    text
+}
+
+/// The largest value in decimals, its closed form where one is known, the shape.
+fn amount(left: &Left) -> [String; 3] {
+    let shape = shape_name(left.shape).to_owned();
+    if left.shape == Shape::Balanced {
+        return ["0".to_owned(), "0".to_owned(), shape];
+    }
+    let exact = left.largest.exact.as_ref().map(ToString::to_string).unwrap_or_default();
+    [format!("{:.9}", left.largest.decimal), exact, shape]
+}
+
+/// A field: in quotes where it holds a comma, a quote or the end of a line.
+fn quoted(field: &str) -> String {
+    match field.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", field.replace('"', "\"\"")),
+        false => field.to_owned(),
+    }
+}

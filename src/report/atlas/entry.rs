@@ -1,0 +1,125 @@
+//! What is known of an engine of the atlas? Its verdicts at orders 1 to 8, the first order that is left, the remedy.
+
+use super::super::typeset::Amount;
+use super::super::{brief, left, typeset};
+use super::{ORDERS, REMEDIED};
+use crate::layout::{Cycle, Layout, LayoutError, LengthUnit};
+use crate::proof::Shape;
+use crate::remedy::{self, Wish};
+use crate::search::{Best, FoundStar};
+use crate::verdict::{self, Balance};
+
+/// Where an engine comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// The catalogue.
+    Catalogue,
+    /// The search of in-line stars.
+    Found(Cycle),
+}
+
+/// One engine, judged.
+pub(super) struct Engine {
+    pub origin: Origin,
+    /// Name in the catalogue, or number of cylinders.
+    pub name: String,
+    /// Title in the catalogue, or throws.
+    pub title: String,
+    /// `even, 180°`.
+    pub firing: String,
+    /// Cylinders in the order in which they fire, where it is known.
+    pub firing_order: String,
+    /// How many stars are as good.
+    pub ties: Option<Ties>,
+    /// What is left at [`ORDERS`].
+    pub orders: Vec<Order>,
+    pub first_left: [String; 2],
+    pub remedy: String,
+    /// What positions are counted in.
+    pub unit: LengthUnit,
+}
+
+/// Force and moment of one order.
+pub(super) struct Order {
+    pub order: u32,
+    pub force: Left,
+    pub moment: Left,
+}
+
+/// What is left of a force or a moment.
+pub(super) struct Left {
+    pub shape: Shape,
+    /// The largest value through a revolution.
+    pub largest: Amount,
+}
+
+impl Left {
+    fn new(balance: &Balance) -> Self {
+        Left { shape: balance.shape, largest: left::largest(balance) }
+    }
+}
+
+/// Stars of equal moments.
+pub(super) struct Ties {
+    /// Those of these values, of so many.
+    pub stars: u64,
+    pub all: u128,
+    /// Where several classes leave no moment of orders 1 and 2: how many.
+    pub tied: Option<u64>,
+}
+
+impl Engine {
+    /// An engine of the catalogue.
+    pub fn known(name: &str, layout: &Layout) -> Self {
+        let title = layout.title.clone();
+        Engine::judged(layout, Origin::Catalogue, name.to_owned(), title, None)
+    }
+
+    /// A star that was found.
+    pub fn found(best: &Best, star: &FoundStar) -> Result<Self, LayoutError> {
+        let layout = star.layout(&best.problem)?;
+        let ties = Ties { stars: star.stars, all: best.all, tied: best.tied };
+        let (name, title) = (best.problem.cylinders.to_string(), throws(&layout));
+        Ok(Engine::judged(&layout, Origin::Found(best.problem.cycle), name, title, Some(ties)))
+    }
+
+    fn judged(layout: &Layout, origin: Origin, name: String, title: String, ties: Option<Ties>) -> Self {
+        let wish = Wish { orders: REMEDIED.to_vec(), ..Wish::default() };
+        let names = |firing: &crate::layout::Firing| {
+            let name = |shot: &crate::layout::Shot| layout.cylinders[shot.cylinder].name.as_str();
+            firing.shots.iter().map(name).collect::<Vec<_>>().join("-")
+        };
+        Engine {
+            origin,
+            name,
+            title,
+            ties,
+            firing: brief::firing(layout.firing.as_ref()),
+            firing_order: layout.firing.as_ref().map(names).unwrap_or_default(),
+            orders: verdict::classify(layout, &ORDERS, false)
+                .iter()
+                .map(|judged| Order {
+                    order: judged.order,
+                    force: Left::new(&judged.force),
+                    moment: Left::new(&judged.moment),
+                })
+                .collect(),
+            first_left: brief::first_left(&verdict::theorem(layout)),
+            remedy: brief::remedy(&remedy::remedy(layout, &wish)),
+            unit: layout.length_unit,
+        }
+    }
+}
+
+/// `0, 90, 270, 180°`; in multiples of `(360/7)°` where degrees do not end.
+fn throws(layout: &Layout) -> String {
+    let count = num_rational::BigRational::from_integer(layout.cylinders.len().into());
+    let angles = layout.cylinders.iter().map(|cylinder| cylinder.throw.degrees());
+    let degrees: Vec<String> = angles.map(|angle| typeset::number(&angle)).collect();
+    if degrees.iter().all(|text| !text.contains(['/', '≈'])) {
+        return format!("throws {}°", degrees.join(", "));
+    }
+    let steps = layout.cylinders.iter().map(|cylinder| typeset::number(&(cylinder.throw.turns() * &count)));
+    let unit = typeset::turns(&count.recip());
+    format!("throws {} times {unit}", steps.collect::<Vec<_>>().join(", "))
+}

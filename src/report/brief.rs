@@ -1,0 +1,103 @@
+//! How is an engine put in a few cells: its firing, the first order left, the remedy?
+
+use super::left;
+use super::typeset;
+use crate::layout::Firing;
+use crate::proof::Sense;
+use crate::remedy::{Kind, Refused, Remedy, Shaft};
+use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, Theorem};
+
+/// More intervals than this are told by the least and the largest.
+const MOST_INTERVALS: usize = 4;
+
+/// `even, 180°`, `uneven: 405°, 315°`; `not given` where the layout does not say.
+pub(super) fn firing(firing: Option<&Firing>) -> String {
+    let Some(firing) = firing else { return "not given".to_owned() };
+    let intervals = firing.intervals();
+    match intervals.as_slice() {
+        [first, ..] if firing.is_even() => format!("even, {}", typeset::turns(first)),
+        uneven if uneven.len() <= MOST_INTERVALS => {
+            format!("uneven: {}", uneven.iter().map(typeset::turns).collect::<Vec<_>>().join(", "))
+        }
+        uneven => match (uneven.iter().min(), uneven.iter().max()) {
+            (Some(least), Some(largest)) => {
+                format!("uneven: {} to {}", typeset::turns(least), typeset::turns(largest))
+            }
+            _ => String::new(),
+        },
+    }
+}
+
+/// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.
+pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [String; 2] {
+    let one = |every: &EveryOrder| match &every.first {
+        Some(first) => format!("{}, {}", first.direct.order, left::shape_name(first.shape)),
+        None => "none".to_owned(),
+    };
+    match theorem {
+        Ok(theorem) => [one(&theorem.force), one(&theorem.moment)],
+        Err(NoTheorem::PeriodTooLong(_)) => ["not stated: long period", "not stated: long period"].map(str::to_owned),
+        Err(NoTheorem::Offset) => ["not stated: pin offset", "not stated: pin offset"].map(str::to_owned),
+        Err(NoTheorem::RodsDiffer) => ["not stated: rods differ", "not stated: rods differ"].map(str::to_owned),
+    }
+}
+
+/// A cell of an order: what each class of equal rods leaves, or all cylinders together.
+pub(super) fn by_class(classes: &[&OrderBalance], words: fn(&OrderBalance) -> String) -> String {
+    let cell = |order: &&OrderBalance| match &order.class {
+        None => words(order),
+        Some(class) => format!("{}: {}", left::class_cylinders(class), words(order)),
+    };
+    match classes.iter().all(|order| words(order) == "0") {
+        true => "0".to_owned(),
+        false => classes.iter().map(cell).collect::<Vec<_>>().join("; "),
+    }
+}
+
+/// `2 counterweights (couple); shaft −1 (couple); Lanchester pair ±2`, or `none needed`.
+pub(super) fn remedy(remedy: &Result<Remedy, Refused>) -> String {
+    let remedy = match remedy {
+        Ok(remedy) => remedy,
+        Err(reason) => return format!("not stated: {}", missing(reason)),
+    };
+    let mut words: Vec<String> = remedy.crankshaft.iter().map(counterweights).collect();
+    let mut shafts = remedy.shafts.iter().peekable();
+    while let Some(shaft) = shafts.next() {
+        let partner = shafts.next_if(|next| next.order == shaft.order);
+        words.push(match partner {
+            Some(_) if shaft.lanchester => format!("Lanchester pair ±{}", shaft.order),
+            Some(other) if other.kind == shaft.kind => format!("shafts ±{} ({} each)", shaft.order, kind(shaft)),
+            Some(other) => format!("shafts +{0} ({1}) and −{0} ({2})", shaft.order, kind(shaft), kind(other)),
+            None => format!("shaft {}{} ({})", sign(shaft.sense), shaft.order, kind(shaft)),
+        });
+    }
+    if words.is_empty() { "none needed".to_owned() } else { words.join("; ") }
+}
+
+fn missing(reason: &Refused) -> &'static str {
+    match reason {
+        Refused::Missing(_) => "masses cannot be compared",
+        _ => "the planes or weights do not fit",
+    }
+}
+
+fn counterweights(shaft: &Shaft) -> String {
+    let count = shaft.weights.len();
+    format!("{count} counterweight{} ({})", if count == 1 { "" } else { "s" }, kind(shaft))
+}
+
+fn kind(shaft: &Shaft) -> &'static str {
+    match shaft.kind {
+        Kind::Force => "force",
+        Kind::Couple => "couple",
+        Kind::ForceAndMoment => "force and moment",
+    }
+}
+
+fn sign(sense: Sense) -> &'static str {
+    if sense == Sense::Direct { "+" } else { "−" }
+}
+
+/// How remedies are read.
+pub(super) const REMEDIES: &str = "A remedy takes away every vector of its orders exactly: counterweights on the crankshaft, balancer shafts at so many times \
+    crank speed, + with the crank and − against it; a shaft for a couple has two opposite weights; a Lanchester pair is two shafts with one weight each.";

@@ -1,0 +1,152 @@
+//! What does `compare --json` hold? Each engine with its verdicts, exact and in decimals, remedy, firing and bearings.
+
+use num_rational::BigRational;
+use serde::Serialize;
+
+use super::super::{brief, left};
+use super::rows::decimal;
+use super::{Compared, orders_of};
+use crate::layout::LengthUnit;
+use crate::loads::{BearingLoads, OrderLoads};
+use crate::verdict::{Balance, OrderBalance};
+
+/// Engines side by side, as data.
+#[derive(Clone, Debug, Serialize)]
+pub struct CompareDocument {
+    orders: Vec<u32>,
+    amplitudes: &'static str,
+    notes: Vec<String>,
+    engines: Vec<Engine>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Engine {
+    name: String,
+    title: String,
+    cylinders: usize,
+    position_unit: &'static str,
+    firing: Option<Firing>,
+    orders: Vec<Order>,
+    /// Lowest order of force and moment that is left, in words.
+    first_force_left: String,
+    first_moment_left: String,
+    remedy: String,
+    /// Forces in N and moments in N·m; null where the layout lacks numbers.
+    newtons: Option<Vec<Newtons>>,
+    worst_bearings: Option<Worst>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Firing {
+    even: bool,
+    intervals_deg: Vec<f64>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Order {
+    order: u32,
+    /// Names of the cylinders that it is about, where not all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cylinders: Option<Vec<String>>,
+    /// Whether c_k is not zero: centric cranks have order 1 and the even ones.
+    exists: bool,
+    force: Amount,
+    moment: Amount,
+    moment_is_couple: bool,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Amount {
+    shape: &'static str,
+    /// In m r ω² c_k, moments times the unit of the positions; 0 is exact.
+    largest: f64,
+    exact: Option<String>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Newtons {
+    order: u32,
+    force: f64,
+    moment: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Worst {
+    /// Numbers from 1.
+    bearings: Vec<usize>,
+    peak: f64,
+    unit: &'static str,
+}
+
+/// The comparison as data.
+pub fn compare_document(engines: &[Compared]) -> CompareDocument {
+    CompareDocument {
+        orders: orders_of(engines),
+        amplitudes: "zero-to-peak",
+        notes: super::compare_lines(engines),
+        engines: engines.iter().map(engine).collect(),
+    }
+}
+
+fn engine(engine: &Compared) -> Engine {
+    let [first_force_left, first_moment_left] = brief::first_left(&engine.theorem);
+    let full = BigRational::from_integer(360.into());
+    let firing = engine.layout.firing.as_ref().map(|firing| Firing {
+        even: firing.is_even(),
+        intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
+    });
+    Engine {
+        name: engine.name.clone(),
+        title: engine.layout.title.clone(),
+        cylinders: engine.layout.cylinders.len(),
+        position_unit: match engine.layout.length_unit {
+            LengthUnit::Metre => "m",
+            LengthUnit::Spacing => "spacing",
+        },
+        firing,
+        orders: engine.orders.iter().map(|judged| order(engine, judged)).collect(),
+        first_force_left,
+        first_moment_left,
+        remedy: brief::remedy(&engine.remedy),
+        newtons: newtons(engine),
+        worst_bearings: engine.bearings.as_ref().ok().map(worst),
+    }
+}
+
+fn order(engine: &Compared, order: &OrderBalance) -> Order {
+    Order {
+        order: order.order,
+        exists: engine.has_order(order.order),
+        cylinders: order.class.as_ref().map(|class| class.cylinders.clone()),
+        force: amount(&order.force),
+        moment: amount(&order.moment),
+        moment_is_couple: order.moment_is_couple(),
+    }
+}
+
+fn amount(balance: &Balance) -> Amount {
+    let largest = left::largest(balance);
+    let exact = largest.exact.as_ref().map(ToString::to_string);
+    Amount { shape: left::shape_name(balance.shape), largest: largest.decimal, exact }
+}
+
+fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
+    let loads = engine.loads.as_ref().ok().filter(|_| engine.has_newtons())?;
+    let unit = loads.scale.as_ref()?.force();
+    let order = |order: &OrderLoads| Newtons {
+        order: order.order,
+        force: order.force.largest() * unit,
+        moment: order.moment.largest() * unit,
+    };
+    Some(loads.orders.iter().map(order).collect())
+}
+
+fn worst(loads: &BearingLoads) -> Worst {
+    let scale = loads.scale.as_ref();
+    let peak = loads.worst.first().map_or(0.0, |index| loads.bearings[*index].peak.value);
+    Worst {
+        bearings: loads.worst.iter().map(|index| index + 1).collect(),
+        peak: peak * scale.map_or(1.0, |scale| scale.force()),
+        unit: if scale.is_some() { "N" } else { "m r ω²" },
+    }
+}

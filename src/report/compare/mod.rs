@@ -1,0 +1,78 @@
+//! How do engines compare? Side by side: what each leaves by order, the remedy, the firing, the main bearings.
+
+mod document;
+mod page;
+mod rows;
+
+pub use document::{CompareDocument, compare_document};
+pub use page::compare_page;
+pub use rows::{compare_lines, compare_rows};
+
+use super::brief;
+use crate::layout::Layout;
+use crate::loads::{self, BearingLoads, Loads, Method, Missing};
+use crate::remedy::{self, Refused, Remedy, Wish};
+use crate::verdict::{self, NoTheorem, OrderBalance, Theorem};
+
+/// An engine of a comparison, judged.
+#[derive(Clone, Debug)]
+pub struct Compared<'a> {
+    /// What it is called in the comparison.
+    pub name: String,
+    /// The engine.
+    pub layout: &'a Layout,
+    /// The verdicts, rising by order; several an order where rods differ.
+    pub orders: Vec<OrderBalance>,
+    /// The statements on every order.
+    pub theorem: Result<Theorem, NoTheorem>,
+    /// What takes away the orders that are compared.
+    pub remedy: Result<Remedy, Refused>,
+    /// The orders in newtons, where the layout has the numbers.
+    pub loads: Result<Loads, Missing>,
+    /// What the main bearings feel, where the layout names them.
+    pub bearings: Result<BearingLoads, Missing>,
+}
+
+impl<'a> Compared<'a> {
+    /// Judges an engine at these orders.
+    pub fn new(name: String, layout: &'a Layout, orders: &[u32]) -> Self {
+        let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
+        Compared {
+            name,
+            layout,
+            orders: verdict::classify(layout, orders, false),
+            theorem: verdict::theorem(layout),
+            remedy: remedy::remedy(layout, &wish),
+            loads: loads::loads(layout, orders),
+            bearings: loads::bearing_loads(layout, orders, Method::Continuous),
+        }
+    }
+
+    /// The verdicts on one order: one, or one a class of equal rods.
+    fn at(&self, order: u32) -> Vec<&OrderBalance> {
+        self.orders.iter().filter(|judged| judged.order == order).collect()
+    }
+
+    /// Whether the motion has this order: centric cranks have order 1 and the even ones.
+    fn has_order(&self, order: u32) -> bool {
+        order == 1 || order.is_multiple_of(2) || self.layout.has_offset()
+    }
+
+    /// Whether force and moment come out in N and N·m.
+    fn has_newtons(&self) -> bool {
+        let scaled = self.loads.as_ref().is_ok_and(|loads| loads.scale.is_some());
+        scaled && loads::Arm::of(self.layout) == loads::Arm::Metre
+    }
+
+    fn firing(&self) -> String {
+        brief::firing(self.layout.firing.as_ref())
+    }
+}
+
+/// The orders that are compared, rising.
+fn orders_of(engines: &[Compared]) -> Vec<u32> {
+    let mut orders: Vec<u32> = engines.iter().flat_map(|engine| &engine.orders).map(|order| order.order).collect();
+    orders.sort_unstable();
+    orders.dedup();
+    orders
+}

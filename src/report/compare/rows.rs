@@ -1,0 +1,124 @@
+//! Which lines does a comparison have? A column an engine: words of the verdicts, newtons where all have them.
+
+use num_traits::ToPrimitive;
+
+use super::super::calculation::{self, Rows, Unit};
+use super::super::{bearings, brief, left, typeset};
+use super::{Compared, orders_of};
+use crate::layout::LengthUnit;
+use crate::loads::{Missing, OrderLoads};
+use crate::proof::Quantity;
+use crate::verdict::OrderBalance;
+
+/// The table: a column an engine, a row each thing that is compared; cells in plain text.
+pub fn compare_rows(engines: &[Compared]) -> Rows {
+    let header = std::iter::once(String::new()).chain(engines.iter().map(|engine| engine.name.clone())).collect();
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    let mut add = |name: String, cell: &dyn Fn(&Compared) -> String| {
+        rows.push(std::iter::once(name).chain(engines.iter().map(cell)).collect());
+    };
+    add("Title".to_owned(), &|engine| engine.layout.title.clone());
+    add("Cylinders".to_owned(), &|engine| engine.layout.cylinders.len().to_string());
+    add("Firing".to_owned(), &|engine| engine.firing());
+    let orders = orders_of(engines);
+    for &order in &orders {
+        add(format!("Force {order}"), &|engine| words(engine, order, left::force_summary));
+        add(format!("Moment {order}"), &|engine| words(engine, order, left::moment_summary));
+    }
+    let first = |engine: &Compared| brief::first_left(&engine.theorem);
+    add("First force left".to_owned(), &|engine| first(engine)[0].clone());
+    add("First moment left".to_owned(), &|engine| first(engine)[1].clone());
+    add("Remedy".to_owned(), &|engine| brief::remedy(&engine.remedy));
+    if engines.iter().all(Compared::has_newtons) {
+        add("Speed in rpm".to_owned(), &speed);
+        for &order in &orders {
+            add(format!("Force {order} in N"), &|engine| newtons(engine, order, Quantity::Force));
+            add(format!("Moment {order} in N·m"), &|engine| newtons(engine, order, Quantity::Moment));
+        }
+    }
+    if engines.iter().any(|engine| engine.bearings.as_ref().err() != Some(&Missing::Bearings)) {
+        add("Worst main bearing".to_owned(), &worst_bearing);
+    }
+    Rows { header, rows }
+}
+
+/// What is left of an order; nothing is where the engine has no such order, whatever its star is.
+fn words(engine: &Compared, order: u32, summary: fn(&OrderBalance) -> String) -> String {
+    match brief::by_class(&engine.at(order), summary) {
+        left if left == "0" || engine.has_order(order) => left,
+        _ => format!("0, as c_{order} = 0"),
+    }
+}
+
+fn speed(engine: &Compared) -> String {
+    engine.layout.mechanism.speed.as_ref().map_or_else(String::new, typeset::number)
+}
+
+fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> String {
+    let Ok(loads) = &engine.loads else { return String::new() };
+    let unit = Unit::of(engine.layout, loads, quantity);
+    let swing = |loads: &OrderLoads| match quantity {
+        Quantity::Force => calculation::largest(&loads.force, unit),
+        _ => calculation::largest(&loads.moment, unit),
+    };
+    loads.orders.iter().find(|loads| loads.order == order).map_or_else(String::new, swing)
+}
+
+fn worst_bearing(engine: &Compared) -> String {
+    match &engine.bearings {
+        Ok(loads) => bearings::worst(loads).unwrap_or_else(|| "0 in all".to_owned()),
+        Err(Missing::Bearings) => "none named".to_owned(),
+        Err(Missing::Rods) => "not computed: no rods".to_owned(),
+        Err(_) => "not computed".to_owned(),
+    }
+}
+
+/// What follows the table: units, how it is read, why there are no newtons.
+pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
+    let mut lines = vec![left::LEGEND.to_owned()];
+    lines.push(format!("m, r, ω and c_k are those of each engine. {}", positions(engines)));
+    lines.push("First left: the lowest of all orders that exist. Verdicts are on the reciprocating masses; remedies, newtons and bearings on all masses that a layout names.".to_owned());
+    lines.push(brief::REMEDIES.to_owned());
+    if engines.iter().any(|engine| engine.orders.iter().any(|order| order.class.is_some())) {
+        lines.push(
+            "Where rods differ, cylinders with equal rods are judged by themselves: only they have c_k in common."
+                .to_owned(),
+        );
+    }
+    if engines.iter().any(|engine| orders_of(engines).iter().any(|&order| !engine.has_order(order))) {
+        lines.push("Odd orders above 1 exist only with a pin offset: with centric cranks their c_k is 0.".to_owned());
+    }
+    let with: Vec<&str> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.as_str()).collect();
+    let without: Vec<&str> = engines.iter().filter(|e| !e.has_newtons()).map(|e| e.name.as_str()).collect();
+    if !with.is_empty() && !without.is_empty() {
+        lines.push(format!(
+            "No newtons: for these all engines have to give rods, mass, crank radius, speed and positions in metres. With them: {}; without: {}.",
+            with.join(", "),
+            without.join(", ")
+        ));
+    }
+    lines
+}
+
+/// What the positions, and with them the moments, are counted in.
+fn positions(engines: &[Compared]) -> String {
+    let of = |unit: LengthUnit| -> Vec<&str> {
+        engines.iter().filter(|e| e.layout.length_unit == unit).map(|e| e.name.as_str()).collect()
+    };
+    match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
+        (_, spacings) if spacings.is_empty() => "Positions are in metres.".to_owned(),
+        (metres, _) if metres.is_empty() => {
+            "Positions have no unit: they are multiples of the spacing of each engine.".to_owned()
+        }
+        (metres, spacings) => format!(
+            "Positions are in different units, so that the moments do not compare: metres in {}, multiples of the spacing in {}.",
+            metres.join(", "),
+            spacings.join(", ")
+        ),
+    }
+}
+
+/// A speed or an angle for other programs.
+pub(super) fn decimal(value: &num_rational::BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,187 @@
+//! Does the atlas in `reports/atlas` still say what the program writes, and does it hold?
+//!
+//! `CRANKSTAR_RENEW=1 cargo test --test atlas` writes it anew.
+
+#![allow(clippy::disallowed_types)]
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+use std::{env, fs};
+
+use crankstar::layout::{self, Cycle};
+use crankstar::search::{self, Best, Options, Problem};
+
+fn best(cylinders: u32, cycle: Cycle) -> Best {
+    search::best_in_line(cylinders, cycle, &Options::default()).expect("there are stars")
+}
+
+/// The files that the program writes, by name.
+fn written() -> &'static BTreeMap<String, String> {
+    static FILES: OnceLock<BTreeMap<String, String>> = OnceLock::new();
+    FILES.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("atlas");
+        let _ = fs::remove_dir_all(&folder);
+        let output = Command::new(env!("CARGO_BIN_EXE_crankstar"))
+            .args(["atlas", "--output", folder.to_str().expect("a path")])
+            .output()
+            .expect("the program starts");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let files = fs::read_dir(&folder).expect("the folder").map(|entry| entry.expect("an entry"));
+        let text = |path: PathBuf| fs::read_to_string(path).expect("a text");
+        files.map(|file| (file.file_name().to_string_lossy().into_owned(), text(file.path()))).collect()
+    })
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/atlas")
+}
+
+#[test]
+fn the_atlas_is_as_stored() {
+    if env::var_os("CRANKSTAR_RENEW").is_some() {
+        fs::create_dir_all(folder()).expect("the folder");
+        for (name, text) in written() {
+            fs::write(folder().join(name), text).expect("a file");
+        }
+    }
+    assert_eq!(written().len(), 3);
+    assert_eq!(fs::read_dir(folder()).expect("the folder").count(), written().len());
+    for (name, text) in written() {
+        let stored = fs::read_to_string(folder().join(name)).expect("a file");
+        let first = stored.lines().zip(text.lines()).position(|(old, new)| old != new);
+        assert!(&stored == text, "{name} differs, first in line {:?}", first.map(|line| line + 1));
+    }
+}
+
+/// The fields of each line of the CSV file, by the names in its header.
+fn lines() -> Vec<BTreeMap<String, String>> {
+    let mut all = written()["atlas.csv"].lines().map(fields);
+    let header = all.next().expect("a header");
+    all.map(|line| {
+        assert_eq!(line.len(), header.len(), "{line:?}");
+        header.iter().cloned().zip(line).collect()
+    })
+    .collect()
+}
+
+/// The fields of a line; no field of the atlas holds the end of a line.
+fn fields(line: &str) -> Vec<String> {
+    let (mut fields, mut quoted) = (vec![String::new()], false);
+    for letter in line.chars() {
+        match letter {
+            '"' => quoted = !quoted,
+            ',' if !quoted => fields.push(String::new()),
+            _ => fields.last_mut().expect("a field").push(letter),
+        }
+    }
+    fields
+}
+
+/// The throws of a star in turns, from `throws 0, 3, 4 times (360/7)°` or `throws 0, 90°`.
+fn throws(title: &str) -> Vec<f64> {
+    let list = title.strip_prefix("throws ").expect("throws");
+    let (list, step) = match list.split_once(" times ") {
+        Some((list, step)) => {
+            let (above, below) = step.trim_matches(['(', ')', '°']).split_once('/').expect("a fraction");
+            (list, above.parse::<f64>().expect("a number") / below.parse::<f64>().expect("a number"))
+        }
+        None => (list.trim_end_matches('°'), 1.0),
+    };
+    list.split(", ").map(|number| number.parse::<f64>().expect("a number") * step / 360.0).collect()
+}
+
+/// Lengths of `Σ e^{ikβ}` and `Σ z e^{ikβ}`, the throws one apart about their middle.
+fn lengths(throws: &[f64], order: f64) -> [f64; 2] {
+    let middle = (throws.len() as f64 - 1.0) / 2.0;
+    let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
+    for (place, throw) in throws.iter().enumerate() {
+        let (sin, cos) = (TAU * order * throw).sin_cos();
+        let arm = middle - place as f64;
+        for (part, value) in [cos, sin].into_iter().enumerate() {
+            force[part] += value;
+            moment[part] += arm * value;
+        }
+    }
+    [force, moment].map(|[re, im]| f64::hypot(re, im))
+}
+
+#[test]
+fn every_number_of_a_star_is_the_length_of_its_plain_sum() {
+    let mut counted = 0;
+    for line in lines().iter().filter(|line| line["origin"] != "catalogue") {
+        let throws = throws(&line["title"]);
+        assert_eq!(throws.len().to_string(), line["engine"]);
+        let [force, moment] = lengths(&throws, line["order"].parse().expect("an order"));
+        for (column, expected) in [("force", force), ("moment", moment)] {
+            let written: f64 = line[column].parse().expect("a number");
+            assert!((written - expected).abs() < 2e-9, "{line:?}: {expected}");
+            assert_eq!(line[column] == "0", expected < 1e-9, "{line:?}");
+            assert_eq!(line[column] == "0", line[&format!("{column}_exact")] == "0");
+        }
+        counted += 1;
+    }
+    assert!(counted > 500, "{counted} lines");
+}
+
+#[test]
+fn the_throws_of_a_star_fire_evenly_in_its_firing_order() {
+    for line in lines().iter().filter(|line| line["origin"] != "catalogue" && line["order"] == "1") {
+        let throws = throws(&line["title"]);
+        let revolutions = if line["origin"].contains("four-stroke") { 2.0 } else { 1.0 };
+        let step = revolutions / throws.len() as f64;
+        for (place, cylinder) in line["firing_order"].split('-').enumerate() {
+            let throw = throws[cylinder.parse::<usize>().expect("a number") - 1];
+            let off = place as f64 * step + throw;
+            assert!((off - off.round()).abs() < 1e-9, "{line:?}");
+        }
+    }
+}
+
+#[test]
+fn known_stars_and_counts_stand_in_the_atlas() {
+    let lines = lines();
+    let of = |origin: &str, engine: &str, order: &str| -> Vec<&BTreeMap<String, String>> {
+        let is = |line: &&BTreeMap<String, String>| {
+            line["origin"] == origin && line["engine"] == engine && line["order"] == order
+        };
+        lines.iter().filter(is).collect()
+    };
+    let two = "best two-stroke star";
+    // Five cylinders: eight classes among 24 stars.
+    let fives = of(two, "5", "1");
+    assert_eq!(fives.len(), 8);
+    assert_eq!(fives.iter().map(|line| line["stars"].parse::<u32>().expect("a number")).sum::<u32>(), 24);
+    // Six cylinders two-stroke with M_1 = 0 keep M_2 = 2√3.
+    assert_eq!(of(two, "6", "1")[0]["moment"], "0");
+    assert_eq!(of(two, "6", "2")[0]["moment_exact"], "2√3");
+    // The usual in-line six leaves nothing before order 6, and needs nothing.
+    let six = of("catalogue", "I6", "1")[0];
+    assert_eq!([&six["first_force_left"], &six["remedy_of_orders_1_and_2"]], ["6, planar", "none needed"]);
+    assert_eq!(of("catalogue", "I4", "1")[0]["remedy_of_orders_1_and_2"], "Lanchester pair ±2");
+    let v8 = of("catalogue", "V8-crossplane", "1")[0];
+    assert_eq!([&v8["moment_exact"], &v8["moment_shape"]], ["√10", "rotating"]);
+    assert_eq!(v8["remedy_of_orders_1_and_2"], "2 counterweights (couple)");
+    let engines = layout::catalogue().expect("it reads");
+    assert!(engines.iter().all(|(entry, _)| of("catalogue", entry.name, "8").len() == 1));
+}
+
+#[test]
+fn tied_stars_are_told_apart_by_the_least_moment_of_order_4() {
+    // All stars one by one: of those without moments of orders 1 and 2, the least of order 4 is the one given.
+    let (cylinders, cycle) = (8, Cycle::FourStroke);
+    let all = search::every_value(&Problem::inline(cylinders, cycle, &[1, 2, 4])).expect("stars");
+    let is_tied = |star: &&search::FoundStar| star.moments[..2].iter().all(|moment| moment.sum.vanishes());
+    let tied: Vec<_> = all.stars.iter().filter(is_tied).collect();
+    let eight = best(cylinders, cycle);
+    assert_eq!(eight.tied, Some(tied.iter().map(|star| star.classes).sum()));
+    let least = tied.iter().map(|star| star.moments[2].decimal).fold(f64::INFINITY, f64::min);
+    assert_eq!(eight.stars.len(), 1);
+    assert!(eight.stars[0].moments[2].decimal <= least);
+    // Twelve cylinders two-stroke: 15 classes leave neither, and none of them is without order 4.
+    let twelve = best(12, Cycle::TwoStroke);
+    assert_eq!((twelve.tied, twelve.stars[0].classes), (Some(15), 5));
+    assert_eq!(twelve.stars[0].moments[2].modulus().expect("a form").to_string(), "4√3");
+}

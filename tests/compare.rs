@@ -1,0 +1,161 @@
+//! Does a comparison say what each engine leaves, in which units, and with which remedy?
+
+#![allow(clippy::disallowed_types)]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn crankstar(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_crankstar"));
+    command.arg("compare").args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().expect("the program starts")
+}
+
+fn succeeds(arguments: &[&str]) -> String {
+    let output = crankstar(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+fn fails(arguments: &[&str]) -> String {
+    let output = crankstar(arguments);
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+    assert!(output.stdout.is_empty());
+    String::from_utf8(output.stderr).expect("a text")
+}
+
+/// The line of the table that begins with this name, its spaces drawn together.
+fn line(text: &str, name: &str) -> String {
+    let start = format!(" {name}  ");
+    let found = text.lines().find(|line| line.starts_with(&start)).unwrap_or_else(|| panic!("{name} in\n{text}"));
+    found.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" | ")
+}
+
+const FOUR: &str = r#"title = "Four"
+cycle = "four-stroke"
+speed = 6000
+bearings = [0.2, 0.1, 0.0, -0.1, -0.2]
+[mechanism]
+stroke = "86 mm"
+rod_length = "143 mm"
+reciprocating_mass = "0.5 kg"
+[inline]
+throws = [0, 180, 180, 0]
+spacing = "100 mm"
+"#;
+
+/// The layout file of this text in a folder of its own.
+fn layout(name: &str, text: &str) -> String {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compare").join(name);
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::write(folder.join("layout.toml"), text).expect("a file");
+    folder.join("layout.toml").to_str().expect("a path").to_owned()
+}
+
+#[test]
+fn engines_stand_side_by_side_with_remedy_and_first_order_left() {
+    let text = succeeds(&["i4", "V8-crossplane", "boxer-4"]);
+    assert_eq!(line(&text, "Firing"), "Firing | even, 180° | even, 90° | even, 180°");
+    assert_eq!(line(&text, "Force 2"), "Force 2 | = 4, planar | 0 | 0");
+    assert_eq!(line(&text, "Moment 1"), "Moment 1 | 0 | couple = √10 ≈ 3.1623, rotating | 0");
+    assert_eq!(line(&text, "First force left"), "First force left | 2, planar | 4, planar | none");
+    assert!(line(&text, "Remedy").starts_with("Remedy | Lanchester pair ±2; | 2 counterweights (couple); | shafts ±2"));
+    assert!(text.contains("Positions have no unit"));
+    assert!(!text.contains("in N ") && !text.contains("Worst main bearing"));
+}
+
+#[test]
+fn orders_are_those_that_any_layout_file_asks_for() {
+    let document: Value = serde_json::from_str(&succeeds(&["I4", "radial-9", "--json"])).expect("JSON");
+    assert_eq!(document["orders"], serde_json::json!([1, 2, 4, 6, 8, 10]));
+    assert_eq!(document["engines"][1]["orders"].as_array().map(Vec::len), Some(6));
+}
+
+#[test]
+fn newtons_and_bearings_stand_where_all_have_numbers() {
+    let four = layout("four", FOUR);
+    let cross = layout("cross", &FOUR.replace("[0, 180, 180, 0]", "[0, 90, 270, 180]"));
+    let text = succeeds(&[&four, &cross, "--orders", "1,2"]);
+    // 4 m r ω² c_2 with λ = 43/143: c_2 = λ + λ³/4 + 15λ⁵/128 + … (theory, section 2).
+    let (lambda, omega) = (43.0_f64 / 143.0, 6000.0_f64 / 60.0 * std::f64::consts::TAU);
+    let c_2 = lambda + lambda.powi(3) / 4.0 + 15.0 * lambda.powi(5) / 128.0;
+    let expected = 4.0 * 0.5 * 0.043 * omega * omega * c_2;
+    let written = line(&text, "Force 2 in N");
+    let written: f64 = written.split(" | ").nth(1).expect("a cell").trim_start_matches("≈ ").parse().expect("a number");
+    assert!((written - expected).abs() < 1e-3 * expected, "{written} {expected}");
+    assert_eq!(line(&text, "Force 1 in N"), "Force 1 in N | 0 | 0");
+    assert!(line(&text, "Worst main bearing").contains("bearing 3 with ≈ "));
+    assert!(text.contains("Positions are in metres."));
+    // The folder names a layout.toml.
+    assert!(text.lines().nth(1).is_some_and(|header| header.contains("four") && header.contains("cross")));
+    let document: Value = serde_json::from_str(&succeeds(&[&four, &cross, "--json"])).expect("JSON");
+    let newtons = document["engines"][0]["newtons"][1]["force"].as_f64().expect("a number");
+    assert!((newtons - expected).abs() < 1e-3 * expected);
+    assert_eq!(document["engines"][0]["worst_bearings"]["bearings"], serde_json::json!([3]));
+}
+
+#[test]
+fn different_units_and_missing_numbers_are_said() {
+    let four = layout("metres", FOUR);
+    let text = succeeds(&[&four, "I4"]);
+    assert!(text.contains(
+        "different units, so that the moments do not compare: metres in metres, multiples of the spacing in I4"
+    ));
+    assert!(text.contains("With them: metres; without: I4."), "{text}");
+    assert!(line(&text, "Worst main bearing").ends_with("none named"));
+}
+
+#[test]
+fn unequal_rods_are_judged_by_class_and_orders_without_coefficient_leave_nothing() {
+    let text = succeeds(&["reports/examples/i6-two-rods/layout.toml", "I3", "--orders", "1,2,3"]);
+    assert_eq!(line(&text, "Force 1"), "Force 1 | 0 | 0");
+    assert!(line(&text, "Force 2").contains("cylinders 1, 2, 5, 6: = 2, planar;"));
+    assert_eq!(line(&text, "Moment 2"), "Moment 2 | 0 | couple = √3 ≈ 1.7321, planar");
+    assert_eq!(line(&text, "Force 3"), "Force 3 | 0, as c_3 = 0 | 0, as c_3 = 0");
+    assert!(line(&text, "First force left").contains("not stated: rods differ"));
+    assert!(text.contains("only they have c_k in common"));
+    let offset = succeeds(&["reports/examples/i6-offset/layout.toml", "I6", "--orders", "3"]);
+    assert!(line(&offset, "Force 3").starts_with("Force 3 | = 6, planar | 0, as c_3 = 0"));
+}
+
+#[test]
+fn the_page_has_small_multiples_of_the_stars_of_each_order() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compare").join("page");
+    let _ = fs::remove_dir_all(&folder);
+    let engines = ["I3", "I4", "V6-60-even", "boxer-6", "I5-12453", "--orders", "1,2"];
+    succeeds(&[&engines[..], &["--output", folder.to_str().expect("a path")]].concat());
+    let page = fs::read_to_string(folder.join("compare.md")).expect("a page");
+    for order in ["1", "2"] {
+        let file = format!("stars-order-{order}.svg");
+        assert!(page.contains(&format!("]({file})")));
+        let drawing = fs::read_to_string(folder.join(&file)).expect("a drawing");
+        assert!(engines[..5].iter().all(|name| drawing.contains(&format!(">{name}</text>"))), "{file}");
+        assert_eq!(drawing.matches(">Moment, reverse, order").count(), 5);
+    }
+    let rows: Vec<&str> = page.lines().filter(|line| line.starts_with('|')).collect();
+    assert!(rows.iter().all(|row| row.matches(" | ").count() == rows[0].matches(" | ").count()), "{page}");
+    // In engines in one line the reverse stars are mirror images, and are left out.
+    let _ = fs::remove_dir_all(&folder);
+    succeeds(&["I3", "I4", "--orders", "1", "--output", folder.to_str().expect("a path")]);
+    let drawing = fs::read_to_string(folder.join("stars-order-1.svg")).expect("a drawing");
+    assert!(!drawing.contains("reverse"));
+}
+
+#[test]
+fn what_cannot_be_compared_is_answered_with_words() {
+    assert!(fails(&["I4"]).contains("nothing to be compared with"));
+    assert!(fails(&["I4", "reports/families/v-twin/layout.toml"]).contains("has unknowns: phi"));
+    assert!(fails(&["I4", "nothing"]).contains("neither an engine of the catalogue nor a file"));
+    assert!(fails(&["I4"; 25]).contains("up to 24"));
+    assert_eq!(crankstar(&[]).status.code(), Some(2));
+    assert_eq!(crankstar(&["I4", "I6", "--orders", "0"]).status.code(), Some(2));
+    assert_eq!(crankstar(&["I4", "I6", "--json", "--output", "x"]).status.code(), Some(2));
+}
+
+#[test]
+fn an_engine_beside_itself_is_the_same_twice() {
+    let text = succeeds(&["I3", "I3"]);
+    assert_eq!(line(&text, "Moment 1"), "Moment 1 | couple = √3 ≈ 1.7321, planar | couple = √3 ≈ 1.7321, planar");
+}
