@@ -219,7 +219,8 @@ fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
     assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
-    let short = format!("{I3}\n[crankshaft]\nlength = '0.2 m'");
+    let without_bearings: Vec<&str> = I3.lines().filter(|line| !line.starts_with("bearings")).collect();
+    let short = format!("{}\n[crankshaft]\nlength = '0.2 m'", without_bearings.join("\n"));
     let refused = remedy(&read(&short), &planes(ratio(1, 10), ratio(-11, 100))).err();
     assert_eq!(refused, Some(Refused::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
     let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
