@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 15] = [
-    "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "remedy", "search",
-    "family", "claim", "report", "cli",
+const ROOMS: [&str; 16] = [
+    "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "remedy", "optimise",
+    "search", "family", "claim", "report", "cli",
 ];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {
