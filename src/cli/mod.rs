@@ -7,6 +7,7 @@ mod failure;
 mod layouts;
 mod list;
 mod loads;
+mod optimise;
 mod report;
 mod search;
 mod terminal;
@@ -55,6 +56,8 @@ enum Command {
     Loads(loads::Loads),
     /// Compute what the main bearings feel, order by order and through a revolution
     Bearings(bearings::Bearings),
+    /// Find the counterweights with the least bearing load for each crankshaft mass
+    Optimise(optimise::Optimise),
     /// Write the report with the proofs
     Report(report::Report),
     /// Check every certificate in the output of `classify --json`
@@ -127,6 +130,7 @@ pub fn run() -> ExitCode {
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
+        Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

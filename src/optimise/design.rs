@@ -103,14 +103,21 @@ fn left(sum: &PhasorSum, factor: f64) -> Left {
     let reach = |(low, high): &(BigRational, BigRational), largest: bool| {
         let inside = low.is_negative() && high.is_positive();
         let (near, far) = if low.abs() < high.abs() { (low.abs(), high.abs()) } else { (high.abs(), low.abs()) };
-        let value = if largest { far } else if inside { BigRational::zero() } else { near };
+        let value = if largest {
+            far
+        } else if inside {
+            BigRational::zero()
+        } else {
+            near
+        };
         value.to_f64().unwrap_or(f64::INFINITY)
     };
     let [low, high] = [false, true].map(|largest| reach(&parts[0], largest).hypot(reach(&parts[1], largest)) * factor);
     Left::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
 }
 
-fn weight(layout: &Layout, place: &Place) -> Weight {
+/// What stands at a place.
+pub(super) fn weight(layout: &Layout, place: &Place) -> Weight {
     let here = || layout.crankshaft.counterweights.iter().filter(|weight| weight.position == place.position);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
     let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));
@@ -134,7 +141,7 @@ pub(super) fn note(weight: &Weight) -> String {
     let owner = weight.place.throw.map_or_else(|| "On its own".to_owned(), |throw| format!("Throw {}", throw + 1));
     let amount = format!("{:.4e} kg m, {:.4} kg", weight.mass_radius.norm(), weight.mass.to_f64().unwrap_or(f64::NAN));
     let share = weight.factor.map(|factor| format!(", balance factor {factor:.4}")).unwrap_or_default();
-    let skew = weight.skew.map(|skew| format!(", {:.2}° on from opposite to its throw", skew + 0.0)).unwrap_or_default();
-    let parts = "; several tables at one position are one weight, written in parts that are exact";
-    format!("{owner}: {amount}{share}{skew}{parts}")
+    let skew =
+        weight.skew.map(|skew| format!(", {:.2}° on from opposite to its throw", skew + 0.0)).unwrap_or_default();
+    format!("{owner}: {amount}{share}{skew}")
 }

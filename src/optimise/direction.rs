@@ -67,10 +67,8 @@ impl Directions {
         let Some(pair) = self.pairs().find(holds) else { return PhasorSum::new(Vec::new()) };
         let terms = pair.into_iter().zip(along(pair)).filter_map(|(index, part)| {
             let whole = BigInt::from(part.round() as i64);
-            (!whole.is_zero()).then(|| Term {
-                angle: self.turns[index].clone(),
-                weight: BigRational::from_integer(whole) * unit,
-            })
+            (!whole.is_zero())
+                .then(|| Term { angle: self.turns[index].clone(), weight: BigRational::from_integer(whole) * unit })
         });
         PhasorSum::new(terms.collect())
     }
@@ -110,10 +108,9 @@ impl Directions {
             let same = terms.iter().find(|term| term.angle == *angle);
             same.map_or_else(BigRational::zero, |term| term.weight.clone())
         };
-        let left = terms.iter().map(|term| Term {
-            weight: &term.weight - of(&term.angle.opposite()),
-            angle: term.angle.clone(),
-        });
+        let left = terms
+            .iter()
+            .map(|term| Term { weight: &term.weight - of(&term.angle.opposite()), angle: term.angle.clone() });
         left.filter(|term| term.weight.is_positive()).collect()
     }
 

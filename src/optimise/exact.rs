@@ -30,6 +30,9 @@ impl Steps {
     }
 }
 
+/// Weights of fewer steps than this are what the solver leaves of none.
+const NOTHING: f64 = 5.0;
+
 /// The exact mass-radii in kilogram-metres, from those of a solution in multiples of m r.
 ///
 /// All are rounded but those that have to hold the balance: two where the couple has to vanish, one where it may stay. Those
@@ -42,8 +45,12 @@ pub(super) fn mass_radii(
     weights: &[Complex<f64>],
 ) -> Vec<PhasorSum> {
     let unit = problem.unit.to_f64().unwrap_or(1.0);
-    let mut exact: Vec<PhasorSum> =
-        weights.iter().map(|weight| directions.rounded(weight * unit, &steps.mass_radius)).collect();
+    let least = NOTHING * steps.mass_radius.to_f64().unwrap_or(0.0);
+    let rounded = |weight: &Complex<f64>| match weight.norm() * unit < least {
+        true => PhasorSum::new(Vec::new()),
+        false => directions.rounded(weight * unit, &steps.mass_radius),
+    };
+    let mut exact: Vec<PhasorSum> = weights.iter().map(rounded).collect();
     let size = |index: usize| weights[index].norm();
     let apart = |a: usize, b: usize| (problem.arms[a] - problem.arms[b]).abs();
     let pairs = (0..places.len()).flat_map(|a| (a + 1..places.len()).map(move |b| (a, b)));

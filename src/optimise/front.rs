@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::bound::Bound;
-use super::design::{Design, measure};
+use super::design::{Design, measure, note, weight};
 use super::direction::Directions;
 use super::exact::{Steps, counterweights, mass_radii};
 use super::file;
@@ -120,10 +120,10 @@ impl<'a> Search<'a> {
         let radius = layout.mechanism.crank_radius.clone().ok_or(Refused::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
         if let Some(most) = &mut problem.most_couple {
-            // What rounding may add: each weight moves by less than two steps, about the closing one by twice the longest arm.
+            // What rounding may add: each weight moves by less than five steps, about the closing one by twice the longest arm.
             let step = (&steps.mass_radius / &problem.unit).to_f64().unwrap_or(0.0);
             let longest = problem.arms.iter().map(|arm| arm.abs()).fold(0.0, f64::max);
-            *most = (*most - 4.0 * step * longest * places.len() as f64).max(0.0);
+            *most = (*most - 10.0 * step * longest * places.len() as f64).max(0.0);
         }
         let samples = Samples::new(&problem);
         Ok(Search { layout, wish, places, problem, samples, directions, steps })
@@ -148,21 +148,23 @@ impl<'a> Search<'a> {
         let bound = Bound::new(&self.problem, self.samples.all(), &best);
         let peak = Some(best.peak * (1.0 + SLACK));
         let chosen = self.solve(Least::Squares, Some(mass), peak).unwrap_or(best);
-        let exact =
-            mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
+        let exact = mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
         let pairs = self.places.iter().zip(&exact);
         let weights: Vec<_> = pairs.map(|(place, sum)| counterweights(place, sum, &self.steps.mass)).collect();
         let mut draft = bare(self.layout);
         draft.crankshaft.counterweights = weights.iter().flatten().cloned().collect();
-        let notes: Vec<String> =
-            measure(&draft, &self.places, &self.wish.orders)?.weights.iter().map(super::design::note).collect();
-        let head = format!("{name}: {}.", condition(&self.wish.couple));
+        let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
+        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
         let layout = file::with_counterweights(self.layout, &weights, &head, &notes)?;
         let design = measure(&layout, &self.places, &self.wish.orders)?;
         let least = bound.at(design.mass.to_f64().unwrap_or(f64::INFINITY));
         Ok(Point { layout, design, least })
     }
 }
+
+const PARTS: &str =
+    "Tables at one position are one counterweight, written in parts along directions in which its mass-radius is exact:
+their masses add up to its own, and their common centre of gravity stands within the radius that it had to keep.";
 
 fn condition(couple: &Couple) -> String {
     match couple {

@@ -56,7 +56,8 @@ impl Problem {
             (Couple::AtMost(most), Some(scale)) if Arm::of(layout) == Arm::Metre => Some(float(most) / scale.force()),
             (Couple::AtMost(_), _) => return Err(Refused::NoSpeed),
         };
-        let beam = Beam::new(bare.bearings.clone()).map_err(|mistake| Refused::Missing(loads::Missing::Beam(mistake)))?;
+        let beam =
+            Beam::new(bare.bearings.clone()).map_err(|mistake| Refused::Missing(loads::Missing::Beam(mistake)))?;
         let mut parts = vec![Vec::new(); bare.bearings.len()];
         for place in places {
             let shares = beam.influence(&place.position).map_err(|m| Refused::Missing(loads::Missing::Beam(m)))?;

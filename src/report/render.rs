@@ -11,6 +11,10 @@ const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
 const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
 const BEARINGS: &str = include_str!("../../templates/bearings.md");
+#[cfg(feature = "optimise")]
+const OPTIMISE: &str = include_str!("../../templates/optimise.md");
+#[cfg(feature = "optimise")]
+const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -40,6 +44,18 @@ pub(super) fn claims(page: &impl Serialize) -> String {
 /// Fills the template of a page of main bearings.
 pub(super) fn bearings(page: &impl Serialize) -> String {
     fill(BEARINGS, page, false)
+}
+
+/// Fills the template of a page of best crankshafts.
+#[cfg(feature = "optimise")]
+pub(super) fn optimise(page: &impl Serialize) -> String {
+    fill(OPTIMISE, page, false)
+}
+
+/// Fills the template of what that page begins with.
+#[cfg(feature = "optimise")]
+pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
+    fill(OPTIMISE_SUMMARY, summary, false)
 }
 
 /// Fills the template of the index of all reports.
