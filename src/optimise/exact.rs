@@ -45,7 +45,9 @@ pub(super) fn mass_radii(
     weights: &[Complex<f64>],
 ) -> Vec<PhasorSum> {
     let unit = problem.unit.to_f64().unwrap_or(1.0);
-    let least = NOTHING * steps.mass_radius.to_f64().unwrap_or(0.0);
+    // Where the couple is bounded, what is dropped would count against the bound.
+    let nothing = if problem.most_couple.is_some() { 0.0 } else { NOTHING };
+    let least = nothing * steps.mass_radius.to_f64().unwrap_or(0.0);
     let rounded = |weight: &Complex<f64>| match weight.norm() * unit < least {
         true => PhasorSum::new(Vec::new()),
         false => directions.rounded(weight * unit, &steps.mass_radius),

@@ -120,10 +120,11 @@ impl<'a> Search<'a> {
         let radius = layout.mechanism.crank_radius.clone().ok_or(Refused::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
         if let Some(most) = &mut problem.most_couple {
-            // What rounding may add: each weight moves by less than five steps, about the closing one by twice the longest arm.
+            // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
             let step = (&steps.mass_radius / &problem.unit).to_f64().unwrap_or(0.0);
             let longest = problem.arms.iter().map(|arm| arm.abs()).fold(0.0, f64::max);
-            *most = (*most - 10.0 * step * longest * places.len() as f64).max(0.0);
+            let moved: f64 = problem.arms.iter().map(|arm| arm.abs() + longest).sum();
+            *most = (*most - step * moved).max(0.0);
         }
         let samples = Samples::new(&problem);
         Ok(Search { layout, wish, places, problem, samples, directions, steps })

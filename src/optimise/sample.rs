@@ -8,11 +8,11 @@ use super::solve::{Goal, Sample, Solution, solve};
 use crate::loads::Circle;
 
 /// Crank angles of a bearing that every solution starts with.
-const FIRST: usize = 36;
+const FIRST: usize = 12;
 /// Crank angles at which a solution is searched for peaks.
 const STEPS: usize = 720;
 /// A peak that is higher than those of the samples by less than this part is not higher.
-const AGREES: f64 = 1e-7;
+const AGREES: f64 = 1e-6;
 /// More rounds than this were never needed: the peaks move by the square of what is left.
 const MOST_ROUNDS: usize = 40;
 

@@ -1,9 +1,9 @@
 //! Which tables tell what the best crankshafts are? The front, their counterweights, and uniform balance factors beside them.
 
 use super::super::calculation::Rows;
-use super::super::{table, typeset};
+use super::super::typeset;
 use super::amounts::{self, Units};
-use crate::layout::Layout;
+use crate::layout::{Layout, LengthUnit};
 use crate::loads::Arm;
 use crate::optimise::{Front, Weight};
 
@@ -20,7 +20,7 @@ pub fn optimise_rows(layout: &Layout, front: &Front) -> Rows {
         "Point".to_owned(),
         "Crankshaft in kg".into(),
         format!("Largest bearing load in {}", units.force),
-        "Bearing".into(),
+        "Bearings".into(),
         "Proved least within".into(),
         "First-order force, direct".into(),
         format!("Couple, direct, in {}", units.couple),
@@ -73,7 +73,7 @@ pub fn optimise_compared(layout: &Layout, front: &Front) -> Rows {
 
 /// The counterweights of each point: their balance factor and skew, by plane.
 pub(super) fn weights(layout: &Layout, front: &Front) -> Rows {
-    let unit = table::position_unit(layout);
+    let unit = if layout.length_unit == LengthUnit::Metre { " m" } else { "" };
     let place = |place: &crate::optimise::Place| {
         let throw = place.throw.map_or_else(String::new, |throw| format!(", throw {}", throw + 1));
         format!("z = {}{unit}{throw}", typeset::number(&place.position))
