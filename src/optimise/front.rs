@@ -91,8 +91,12 @@ pub fn front(layout: &Layout, wish: &Wish) -> Result<Front, Refused> {
         let Some(uniform) = uniform(layout, &factor) else { continue };
         let design = measure(&uniform, &search.places, &wish.orders)?;
         let mass = design.mass.to_f64().unwrap_or(f64::INFINITY);
-        let best = match mass >= ends[0] * (1.0 + SLACK) {
-            true => Some(search.best(mass, &format!("As heavy as with a balance factor of {}", decimal(&factor)))?),
+        // The lightest one has room to be solved in, as among the points.
+        let room = ends[0] * (1.0 + SLACK);
+        let best = match mass * (1.0 + SLACK) >= ends[0] {
+            true => Some(
+                search.best(mass.max(room), &format!("As heavy as with a balance factor of {}", decimal(&factor)))?,
+            ),
             false => None,
         };
         compared.push(Uniform { factor, design, best });
