@@ -365,6 +365,27 @@ fn a_bounded_couple_is_kept_and_makes_a_lighter_crankshaft() {
 }
 
 #[test]
+fn a_bound_below_what_rounding_leaves_is_kept_by_no_couple_at_all() {
+    let i3 = engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS);
+    for most in [whole(0), BigRational::new(1.into(), 1_000_000.into())] {
+        assert_eq!(solved(&i3, Couple::AtMost(most), 1).points[0].design.couple, Left::Zero);
+    }
+}
+
+/// Two planes leave no choice: the two-plane correction of the theory, section 7, which is 0.0825√3/0.24 kg each.
+#[test]
+fn two_planes_leave_one_point() {
+    let planes = "[[counterweight]]\nthrow = 1\nmass = 0\nradius = 0.045\nposition = 0.12\n\
+                  [[counterweight]]\nthrow = 3\nmass = 0\nradius = 0.045\nposition = -0.12\n";
+    let front = solved(&engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", planes), Couple::Zero, 5);
+    let [point] = front.points.as_slice() else { panic!("{} points", front.points.len()) };
+    for weight in &point.design.weights {
+        assert_close(float(&weight.mass), 0.0825 * 3.0_f64.sqrt() / 0.24, 1e-5, "mass");
+    }
+    assert!(front.uniform.is_empty(), "throw 2 has no place for a counterweight");
+}
+
+#[test]
 fn throws_of_a_pentagon_or_an_uneven_pair_are_balanced_exactly_too() {
     let five = "[0.25, 0.15, 0.05, -0.05, -0.15, -0.25]";
     for (throws, bearings) in [
@@ -402,6 +423,8 @@ fn what_is_missing_is_named() {
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);
     assert_eq!(refused(&i3, Couple::Zero, 0), Refused::NoPoints.to_string());
+    let no_first = front(&i3, &Wish { couple: Couple::Zero, points: 1, orders: vec![2] });
+    assert_eq!(no_first.err(), Some(Refused::NoFirstOrder));
     let mut no_bearings = i3.clone();
     no_bearings.bearings.clear();
     assert!(refused(&no_bearings, Couple::Zero, 1).contains("main bearings"));

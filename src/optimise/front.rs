@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::bound::Bound;
-use super::design::{Design, measure, note, weight};
+use super::design::{Design, Left, measure, note, weight};
 use super::direction::Directions;
 use super::exact::{Steps, counterweights, mass_radii};
 use super::file;
@@ -78,12 +78,13 @@ pub fn front(layout: &Layout, wish: &Wish) -> Result<Front, Refused> {
     }
     let mut search = Search::new(layout, wish)?;
     let ends = search.ends()?;
-    let steps = wish.points - 1;
+    // Where the least load comes with the least mass, there is one point.
+    let steps = if ends[1] - ends[0] > 2.0 * SLACK * ends[0] { wish.points - 1 } else { 0 };
     let mut points = Vec::new();
     for step in 0..=steps {
         let part = if steps == 0 { 1.0 } else { step as f64 / steps as f64 };
         let mass = ends[0] + (ends[1] - ends[0]) * part;
-        let name = format!("Point {} of {} of the front", step + 1, wish.points);
+        let name = format!("Point {} of {} of the front", step + 1, steps + 1);
         points.push(search.best(mass.max(ends[0] * (1.0 + SLACK)), &name)?);
     }
     let mut compared = Vec::new();
@@ -123,12 +124,13 @@ impl<'a> Search<'a> {
         let directions = Directions::new(&own.chain(others).collect::<Vec<Turn>>());
         let radius = layout.mechanism.crank_radius.clone().ok_or(Refused::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
-        if let Some(most) = &mut problem.most_couple {
+        if let Some(most) = problem.most_couple {
             // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
             let step = (&steps.mass_radius / &problem.unit).to_f64().unwrap_or(0.0);
             let longest = problem.arms.iter().map(|arm| arm.abs()).fold(0.0, f64::max);
             let moved: f64 = problem.arms.iter().map(|arm| arm.abs() + longest).sum();
-            *most = (*most - step * moved).max(0.0);
+            // A bound that leaves no room for that is kept by no couple at all.
+            problem.most_couple = Some(most - step * moved).filter(|left| *left > most / 2.0);
         }
         let samples = Samples::new(&problem);
         Ok(Search { layout, wish, places, problem, samples, directions, steps })
@@ -162,6 +164,9 @@ impl<'a> Search<'a> {
         let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
         let layout = file::with_counterweights(self.layout, &weights, &head, &notes)?;
         let design = measure(&layout, &self.places, &self.wish.orders)?;
+        if !keeps(&design, &self.wish.couple) {
+            return Err(Refused::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
+        }
         let least = bound.at(design.mass.to_f64().unwrap_or(f64::INFINITY));
         Ok(Point { layout, design, least })
     }
@@ -170,6 +175,16 @@ impl<'a> Search<'a> {
 const PARTS: &str =
     "Tables at one position are one counterweight, written in parts along directions in which its mass-radius is exact:
 their masses add up to its own, and their common centre of gravity stands within the radius that it had to keep.";
+
+/// Whether force and couple are what was asked for, proved.
+fn keeps(design: &Design, couple: &Couple) -> bool {
+    let bounded = match (design.couple, couple) {
+        (Left::Zero, _) => true,
+        (Left::Between(_, high), Couple::AtMost(most)) => high <= most.to_f64().unwrap_or(0.0),
+        (Left::Between(..), Couple::Zero) => false,
+    };
+    bounded && design.force == Left::Zero
+}
 
 fn condition(couple: &Couple) -> String {
     match couple {

@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 
 use super::place::{Place, bare};
 use super::refused::Refused;
@@ -44,6 +44,9 @@ impl Problem {
             [only] => return Err(Refused::OnePlane(only.position.to_string())),
             _ => {}
         }
+        if !wish.orders.contains(&1) {
+            return Err(Refused::NoFirstOrder);
+        }
         let bare = bare(layout);
         let loads = bearing_loads(&bare, &wish.orders, Method::Continuous)?;
         let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.mechanism.crank_radius.clone()) else {
@@ -53,6 +56,7 @@ impl Problem {
         let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
         let most_couple = match (&wish.couple, &loads.scale) {
             (Couple::Zero, _) => None,
+            (Couple::AtMost(most), _) if !most.is_positive() => None,
             (Couple::AtMost(most), Some(scale)) if Arm::of(layout) == Arm::Metre => Some(float(most) / scale.force()),
             (Couple::AtMost(_), _) => return Err(Refused::NoSpeed),
         };

@@ -19,6 +19,8 @@ pub enum Refused {
     NoSpeed,
     /// A pin offset, whose coefficient of order 1 no rational counterweight holds in balance.
     Offset,
+    /// The first order, which counterweights work on, is not among the orders.
+    NoFirstOrder,
     /// No points asked for.
     NoPoints,
     /// The solver found no solution.
@@ -47,6 +49,9 @@ impl fmt::Display for Refused {
             Refused::Offset => f.write_str(
                 "with pin offsets the first order has an irrational coefficient, which no counterweight of rational mass takes away exactly; leave pin_offset out",
             ),
+            Refused::NoFirstOrder => {
+                f.write_str("counterweights work on order 1, which is not among the orders; add it to `orders` or --orders")
+            }
             Refused::NoPoints => f.write_str("a front of 0 points; ask for 1 or more"),
             Refused::Unsolved(reason) => write!(f, "the solver found no best counterweights: {reason}"),
             Refused::File(reason) => write!(f, "the counterweights cannot be written into the layout file: {reason}"),
