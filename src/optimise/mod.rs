@@ -12,6 +12,7 @@
 //! engine) is not convex and costs some hundred-thousandths of the peak; two weights are then solved anew, exactly, so that force and
 //! couple vanish in the field of the throws' directions and not in decimals.
 
+mod best;
 mod bound;
 mod design;
 mod direction;
