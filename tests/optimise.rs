@@ -77,18 +77,20 @@ fn measured(engine: &str) -> Front {
         let design = measure(&layout, &places, &layout.orders).expect("a design");
         Point { layout, design, least: 0.0 }
     };
-    let compared = |(over, under, best): (i64, i64, Option<&str>)| {
+    let compared = |(over, under): (i64, i64)| {
         let factor = BigRational::new(over.into(), under.into());
         let uniform = uniform(&layout, &factor).expect("counterweights on every throw");
         let design = measure(&uniform, &places, &layout.orders).expect("a design");
-        Uniform { factor, design, best: best.map(point) }
+        // What no crankshaft that keeps the conditions reaches has no file.
+        let beside = |as_what: &str| {
+            let file = format!("as-{as_what}-as-{}.toml", float(&factor));
+            folder(engine).join(&file).exists().then(|| point(&file))
+        };
+        Uniform { design, best: beside("heavy"), lightest: beside("calm"), factor }
     };
-    // Without counterweights the couple stays, but for the flat-plane V8.
-    let none = folder(engine).join("as-heavy-as-0.toml").exists().then_some("as-heavy-as-0.toml");
-    let uniform = [(0, 1, none), (13, 20, Some("as-heavy-as-0.65.toml")), (1, 1, Some("as-heavy-as-1.toml"))];
     Front {
         points: (1..=POINTS).map(|number| point(&format!("point-{number}.toml"))).collect(),
-        uniform: uniform.map(compared).into(),
+        uniform: [(0, 1), (13, 20), (1, 1)].map(compared).into(),
         places,
     }
 }
@@ -102,11 +104,16 @@ fn assert_close(one: f64, other: f64, part: f64, what: &str) {
     assert!((one - other).abs() <= part * one.abs().max(other.abs()), "{what}: {one} and {other}");
 }
 
+/// Every crankshaft of a front that was found.
+fn all(front: &Front) -> impl Iterator<Item = &Point> {
+    front.points.iter().chain(front.uniform.iter().flat_map(|uniform| uniform.best.iter().chain(&uniform.lightest)))
+}
+
 /// Solves anew, compares with the stored points, and the stored page with what their files measure.
 fn compare(engine: &str) {
     let layout = read(engine, "layout.toml");
     let found = solved(&layout, Couple::Zero, POINTS);
-    for point in found.points.iter().chain(found.uniform.iter().filter_map(|uniform| uniform.best.as_ref())) {
+    for point in all(&found) {
         // The bound is weak duality of any multipliers: that the two meet proves both.
         let peak = point.design.peak();
         assert!(point.least <= peak * (1.0 + 1e-9) && peak <= point.least * 1.0001, "{engine}: {peak} {}", point.least);
@@ -118,9 +125,9 @@ fn compare(engine: &str) {
         }
     }
     let mut kept = measured(engine);
-    let pairs = kept.points.iter_mut().zip(&found.points);
-    let best = kept.uniform.iter_mut().zip(&found.uniform);
-    for (kept, found) in pairs.chain(best.filter_map(|(a, b)| Some((a.best.as_mut()?, b.best.as_ref()?)))) {
+    assert_eq!(all(&kept).count(), all(&found).count(), "{engine}");
+    let uniform = kept.uniform.iter_mut().flat_map(|uniform| uniform.best.iter_mut().chain(&mut uniform.lightest));
+    for (kept, found) in kept.points.iter_mut().chain(uniform).zip(all(&found)) {
         assert_close(kept.design.peak(), found.design.peak(), 1e-4, "peak");
         assert_close(float(&kept.design.mass), float(&found.design.mass), 1e-4, "mass");
         kept.least = found.least;
@@ -178,7 +185,7 @@ fn the_summary_of_all_three_is_as_stored() {
 fn every_stored_point_is_proved_balanced_by_the_verdict_of_all_its_masses() {
     for engine in ENGINES {
         let front = stored(engine);
-        for point in front.points.iter().chain(front.uniform.iter().filter_map(|uniform| uniform.best.as_ref())) {
+        for point in all(&front) {
             let loads = loads(&point.layout, &[1]).expect("loads");
             let [order] = loads.orders.as_slice() else { panic!("one order") };
             assert_eq!(order.force.direct.outcome, Outcome::Zero, "{engine}");
@@ -230,6 +237,22 @@ fn uniform_balance_factors_load_the_worst_bearing_as_the_thesis_has_it() {
     assert_close(of("thesis-v8-flatplane", 2), 8024.0, 1e-4, "flat-plane V8, balance factor 1");
     assert_close(of("thesis-v8-crossplane", 0), 27651.0, 1e-4, "cross-plane V8 without counterweights");
     assert_close(of("thesis-v8-crossplane", 2), 7956.4, 1e-4, "cross-plane V8, balance factor 1");
+}
+
+#[test]
+fn beside_a_uniform_balance_factor_the_best_are_no_heavier_or_no_worse_loaded() {
+    for engine in ENGINES {
+        for uniform in stored(engine).uniform {
+            let (mass, peak) = (float(&uniform.design.mass), uniform.design.peak());
+            for best in uniform.best {
+                assert!(float(&best.design.mass) <= mass * 1.00002, "{engine}: {} kg", best.design.mass);
+                assert!(best.design.peak() <= peak * 1.0001, "{engine}: {} {peak}", best.design.peak());
+            }
+            for lightest in uniform.lightest {
+                assert!(lightest.design.peak() <= peak * 1.0001, "{engine}: {} {peak}", lightest.design.peak());
+            }
+        }
+    }
 }
 
 /// Largest load over bearings and crank angles, from the beam's parts and samples alone.
@@ -461,8 +484,9 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
         .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
         .collect();
     names.sort();
-    let expected =
-        ["as-heavy-as-0.65.toml", "as-heavy-as-1.toml", "front.svg", "optimise.md", "point-1.toml", "point-2.toml"];
+    let beside = ["as-calm-as-0.65.toml", "as-calm-as-0.toml", "as-calm-as-1.toml"];
+    let heavy = ["as-heavy-as-0.65.toml", "as-heavy-as-1.toml"];
+    let expected = [&beside[..], &heavy, &["front.svg", "optimise.md", "point-1.toml", "point-2.toml"]].concat();
     assert_eq!(names, expected);
     let text = String::from_utf8(run.stdout).expect("UTF-8");
     assert!(text.contains("Largest bearing load in N") && text.contains("0 is exact and proved"), "{text}");

@@ -64,6 +64,15 @@ impl<'a> Search<'a> {
         Ok([lightest, last.max(lightest)])
     }
 
+    /// The least mass with which no bearing load is larger than this; none where no mass does that.
+    pub fn lightest(&mut self, peak: f64) -> Result<Option<f64>, Refused> {
+        let least = self.solve(Least::Peak, None, None)?.peak;
+        if peak < least * (1.0 + SLACK) {
+            return Ok(None);
+        }
+        Ok(Some(self.solve(Least::Mass, None, Some(peak))?.mass))
+    }
+
     /// The crankshaft of this mass with the least load; of all that reach it within a millionth that with the least sum of
     /// squares of its mass-radii, which is one alone, so that roundings do not choose among equals.
     pub fn best(&mut self, mass: f64, name: &str) -> Result<Point, Refused> {

@@ -22,7 +22,7 @@ pub struct Point {
     pub least: f64,
 }
 
-/// A crankshaft with one balance factor for all throws, and the best of the same mass.
+/// A crankshaft with one balance factor for all throws, and the best ones of the same mass and of the same load.
 #[derive(Clone, Debug)]
 pub struct Uniform {
     /// The balance factor.
@@ -31,6 +31,9 @@ pub struct Uniform {
     pub design: Design,
     /// The best crankshaft of the same mass; none where no crankshaft so light keeps the conditions.
     pub best: Option<Point>,
+    /// The lightest crankshaft that keeps the conditions with no larger a load, but for the rounding of its weights; none
+    /// where there is none.
+    pub lightest: Option<Point>,
 }
 
 /// The best crankshafts of a layout.
@@ -84,13 +87,16 @@ pub fn front(layout: &Layout, wish: &Wish) -> Result<Front, Refused> {
         let mass = design.mass.to_f64().unwrap_or(f64::INFINITY);
         // The lightest one has room to be solved in, as among the points.
         let room = ends[0] * (1.0 + SLACK);
+        let name = decimal(&factor);
         let best = match mass * (1.0 + SLACK) >= ends[0] {
-            true => Some(
-                search.best(mass.max(room), &format!("As heavy as with a balance factor of {}", decimal(&factor)))?,
-            ),
+            true => Some(search.best(mass.max(room), &format!("As heavy as with a balance factor of {name}"))?),
             false => None,
         };
-        compared.push(Uniform { factor, design, best });
+        let lightest = match search.lightest(design.peak())? {
+            Some(mass) => Some(search.best(mass.max(room), &format!("As calm as with a balance factor of {name}"))?),
+            None => None,
+        };
+        compared.push(Uniform { factor, design, best, lightest });
     }
     Ok(Front { places: search.places, points, uniform: compared })
 }

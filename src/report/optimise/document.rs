@@ -70,6 +70,8 @@ struct UniformEntry {
     design: DesignEntry,
     /// None where no crankshaft so light keeps the conditions.
     best_of_that_mass: Option<PointEntry>,
+    /// None where no crankshaft that keeps the conditions has so small a load.
+    lightest_with_that_load: Option<PointEntry>,
 }
 
 /// The best crankshafts as data.
@@ -102,6 +104,7 @@ fn uniform(uniform: &Uniform, units: Units) -> UniformEntry {
         balance_factor: uniform.factor.to_string(),
         design: design(&uniform.design, units),
         best_of_that_mass: uniform.best.as_ref().map(|best| point(best, units)),
+        lightest_with_that_load: uniform.lightest.as_ref().map(|lightest| point(lightest, units)),
     }
 }
 

@@ -90,10 +90,13 @@ pub fn optimise_files(layout: &Layout, front: &Front, couple: &Couple) -> Vec<Fi
         layouts.push(File { name: format!("point-{}.toml", index + 1), text: point.layout.file.clone() });
     }
     for uniform in &front.uniform {
-        if let Some(best) = &uniform.best {
-            let factor = uniform.factor.to_f64().unwrap_or(f64::NAN);
-            layouts.push(File { name: format!("as-heavy-as-{factor}.toml"), text: best.layout.file.clone() });
-        }
+        let factor = uniform.factor.to_f64().unwrap_or(f64::NAN);
+        let compared = [("heavy", &uniform.best), ("calm", &uniform.lightest)];
+        let named = compared.into_iter().filter_map(|(as_what, point)| Some((as_what, point.as_ref()?)));
+        layouts.extend(named.map(|(as_what, point)| File {
+            name: format!("as-{as_what}-as-{factor}.toml"),
+            text: point.layout.file.clone(),
+        }));
     }
     let page = Page {
         title: dialect.quoted(&layout.title),

@@ -49,7 +49,8 @@ pub fn optimise_compared(layout: &Layout, front: &Front) -> Rows {
         format!("Couple, direct, in {}", units.couple),
         format!("Best of that mass, in {}", units.force),
         "Less by".into(),
-        "Couple".into(),
+        "Lightest with that load, in kg".into(),
+        "Their couples".into(),
     ];
     let row = |uniform: &crate::optimise::Uniform| {
         let mut row = vec![
@@ -59,13 +60,19 @@ pub fn optimise_compared(layout: &Layout, front: &Front) -> Rows {
             amounts::left(uniform.design.couple),
         ];
         row.extend(match &uniform.best {
-            None => ["none so light".to_owned(), "–".into(), "–".into()],
+            None => ["none so light".to_owned(), "–".into()],
             Some(best) => {
                 let less = 100.0 * (1.0 - best.design.peak() / uniform.design.peak());
                 let less = if less < 0.05 { "0 %".to_owned() } else { format!("≈ {less:.0} %") };
-                [amounts::load(&best.design, units), less, amounts::left(best.design.couple)]
+                [amounts::load(&best.design, units), less]
             }
         });
+        let lightest = uniform.lightest.as_ref();
+        row.push(lightest.map_or("none".to_owned(), |lightest| amounts::kilograms(&lightest.design.mass)));
+        let mut couples: Vec<String> =
+            uniform.best.iter().chain(lightest).map(|point| amounts::left(point.design.couple)).collect();
+        couples.dedup();
+        row.push(if couples.is_empty() { "–".to_owned() } else { couples.join(", ") });
         row
     };
     Rows { header, rows: front.uniform.iter().map(row).collect() }
