@@ -61,8 +61,11 @@ fn newtons(point: &Point) -> f64 {
     point.design.peak() * point.design.scale.as_ref().map_or(1.0, Scale::force)
 }
 
-/// The front as it is stored, measured once for all tests.
+/// The front as it is stored, measured once for all tests, unless they write it anew.
 fn stored(engine: &str) -> Front {
+    if renews() {
+        return measured(engine);
+    }
     static FRONTS: [OnceLock<Front>; 3] = [const { OnceLock::new() }; 3];
     let place = ENGINES.iter().position(|name| *name == engine).expect("an engine of these pages");
     FRONTS[place].get_or_init(|| measured(engine)).clone()
@@ -124,7 +127,7 @@ fn compare(engine: &str) {
             fs::write(folder(engine).join(file.name), file.text).expect("a file");
         }
     }
-    let mut kept = measured(engine);
+    let mut kept = stored(engine);
     assert_eq!(all(&kept).count(), all(&found).count(), "{engine}");
     let uniform = kept.uniform.iter_mut().flat_map(|uniform| uniform.best.iter_mut().chain(&mut uniform.lightest));
     for (kept, found) in kept.points.iter_mut().chain(uniform).zip(all(&found)) {
@@ -167,7 +170,7 @@ and 2 with λ for c_2, which changes the worst bearing by 1.2 % at most.
 fn the_summary_of_all_three_is_as_stored() {
     let section = |engine: &&str| {
         let layout = read(engine, "layout.toml");
-        let summary = report::optimise_summary(&layout, &measured(engine), &Couple::Zero, &format!("{engine}/"));
+        let summary = report::optimise_summary(&layout, &stored(engine), &Couple::Zero, &format!("{engine}/"));
         format!(
             "\n## {}\n\n{summary}\n[The front, its counterweights, and how they are found]({engine}/optimise.md)\n",
             layout.title
