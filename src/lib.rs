@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← search ← family ← claim ← report ← cli`
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`, nor in `beam`.
@@ -49,6 +49,9 @@ pub mod loads;
 pub mod motion;
 #[allow(clippy::disallowed_types)]
 pub mod numbers;
+#[cfg(feature = "optimise")]
+#[allow(clippy::disallowed_types)]
+pub mod optimise;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
 #[allow(clippy::disallowed_types)]

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 16] = [
+const ROOMS: [&str; 17] = [
     "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "accuracy", "remedy",
-    "search", "family", "claim", "report", "cli",
+    "optimise", "search", "family", "claim", "report", "cli",
 ];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {

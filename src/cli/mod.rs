@@ -10,6 +10,7 @@ mod failure;
 mod layouts;
 mod list;
 mod loads;
+mod optimise;
 mod remedy;
 mod report;
 mod search;
@@ -64,6 +65,8 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that take away what is left
     Remedy(remedy::Remedy),
+    /// Find the counterweights with the least bearing load for each crankshaft mass
+    Optimise(optimise::Optimise),
     /// Write the report with the proofs
     Report(report::Report),
     /// Check every certificate in the output of `classify --json` or `remedy --json`
@@ -142,6 +145,7 @@ pub fn run() -> ExitCode {
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
+        Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),

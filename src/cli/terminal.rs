@@ -139,6 +139,30 @@ pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
     format!("{}\n{table}\n{lines}\n", layout.title)
 }
 
+/// The title, the front, and what uniform balance factors reach.
+#[cfg(feature = "optimise")]
+pub fn optimise(layout: &Layout, front: &crankstar::optimise::Front, couple: &crankstar::optimise::Couple) -> String {
+    let table = |rows: report::Rows| {
+        let mut table = Table::new();
+        table.load_style(UTF8_HORIZONTAL_ONLY);
+        table.set_header(rows.header);
+        for row in rows.rows {
+            table.add_row(row.into_iter().map(|text| {
+                let vanishes = text == "0";
+                verdict_cell(text, vanishes)
+            }));
+        }
+        table
+    };
+    let points = table(report::optimise_rows(layout, front));
+    let lines = report::optimise_lines(layout, front, couple).join("\n");
+    let compared = match front.uniform.is_empty() {
+        true => String::new(),
+        false => format!("{}\n", table(report::optimise_compared(layout, front))),
+    };
+    format!("{}\n{points}\n{compared}{lines}\n", layout.title)
+}
+
 fn verdict_cell(text: String, vanishes: bool) -> Cell {
     let cell = Cell::new(text);
     if vanishes { cell.fg(Color::Green) } else { cell }

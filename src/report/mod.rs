@@ -25,6 +25,8 @@ mod open_document;
 mod open_page;
 mod open_table;
 mod open_words;
+#[cfg(feature = "optimise")]
+mod optimise;
 mod page;
 pub mod plot;
 mod remedy;
@@ -55,6 +57,11 @@ pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
+#[cfg(feature = "optimise")]
+pub use optimise::{
+    OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
+    optimise_summary,
+};
 pub use page::Subject;
 pub use remedy::{RemedyPage, remedy_document, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
 pub use svg::svg;

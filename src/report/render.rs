@@ -15,6 +15,10 @@ const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
 const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
 const COMPARE: &str = include_str!("../../templates/compare.md");
+#[cfg(feature = "optimise")]
+const OPTIMISE: &str = include_str!("../../templates/optimise.md");
+#[cfg(feature = "optimise")]
+const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -62,6 +66,18 @@ pub(super) fn atlas(page: &impl Serialize, dialect: Dialect) -> String {
         Dialect::Latex => fill(ATLAS_LATEX, page, true),
         _ => fill(ATLAS_MARKDOWN, page, false),
     }
+}
+
+/// Fills the template of a page of best crankshafts.
+#[cfg(feature = "optimise")]
+pub(super) fn optimise(page: &impl Serialize) -> String {
+    fill(OPTIMISE, page, false)
+}
+
+/// Fills the template of what that page begins with.
+#[cfg(feature = "optimise")]
+pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
+    fill(OPTIMISE_SUMMARY, summary, false)
 }
 
 /// Fills the template of the index of all reports.

@@ -1,0 +1,94 @@
+//! `optimise`: which counterweights are best?
+
+use std::path::PathBuf;
+
+use super::Subject;
+use super::failure::Failure;
+
+/// Arguments of `optimise`.
+#[derive(clap::Args)]
+pub struct Optimise {
+    #[command(flatten)]
+    subject: Subject,
+    /// What may be left of the first-order couple that turns with the crank: zero, or a bound in N·m
+    #[arg(long, value_name = "zero|N·m", default_value = "zero")]
+    couple: String,
+    /// How many points from the lightest crankshaft to that with the least load
+    #[arg(long, default_value_t = 9, value_name = "COUNT")]
+    points: usize,
+    /// Print the points as JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    /// Folder for the page with its plot, and for the layout file of each point
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+#[cfg(not(feature = "optimise"))]
+impl Optimise {
+    /// Says what the program lacks.
+    pub fn run(&self) -> Result<(), Failure> {
+        let Optimise { subject: _, couple: _, points: _, json: _, output: _ } = self;
+        Err(Failure::new("this program was built without its optimiser; build it with --features optimise"))
+    }
+}
+
+#[cfg(feature = "optimise")]
+mod run {
+    use crankstar::layout::{Engine, parse_number};
+    use crankstar::optimise::{Couple, Wish, front};
+    use crankstar::report;
+    use num_traits::Signed;
+
+    use super::super::{print_json, terminal, write};
+    use super::{Failure, Optimise};
+
+    /// More points than this say nothing more.
+    const MOST_POINTS: usize = 200;
+
+    impl Optimise {
+        /// Prints the front, and writes page and layout files into the folder.
+        pub fn run(&self) -> Result<(), Failure> {
+            let (engine, orders) = self.subject.read()?;
+            let Engine::Known(layout, _) = engine else {
+                return Err(Failure::new(
+                    "bearing loads need an engine without unknowns; give them values below [values]",
+                ));
+            };
+            if self.points > MOST_POINTS {
+                return Err(Failure::new(format!("{} points; ask for {MOST_POINTS} at most", self.points)));
+            }
+            let wish = Wish { couple: couple(&self.couple)?, points: self.points, orders };
+            let front = front(&layout, &wish).map_err(Failure::new)?;
+            if self.json {
+                return print_json(&report::optimise_document(&layout, &front, &wish.couple));
+            }
+            let mut text = terminal::optimise(&layout, &front, &wish.couple);
+            if let Some(folder) = &self.output {
+                let files = report::optimise_files(&layout, &front, &wish.couple);
+                write::to_folder(folder, &files)?;
+                text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+            }
+            write::to_stdout(&text)
+        }
+    }
+
+    /// `zero`, or newton-metres.
+    fn couple(text: &str) -> Result<Couple, Failure> {
+        let text = text.trim();
+        if text == "zero" {
+            return Ok(Couple::Zero);
+        }
+        let unit = ["N·m", "N m", "Nm"].into_iter().find(|unit| text.ends_with(unit));
+        let number = unit.map_or(text, |unit| text[..text.len() - unit.len()].trim_end());
+        match parse_number(number) {
+            Ok(most) if most.is_positive() => Ok(Couple::AtMost(most)),
+            Ok(most) if most.is_negative() => Err(Failure::new("a couple is bounded by 0 N·m or more")),
+            Ok(_) => Ok(Couple::Zero),
+            Err(_) => Err(Failure::new(format!(
+                "`{}` is no bound of a couple; write zero, or newton-metres such as 50",
+                text.chars().take(40).collect::<String>()
+            ))),
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Which crankshaft of one mass is best? Solved, rounded, closed exactly, written, read back and measured.
+
+use num_traits::ToPrimitive;
+
+use super::bound::Bound;
+use super::design::{Design, Left, measure, note, weight};
+use super::direction::Directions;
+use super::exact::{Steps, counterweights, mass_radii};
+use super::file;
+use super::front::{Point, decimal};
+use super::place::{Place, bare, places};
+use super::problem::Problem;
+use super::refused::Refused;
+use super::sample::Samples;
+use super::solve::{Goal, Least, Solution};
+use super::{Couple, Wish};
+use crate::exact::Turn;
+use crate::layout::{Layout, throws};
+
+/// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
+pub(super) const SLACK: f64 = 1e-6;
+
+/// A problem with what its solutions share.
+pub(super) struct Search<'a> {
+    layout: &'a Layout,
+    wish: &'a Wish,
+    pub places: Vec<Place>,
+    problem: Problem,
+    samples: Samples,
+    directions: Directions,
+    steps: Steps,
+}
+
+impl<'a> Search<'a> {
+    pub fn new(layout: &'a Layout, wish: &'a Wish) -> Result<Self, Refused> {
+        let places = places(layout);
+        let mut problem = Problem::new(layout, &places, wish)?;
+        let own = throws(layout).into_iter().map(|throw| throw.angle);
+        let others = problem.exact.iter().flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
+        let directions = Directions::new(&own.chain(others).collect::<Vec<Turn>>());
+        let radius = layout.mechanism.crank_radius.clone().ok_or(Refused::NoMasses)?;
+        let steps = Steps::new(&problem.unit, &radius);
+        if let Some(most) = problem.most_couple {
+            // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
+            let step = (&steps.mass_radius / &problem.unit).to_f64().unwrap_or(0.0);
+            let longest = problem.arms.iter().map(|arm| arm.abs()).fold(0.0, f64::max);
+            let moved: f64 = problem.arms.iter().map(|arm| arm.abs() + longest).sum();
+            // A bound that leaves no room for that is kept by no couple at all.
+            problem.most_couple = Some(most - step * moved).filter(|left| *left > most / 2.0);
+        }
+        let samples = Samples::new(&problem);
+        Ok(Search { layout, wish, places, problem, samples, directions, steps })
+    }
+
+    fn solve(&mut self, least: Least, mass: Option<f64>, peak: Option<f64>) -> Result<Solution, Refused> {
+        self.samples.solve(&self.problem, Goal { least, mass, peak })
+    }
+
+    /// The masses of the ends of the front: the lightest crankshaft, and the lightest with the least load.
+    pub fn ends(&mut self) -> Result<[f64; 2], Refused> {
+        let lightest = self.solve(Least::Mass, None, None)?.mass;
+        let least = self.solve(Least::Peak, None, None)?.peak;
+        let last = self.solve(Least::Mass, None, Some(least * (1.0 + SLACK)))?.mass;
+        Ok([lightest, last.max(lightest)])
+    }
+
+    /// The least mass with which no bearing load is larger than this; none where no mass does that.
+    pub fn lightest(&mut self, peak: f64) -> Result<Option<f64>, Refused> {
+        let least = self.solve(Least::Peak, None, None)?.peak;
+        if peak < least * (1.0 + SLACK) {
+            return Ok(None);
+        }
+        Ok(Some(self.solve(Least::Mass, None, Some(peak))?.mass))
+    }
+
+    /// The crankshaft of this mass with the least load; of all that reach it within a millionth that with the least sum of
+    /// squares of its mass-radii, which is one alone, so that roundings do not choose among equals.
+    pub fn best(&mut self, mass: f64, name: &str) -> Result<Point, Refused> {
+        let best = self.solve(Least::Peak, Some(mass), None)?;
+        let bound = Bound::new(&self.problem, self.samples.all(), &best);
+        let peak = Some(best.peak * (1.0 + SLACK));
+        let chosen = self.solve(Least::Squares, Some(mass), peak).unwrap_or(best);
+        let exact = mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
+        let pairs = self.places.iter().zip(&exact);
+        let weights: Vec<_> = pairs.map(|(place, sum)| counterweights(place, sum, &self.steps.mass)).collect();
+        let mut draft = bare(self.layout);
+        draft.crankshaft.counterweights = weights.iter().flatten().cloned().collect();
+        let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
+        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
+        let layout = file::with_counterweights(self.layout, &weights, &head, &notes)?;
+        let design = measure(&layout, &self.places, &self.wish.orders)?;
+        if !keeps(&design, &self.wish.couple) {
+            return Err(Refused::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
+        }
+        let least = bound.at(design.mass.to_f64().unwrap_or(f64::INFINITY));
+        Ok(Point { layout, design, least })
+    }
+}
+
+const PARTS: &str =
+    "Tables at one position are one counterweight, written in parts along directions in which its mass-radius is exact:
+their masses add up to its own, and their common centre of gravity stands within the radius that it had to keep.";
+
+/// Whether force and couple are what was asked for, proved.
+fn keeps(design: &Design, couple: &Couple) -> bool {
+    let bounded = match (design.couple, couple) {
+        (Left::Zero, _) => true,
+        (Left::Between(_, high), Couple::AtMost(most)) => high <= most.to_f64().unwrap_or(0.0),
+        (Left::Between(..), Couple::Zero) => false,
+    };
+    bounded && design.force == Left::Zero
+}
+
+fn condition(couple: &Couple) -> String {
+    match couple {
+        Couple::Zero => "no first-order force or couple turns with the crank, exactly".to_owned(),
+        Couple::AtMost(most) => {
+            format!("no first-order force turns with the crank, and a couple of {} N·m at most", decimal(most))
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! What does a crankshaft with these counterweights weigh, what do its bearings feel, and is it balanced?
+//!
+//! All of it is read from the layout alone, whoever made it: the search has no part in these figures.
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::place::Place;
+use super::problem::direct;
+use super::refused::Refused;
+use crate::exact::{PhasorSum, Term};
+use crate::layout::{Layout, throws};
+use crate::loads::{Arm, Method, Scale, bearing_loads, unit_mass};
+use crate::numbers;
+
+/// A crankshaft with its counterweights.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// Mass of the crankshaft in kilograms, as [`Layout::crankshaft_mass`] counts it.
+    pub mass: BigRational,
+    /// Largest load of each main bearing in a revolution, in multiples of m r ω², on a continuous beam.
+    pub peaks: Vec<f64>,
+    /// Indices of the bearings with the largest.
+    pub worst: Vec<usize>,
+    /// What stands at each place.
+    pub weights: Vec<Weight>,
+    /// What is left of the first-order force that turns with the crank, in newtons (else multiples of m r ω²).
+    pub force: Left,
+    /// What is left of its couple about the reference plane, in newton-metres (else multiples of m r ω² times the unit of the
+    /// positions).
+    pub couple: Left,
+    /// What turns multiples into newtons.
+    pub scale: Option<Scale>,
+}
+
+impl Design {
+    /// The largest bearing load, in multiples of m r ω².
+    pub fn peak(&self) -> f64 {
+        self.peaks.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+/// A counterweight: all that stands at one place.
+#[derive(Clone, Debug)]
+pub struct Weight {
+    /// Where.
+    pub place: Place,
+    /// `U e^{iγ}` in kilogram-metres.
+    pub mass_radius: Complex<f64>,
+    /// In kilograms.
+    pub mass: BigRational,
+    /// Its part of the balance factor of its throw: `U` over the throw's own mass-radius.
+    pub factor: Option<f64>,
+    /// How far it is turned on from opposite to its throw, in degrees in (−180, 180].
+    pub skew: Option<f64>,
+}
+
+/// What is left of a vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Left {
+    /// Nothing, proved: its exact sum vanishes.
+    Zero,
+    /// Something, proved, and its length is between these two, by an enclosure of the exact sum.
+    Between(f64, f64),
+}
+
+/// Measures a layout with counterweights at these places, at these orders.
+///
+/// # Errors
+/// What the layout lacks; [`Refused::Offset`].
+pub fn measure(layout: &Layout, places: &[Place], orders: &[u32]) -> Result<Design, Refused> {
+    let loads = bearing_loads(layout, orders, Method::Continuous)?;
+    let (Some(mass), Some(radius)) = (layout.crankshaft_mass(), &layout.mechanism.crank_radius) else {
+        return Err(Refused::NoMasses);
+    };
+    let unit = unit_mass(layout) * radius;
+    let arm = |position: &BigRational| position - &layout.reference_plane;
+    let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
+    let in_units = |sum: PhasorSum, factor: f64| left(&sum.scaled(&unit.recip()), factor);
+    let couple_scale = if Arm::of(layout) == Arm::Metre { newtons } else { 1.0 };
+    Ok(Design {
+        mass,
+        peaks: loads.bearings.iter().map(|bearing| bearing.peak.value).collect(),
+        worst: loads.worst,
+        weights: places.iter().map(|place| weight(layout, place)).collect(),
+        force: in_units(direct(layout, &|_| BigRational::one(), &unit)?, newtons),
+        couple: in_units(direct(layout, &arm, &unit)?, couple_scale),
+        scale: loads.scale,
+    })
+}
+
+/// Bits behind the point of an enclosure.
+const BITS: u32 = 192;
+/// Part that the floats of a product may be off by.
+const ROUNDING: f64 = 1e-12;
+
+fn left(sum: &PhasorSum, factor: f64) -> Left {
+    if sum.vanishes() {
+        return Left::Zero;
+    }
+    let parts = numbers::enclose(sum, BITS);
+    let reach = |(low, high): &(BigRational, BigRational), largest: bool| {
+        let inside = low.is_negative() && high.is_positive();
+        let (near, far) = if low.abs() < high.abs() { (low.abs(), high.abs()) } else { (high.abs(), low.abs()) };
+        let value = if largest {
+            far
+        } else if inside {
+            BigRational::zero()
+        } else {
+            near
+        };
+        value.to_f64().unwrap_or(f64::INFINITY)
+    };
+    let [low, high] = [false, true].map(|largest| reach(&parts[0], largest).hypot(reach(&parts[1], largest)) * factor);
+    Left::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
+}
+
+/// What stands at a place.
+pub(super) fn weight(layout: &Layout, place: &Place) -> Weight {
+    let here = || layout.crankshaft.counterweights.iter().filter(|weight| weight.position == place.position);
+    let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
+    let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));
+    let mass = here().map(|weight| &weight.mass).sum();
+    let of_throw = place.throw.and_then(|index| {
+        let whole = layout.throw_mass_radii()?.get(index)?.to_f64().filter(|whole| *whole > 0.0)?;
+        Some((whole, numbers::direction(&throws(layout).get(index)?.angle.opposite())))
+    });
+    let turned = |(_, opposite): (f64, Complex<f64>)| (mass_radius * opposite.conj()).arg().to_degrees();
+    Weight {
+        factor: of_throw.map(|(whole, _)| mass_radius.norm() / whole),
+        skew: of_throw.filter(|_| mass_radius.norm() > 0.0).map(turned),
+        place: place.clone(),
+        mass_radius,
+        mass,
+    }
+}
+
+/// A weight in words, for the file that holds it.
+pub(super) fn note(weight: &Weight) -> String {
+    let owner = weight.place.throw.map_or_else(|| "On its own".to_owned(), |throw| format!("Throw {}", throw + 1));
+    let amount = format!("{:.4e} kg m, {:.4} kg", weight.mass_radius.norm(), weight.mass.to_f64().unwrap_or(f64::NAN));
+    let share = weight.factor.map(|factor| format!(", balance factor {factor:.4}")).unwrap_or_default();
+    let skew =
+        weight.skew.map(|skew| format!(", {:.2}° on from opposite to its throw", skew + 0.0)).unwrap_or_default();
+    format!("{owner}: {amount}{share}{skew}")
+}

@@ -1,0 +1,58 @@
+//! Where may counterweights stand? Where those of the layout do.
+
+use num_rational::BigRational;
+
+use crate::layout::{Counterweight, Layout, throws};
+
+/// A plane of the crankshaft with room for a counterweight.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Position along the crankshaft, in the unit of the layout's positions.
+    pub position: BigRational,
+    /// Distance of a weight's centre of gravity from the axis, in metres.
+    pub radius: BigRational,
+    /// The throw that it belongs to, by its index.
+    pub throw: Option<usize>,
+}
+
+/// The places of the layout's counterweights, one a position, in the order of the file; what they weigh does not matter.
+pub fn places(layout: &Layout) -> Vec<Place> {
+    let mut places: Vec<Place> = Vec::new();
+    for weight in &layout.crankshaft.counterweights {
+        if places.iter().all(|place| place.position != weight.position) {
+            let Counterweight { throw, radius, position, .. } = weight.clone();
+            places.push(Place { position, radius, throw });
+        }
+    }
+    places
+}
+
+/// The layout without its counterweights.
+pub fn bare(layout: &Layout) -> Layout {
+    let mut bare = layout.clone();
+    bare.crankshaft.counterweights.clear();
+    bare.crankshaft.balance_factors.clear();
+    bare
+}
+
+/// The layout with counterweights opposite to each throw, of one balance factor for all: those of a throw share it evenly.
+///
+/// `None` where a throw has no place for one, or the layout gives no masses.
+pub fn uniform(layout: &Layout, factor: &BigRational) -> Option<Layout> {
+    let (places, mut uniform) = (places(layout), bare(layout));
+    for (index, throw) in throws(layout).iter().enumerate() {
+        let own: Vec<&Place> = places.iter().filter(|place| place.throw == Some(index)).collect();
+        if own.is_empty() {
+            return None;
+        }
+        let each = layout.throw_mass_radii()?.get(index)? * factor / BigRational::from_integer(own.len().into());
+        uniform.crankshaft.counterweights.extend(own.into_iter().map(|place| Counterweight {
+            throw: place.throw,
+            angle: throw.angle.opposite(),
+            mass: &each / &place.radius,
+            radius: place.radius.clone(),
+            position: place.position.clone(),
+        }));
+    }
+    Some(uniform)
+}

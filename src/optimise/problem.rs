@@ -1,0 +1,113 @@
+//! What is the problem in decimals? Bearing loads, force and couple, affine in the mass-radii of the counterweights.
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive};
+
+use super::place::{Place, bare};
+use super::refused::Refused;
+use super::{Couple, Wish};
+use crate::beam::Beam;
+use crate::exact::PhasorSum;
+use crate::layout::Layout;
+use crate::loads::{self, Arm, Harmonic, Method, Waveform, Weighing, bearing_loads, unit_mass};
+use crate::proof::Sense;
+
+/// The problem. Mass-radii are in multiples of m r, forces of m r ω², masses in kilograms.
+pub(super) struct Problem {
+    /// Mass of the crankshaft without counterweights.
+    pub bare_mass: f64,
+    /// m r in kilogram-metres.
+    pub unit: BigRational,
+    /// Kilograms that a mass-radius of 1 weighs at each place.
+    pub weighs: Vec<f64>,
+    /// What each bearing feels of the crankshaft without counterweights.
+    pub waveforms: Vec<Waveform>,
+    /// The part of a load at each place that each bearing carries: `parts[bearing][place]`.
+    pub parts: Vec<Vec<f64>>,
+    /// Direct first order without counterweights, exact in kilogram-metres: force, and moment about the reference plane.
+    pub exact: [PhasorSum; 2],
+    /// The same in multiples of m r.
+    pub left: [Complex<f64>; 2],
+    /// Position of the reference plane.
+    pub reference: BigRational,
+    /// Distance of each place from the reference plane.
+    pub arms: Vec<f64>,
+    /// What the couple may be, in multiples of m r times the unit of the positions; none where it has to vanish.
+    pub most_couple: Option<f64>,
+}
+
+impl Problem {
+    pub fn new(layout: &Layout, places: &[Place], wish: &Wish) -> Result<Self, Refused> {
+        match places {
+            [] => return Err(Refused::NoPlaces),
+            [only] => return Err(Refused::OnePlane(only.position.to_string())),
+            _ => {}
+        }
+        if !wish.orders.contains(&1) {
+            return Err(Refused::NoFirstOrder);
+        }
+        let bare = bare(layout);
+        let loads = bearing_loads(&bare, &wish.orders, Method::Continuous)?;
+        let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.mechanism.crank_radius.clone()) else {
+            return Err(Refused::NoMasses);
+        };
+        let unit = unit_mass(&bare) * radius;
+        let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
+        let most_couple = match (&wish.couple, &loads.scale) {
+            (Couple::Zero, _) => None,
+            (Couple::AtMost(most), _) if !most.is_positive() => None,
+            (Couple::AtMost(most), Some(scale)) if Arm::of(layout) == Arm::Metre => Some(float(most) / scale.force()),
+            (Couple::AtMost(_), _) => return Err(Refused::NoSpeed),
+        };
+        let beam =
+            Beam::new(bare.bearings.clone()).map_err(|mistake| Refused::Missing(loads::Missing::Beam(mistake)))?;
+        let mut parts = vec![Vec::new(); bare.bearings.len()];
+        for place in places {
+            let shares = beam.influence(&place.position).map_err(|m| Refused::Missing(loads::Missing::Beam(m)))?;
+            parts.iter_mut().zip(&shares).for_each(|(of_bearing, share)| of_bearing.push(float(share)));
+        }
+        let arm = |position: &BigRational| position - &bare.reference_plane;
+        let exact = [direct(&bare, &|_| BigRational::one(), &unit)?, direct(&bare, &arm, &unit)?];
+        let left = [&exact[0], &exact[1]].map(|sum| crate::numbers::evaluate(sum) / float(&unit));
+        Ok(Problem {
+            bare_mass: float(&mass),
+            weighs: places.iter().map(|place| float(&(&unit / &place.radius))).collect(),
+            waveforms: loads.bearings.into_iter().map(|bearing| bearing.waveform).collect(),
+            arms: places.iter().map(|place| float(&arm(&place.position))).collect(),
+            reference: bare.reference_plane.clone(),
+            unit,
+            parts,
+            exact,
+            left,
+            most_couple,
+        })
+    }
+
+    /// How many places there are.
+    pub fn places(&self) -> usize {
+        self.weighs.len()
+    }
+
+    /// What a bearing feels with these mass-radii.
+    pub fn waveform(&self, bearing: usize, weights: &[Complex<f64>]) -> Waveform {
+        let carried: Complex<f64> = self.parts[bearing].iter().zip(weights).map(|(part, weight)| weight * part).sum();
+        let added = Harmonic { order: 1, direct: carried, reverse: Complex::new(0.0, 0.0) };
+        Waveform::new(self.waveforms[bearing].harmonics().iter().copied().chain([added]))
+    }
+}
+
+/// Half the direct first-order sum, which is the vector itself, in kilogram-metres.
+///
+/// The sums of a layout stand for `P⁺ = 2 · vector` (theory, section 3).
+pub(super) fn direct(layout: &Layout, weighing: Weighing, unit: &BigRational) -> Result<PhasorSum, Refused> {
+    let half = unit / BigRational::from_integer(2.into());
+    let mut all = PhasorSum::new(Vec::new());
+    for (factor, sum) in loads::sums(layout, weighing, 1, Sense::Direct) {
+        if factor.is_some() {
+            return Err(Refused::Offset);
+        }
+        all = all.plus(&sum.scaled(&half));
+    }
+    Ok(PhasorSum::new(all.collected()))
+}
