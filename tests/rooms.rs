@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 15] = [
+const ROOMS: [&str; 16] = [
     "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "remedy", "search",
-    "family", "claim", "report", "cli",
+    "family", "sweep", "claim", "report", "cli",
 ];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {

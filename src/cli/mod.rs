@@ -9,6 +9,7 @@ mod list;
 mod loads;
 mod report;
 mod search;
+mod sweep;
 mod terminal;
 mod verify;
 mod write;
@@ -36,6 +37,7 @@ Examples:
   crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
   crankstar report I4 --output I4-report             a report with its diagrams
   crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
+  crankstar sweep V6-60-shared --bank-angle 0..180:10 --output V6
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
 
 A layout file in its shortest form:
@@ -69,6 +71,8 @@ enum Command {
     },
     /// Find the crank stars that balance best
     Search(search::Search),
+    /// Compute the balance over a range of a bank angle, or of any value of a layout file
+    Sweep(sweep::Sweep),
     /// Print a completion script for a shell
     Completions {
         /// Which shell
@@ -131,6 +135,7 @@ pub fn run() -> ExitCode {
         Command::Verify { file } => verify::run(&file).map(done),
         Command::Check { file } => check::run(&file),
         Command::Search(search) => search.run().map(done),
+        Command::Sweep(sweep) => sweep.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {
