@@ -125,7 +125,7 @@ impl<'a> Template<'a> {
     pub fn engine(&self, values: &[(&Key, &str)]) -> Result<Engine, LayoutError> {
         let mut table = self.table.clone();
         for (key, value) in values {
-            set(table.get_mut(), key, value)?;
+            set(table.get_mut(), key, value).map_err(|error| error.in_file(self.name, self.source))?;
         }
         read_engine(self.name, self.source, table)
     }

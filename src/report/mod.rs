@@ -45,5 +45,5 @@ pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
 pub use page::Subject;
 pub use svg::svg;
-pub use sweep::{SweepDocument, sweep_csv, sweep_document, sweep_page};
+pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
 pub use tikz::tikz;

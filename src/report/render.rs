@@ -12,6 +12,7 @@ const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
 const BEARINGS: &str = include_str!("../../templates/bearings.md");
 const SWEEP: &str = include_str!("../../templates/sweep.md");
+const STUDY: &str = include_str!("../../templates/study.md");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -46,6 +47,11 @@ pub(super) fn bearings(page: &impl Serialize) -> String {
 /// Fills the template of a page of a sweep.
 pub(super) fn sweep(page: &impl Serialize) -> String {
     fill(SWEEP, page, false)
+}
+
+/// Fills the template of the page of a study.
+pub(super) fn study(page: &impl Serialize) -> String {
+    fill(STUDY, page, false)
 }
 
 /// Fills the template of the index of all reports.

@@ -49,6 +49,9 @@ pub const SHORT_CUTS: [ShortCut; 6] = [
     ShortCut { flag: "speed", keys: &[("*", "speed")], instead_of: &[] },
 ];
 
+/// Keys of a layout file that hold no quantity.
+const TEXTS: [&str; 8] = ["title", "source", "document", "cycle", "effects", "orders", "firing_order", "firing_angles"];
+
 impl Parameter {
     /// Reads `KEY=FROM..TO:STEP`.
     ///
@@ -59,6 +62,9 @@ impl Parameter {
             Refused::new(format!("`{text}` sets nothing; write KEY=FROM..TO:STEP, such as vee.bank_angle=0..180:10"))
         })?;
         let key = Key::parse(key.trim()).map_err(Refused::new)?;
+        if TEXTS.iter().any(|text| key.to_string().split('.').next() == Some(text)) {
+            return Err(Refused::new(format!("`{key}` holds no quantity; such as vee.bank_angle=0..180:10")));
+        }
         Ok(Parameter { label: key.name().replace('_', " "), key, range: Range::parse(range)?, instead_of: &[] })
     }
 

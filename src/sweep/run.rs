@@ -59,7 +59,10 @@ pub fn sweep(
         }
         [one, other] => one.range.count().checked_mul(other.range.count()),
         _ => {
-            return Err(Refused::new(format!("{} parameters are swept; one makes curves, two a map", parameters.len())));
+            return Err(Refused::new(format!(
+                "{} parameters are swept; one makes curves, two a map",
+                parameters.len()
+            )));
         }
     };
     let Some(count) = count.filter(|count| *count <= MOST_POINTS) else {

@@ -1,0 +1,217 @@
+//! What does the page of a study hold? Its statements with what was found, its families in curves and tables.
+
+use num_rational::BigRational;
+use num_traits::Zero;
+use serde::Serialize;
+
+use super::super::claim_words::{claim_finding, claim_status};
+use super::super::dialect::Dialect;
+use super::super::folder::File;
+use super::super::plot::{Axis, Curve, Plot, PointMark};
+use super::super::{render, svg};
+use super::csv::sweep_csv;
+use super::page::{Drawing, Table, tables, zero_rows};
+use super::plots::amplitudes;
+use super::words::{axis, exact, float, zeros_name};
+use crate::claim::{Checked, Found, Studied, Study};
+use crate::loads::Arm;
+use crate::proof::Quantity;
+use crate::sweep::{Envelope, Point, Sweep, Zeros};
+
+#[derive(Serialize)]
+struct StudyPage {
+    title: String,
+    source: String,
+    summary: String,
+    statements: Vec<Statement>,
+    zeros_header: Vec<&'static str>,
+    families: Vec<Family>,
+    assumptions: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Statement {
+    text: String,
+    place: String,
+    conclusion: String,
+    checks: Vec<[String; 4]>,
+}
+
+#[derive(Serialize)]
+struct Family {
+    heading: String,
+    in_line: Option<String>,
+    csv: String,
+    zeros: Vec<Vec<String>>,
+    drawings: Vec<Drawing>,
+    tables: Vec<Table>,
+}
+
+/// The page of a study, `README.md`, with a table in CSV and drawings for each family.
+pub fn study_page(study: &Study) -> Vec<File> {
+    let dialect = Dialect::GithubMarkdown;
+    let mut files = Vec::new();
+    let families = study.families.iter().map(|family| {
+        // The engine in line is the first row.
+        let whole = with_in_line(family);
+        let csv = format!("{}.csv", family.name);
+        files.push(File { name: csv.clone(), text: sweep_csv(&whole).text });
+        let mut plots = vec![("moments", moments(family))];
+        if family.in_line.is_some() {
+            plots.push(("size", size(family, &whole)));
+            plots.push(("mass", mass(family, &whole)));
+        }
+        let drawings = plots.into_iter().map(|(kind, plot)| {
+            let file = format!("{}-{kind}.svg", family.name);
+            files.push(File { name: file.clone(), text: svg::svg(&plot.figure(), &plot.title) });
+            Drawing { file, caption: dialect.quoted(&plot.title) }
+        });
+        Family {
+            heading: dialect.quoted(&family.sweep.title),
+            in_line: family.in_line.as_ref().map(|(title, _)| dialect.quoted(title)),
+            csv,
+            drawings: drawings.collect(),
+            zeros: zero_rows(family.sweep.zeros.as_deref().unwrap_or_default()),
+            tables: tables(&whole),
+        }
+    });
+    let families = families.collect();
+    let checks = study.statements.iter().flat_map(|said| &said.checks);
+    let (all, hold) = (checks.clone().count(), checks.filter(|check| check.holds).count());
+    let page = StudyPage {
+        title: dialect.quoted(&study.title),
+        source: dialect.quoted(&study.source),
+        summary: format!("{} statements, {all} checks: {hold} hold, {} do not.", study.statements.len(), all - hold),
+        statements: study
+            .statements
+            .iter()
+            .map(|said| Statement {
+                text: dialect.quoted(&said.text),
+                place: dialect.quoted(&said.place),
+                conclusion: dialect.quoted(&said.conclusion),
+                checks: said.checks.iter().map(row).collect(),
+            })
+            .collect(),
+        zeros_header: ["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)).collect(),
+        families,
+        assumptions: crate::sweep::Geometry::default().words(),
+    };
+    files.insert(0, File { name: "README.md".into(), text: render::study(&page) });
+    files
+}
+
+fn row(check: &Checked) -> [String; 4] {
+    let answer = match &check.found {
+        Found::Claim(pair) => claim_status(&pair.1),
+        _ if check.holds => "true".to_owned(),
+        _ => "false".to_owned(),
+    };
+    let degrees =
+        |values: &[BigRational]| values.iter().map(|at| format!("{}°", exact(at))).collect::<Vec<_>>().join(", ");
+    let found = match &check.found {
+        Found::Claim(pair) => claim_finding(&pair.0, &pair.1),
+        Found::Values { everywhere: true, .. } => "At every angle.".to_owned(),
+        Found::Values { at, complete, .. } => {
+            let all = if *complete { ", and proved: nowhere else in the range" } else { ", and perhaps elsewhere" };
+            let at = if at.is_empty() { "At no angle".to_owned() } else { format!("At {}", degrees(at)) };
+            format!("{at}{all}.")
+        }
+        Found::Firing { difference, at } => {
+            let difference = exact(&(difference * BigRational::from_integer(360.into())));
+            format!("The longest and the shortest interval differ by {difference}°, at {}.", degrees(at))
+        }
+        Found::Counterweight(Some(form)) => format!("m_cw ρ b = {form} m r a, in closed form."),
+        Found::Counterweight(None) => "No closed form.".to_owned(),
+    };
+    [check.engine.clone(), check.claim.clone(), answer, found]
+}
+
+/// The sweep with the engine in line for the value 0.
+fn with_in_line(family: &Studied) -> Sweep {
+    let mut whole = family.sweep.clone();
+    if let Some((_, point)) = &family.in_line {
+        whole.points.insert(0, Point { values: vec![BigRational::zero()], ..point.clone() });
+    }
+    whole
+}
+
+/// Vertical and horizontal amplitudes of the moments, and that of the rotating masses.
+fn moments(family: &Studied) -> Plot {
+    let sweep = &family.sweep;
+    let mut plot = plot(sweep, "unbalanced moments");
+    plot.y = match sweep.arm {
+        Arm::Spacing => Axis::linear("Amplitude in m r ω² a, of order 2 times c₂"),
+        Arm::Metre => Axis::linear("Amplitude in m r ω² · m, of order 2 times c₂"),
+    };
+    if let Some(rotating) = &family.rotating {
+        let points = rotating.curve.iter().filter_map(|point| {
+            let place = rotating.orders.iter().position(|&order| order == 1)?;
+            Some((float(point.values.first()?), amplitudes(point, place, Quantity::Moment)?.largest.value))
+        });
+        plot.curves.push(Curve::new(0, "rotating masses", points.collect()));
+    }
+    for (place, &order) in sweep.orders.iter().enumerate().filter(|(_, order)| **order < 3) {
+        let parts: [(&str, fn(&crate::sweep::Amplitudes) -> f64); 2] =
+            [("vertical", |a| a.along.value), ("horizontal", |a| a.across.value)];
+        for (name, part) in parts {
+            let points = sweep.curve.iter().filter_map(|point| {
+                Some((float(point.values.first()?), part(amplitudes(point, place, Quantity::Moment)?)))
+            });
+            let points: Vec<(f64, f64)> = points.collect();
+            if points.iter().any(|(_, value)| *value != 0.0) {
+                plot.curves.push(Curve::new(plot.curves.len(), format!("order {order} {name}"), points));
+            }
+        }
+        for set in sweep.zeros.iter().flatten() {
+            let shown = matches!(set.of, Zeros::Along | Zeros::Across);
+            if set.quantity == Quantity::Moment && set.order == order && shown {
+                plot.marks.extend(set.at.iter().map(|at| {
+                    let name = if set.of == Zeros::Along { "vertical" } else { "horizontal" };
+                    PointMark::ring((float(at), 0.0), format!("{}°: order {order} {name}", exact(at))).of("exact zero")
+                }));
+            }
+        }
+    }
+    plot
+}
+
+fn plot(sweep: &Sweep, what: &str) -> Plot {
+    let parameter = &sweep.parameters[0];
+    let last = float(&parameter.range.last());
+    let x = Axis::angle(axis(parameter, true), 0.0, last, 30);
+    Plot::new(format!("{}: {what}", sweep.title), x, Axis::linear(""))
+}
+
+/// Values over the grid: those of the family as a curve, that of the engine in line as a dot.
+fn add(plot: &mut Plot, whole: &Sweep, name: &str, value: &dyn Fn(&Point) -> Option<f64>) {
+    let mut points = whole.points.iter().filter_map(|point| Some((float(point.values.first()?), value(point)?)));
+    let in_line = points.next();
+    plot.curves.push(Curve::new(plot.curves.len(), name, points.collect()));
+    plot.marks.extend(in_line.map(|at| PointMark::dot(at, name).of("in line")));
+}
+
+/// Length, breadth and height against the length of the engine in line.
+fn size(family: &Studied, whole: &Sweep) -> Plot {
+    let mut plot = plot(&family.sweep, "size of the envelope");
+    plot.y = Axis::linear("against the length of the engine in line");
+    let Some(unit) = family.in_line.as_ref().and_then(|(_, point)| point.envelope?.length) else { return plot };
+    let sides: [(&str, fn(&Envelope) -> Option<f64>); 3] =
+        [("length", |e| e.length), ("breadth", |e| Some(e.breadth)), ("height", |e| Some(e.height))];
+    for (name, side) in sides {
+        add(&mut plot, whole, name, &|point| Some(side(point.envelope.as_ref()?)? / unit));
+    }
+    plot
+}
+
+/// What the paper's mass rests on: the volume, the counterweights, the firing.
+fn mass(family: &Studied, whole: &Sweep) -> Plot {
+    let mut plot = plot(&family.sweep, "what the mass follows");
+    plot.y = Axis::linear("see the legend");
+    let Some(unit) = family.in_line.as_ref().and_then(|(_, point)| point.envelope?.volume()) else { return plot };
+    add(&mut plot, whole, "volume, in line 1", &|point| Some(point.envelope?.volume()? / unit));
+    add(&mut plot, whole, "counterweight in m r", &|point| Some(point.counterweight?.value));
+    add(&mut plot, whole, "difference of firing intervals, in turns", &|point| {
+        Some(float(&point.evenness.as_ref()?.unevenness()))
+    });
+    plot
+}
