@@ -3,6 +3,7 @@
 //! `CRANKSTAR_RENEW=1 cargo test --test grigoryev` writes them anew.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::{env, fs};
 
 use crankstar::claim::{Found, Study, study};
@@ -12,14 +13,17 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/grigoryev")
 }
 
-fn read() -> Study {
-    let file = |name: &str| fs::read_to_string(folder().join(name)).map_err(|error| format!("{name}: {error}"));
-    study("study.toml", &file("study.toml").expect("the study"), &file).expect("it reads")
+fn read() -> &'static Study {
+    static STUDY: OnceLock<Study> = OnceLock::new();
+    STUDY.get_or_init(|| {
+        let file = |name: &str| fs::read_to_string(folder().join(name)).map_err(|error| format!("{name}: {error}"));
+        study("study.toml", &file("study.toml").expect("the study"), &file).expect("it reads")
+    })
 }
 
 #[test]
 fn the_study_is_as_stored() {
-    let files = report::study_page(&read());
+    let files = report::study_page(read());
     if env::var_os("CRANKSTAR_RENEW").is_some() {
         for file in &files {
             fs::write(folder().join(&file.name), &file.text).expect("a file");

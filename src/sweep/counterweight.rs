@@ -1,9 +1,10 @@
 //! How large are the counterweights that hold what turns with the crank?
 
-use num_rational::BigRational;
+use num_complex::Complex;
 use num_traits::{ToPrimitive, Zero};
 
 use super::point::{Part, float, parts};
+use super::whole::Whole;
 use crate::exact::PhasorSum;
 use crate::layout::{Layout, throws};
 use crate::proof::{Quantity, Sense};
@@ -14,26 +15,37 @@ use crate::proof::{Quantity, Sense};
 /// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
 /// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
 pub fn counterweight(layout: &Layout) -> Option<Part> {
-    let force = parts(layout, Quantity::Force, 1, Sense::Direct);
-    let moment = parts(layout, Quantity::Moment, 1, Sense::Direct);
-    let is_gone = |parts: &crate::loads::Parts| parts.values().all(PhasorSum::vanishes);
-    if is_gone(&force) && is_gone(&moment) {
+    counterweight_of(layout, Whole::new(layout).as_ref())
+}
+
+/// The same for an engine whose whole numbers are known already.
+pub(super) fn counterweight_of(layout: &Layout, whole: Option<&Whole>) -> Option<Part> {
+    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match whole {
+        Some(_) if layout.has_offset() => None,
+        Some(whole) => {
+            let pair = whole.pair(quantity, 1);
+            Some((pair.direct, pair.zeros[0]))
+        }
+        None => {
+            let parts = parts(layout, quantity, 1, Sense::Direct);
+            // With an offset c_1 is not 1.
+            let is_plain = parts.keys().all(Option::is_none);
+            let value = parts.values().map(float).sum::<Complex<f64>>();
+            is_plain.then(|| (value, parts.values().all(PhasorSum::vanishes)))
+        }
+    });
+    let ((p, no_force), (c, no_moment)) = (force?, moment?);
+    if no_force && no_moment {
         return Some(Part { value: 0.0, vanishes: true });
     }
-    if force.keys().chain(moment.keys()).any(Option::is_some) {
-        // With an offset c_1 is not 1.
-        return None;
-    }
+    let p = if no_force { Complex::zero() } else { p };
     let throws = throws(layout);
     let positions = || throws.iter().map(|throw| &throw.position - &layout.reference_plane);
     let (first, second) = (positions().max()?, positions().min()?);
-    let value = |parts: &crate::loads::Parts| parts.values().map(float).sum::<num_complex::Complex<f64>>();
-    let (p, c) = (if is_gone(&force) { Zero::zero() } else { value(&force) }, value(&moment));
     if first == second {
-        return is_gone(&moment).then_some(Part { value: p.norm() / 2.0, vanishes: false });
+        return no_moment.then_some(Part { value: p.norm() / 2.0, vanishes: false });
     }
-    let number = |value: &BigRational| value.to_f64();
-    let (z_1, z_2) = (number(&first)?, number(&second)?);
+    let (z_1, z_2) = (first.to_f64()?, second.to_f64()?);
     let apart = 2.0 * (z_1 - z_2);
     let larger = ((c - p * z_2) / apart).norm().max(((p * z_1 - c) / apart).norm());
     Some(Part { value: larger, vanishes: false })

@@ -12,6 +12,7 @@ mod parameter;
 mod point;
 mod range;
 mod run;
+mod whole;
 mod zeros;
 
 pub use counterweight::counterweight;

@@ -7,9 +7,10 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::counterweight::counterweight;
+use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness};
+use super::whole::{Pair, Whole};
 use crate::exact::PhasorSum;
 use crate::layout::{Cycle, Layout, Rod};
 use crate::loads::{self, Missing, Parts, Scale};
@@ -17,9 +18,6 @@ use crate::motion::{SliderCrank, coefficients_fast};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
 
-/// A sum further from zero than this part of the sum of its weights is not zero: floats are off by far less, at any order
-/// that is read and with as many cylinders as are read.
-const SURELY_NOT_ZERO: f64 = 1e-9;
 /// The shorter half-axis is told as 0 below this part of the longer one.
 const FLAT: f64 = 1e-12;
 
@@ -123,11 +121,11 @@ pub(super) fn judge_with(
     motions: &mut Motions,
 ) -> Result<Point, Missing> {
     loads::comparable(layout)?;
-    let plain = plain_terms(layout);
+    let whole = Whole::new(layout);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
-        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match &plain {
-            Some(terms) => from_terms(layout, terms, quantity, order, highest, motions),
+        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match &whole {
+            Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
             None => from_parts(layout, quantity, order, highest, motions),
         });
         OrderPoint { order, force, moment }
@@ -143,42 +141,14 @@ pub(super) fn judge_with(
         newtons: scale.filter(|_| rods_known).map(|scale| scale.force()),
         kilograms: mechanism.mass.as_ref().and_then(|_| loads::unit_mass(layout).to_f64()),
         evenness: evenness(layout, cycle),
-        counterweight: counterweight(layout),
+        counterweight: counterweight_of(layout, whole.as_ref()),
         envelope: envelope(layout, geometry),
     })
 }
 
-/// A cylinder in floats: throw and bank in turns, mass times crank radius, arm.
-struct PlainTerm {
-    throw: f64,
-    bank: f64,
-    weight: f64,
-    arm: f64,
-}
-
-/// The cylinders in floats, where all have the same rod, or none is given, and nothing else turns.
-fn plain_terms(layout: &Layout) -> Option<Vec<PlainTerm>> {
-    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
-    let same_rods = mechanism.rods.windows(2).all(|pair| pair[0] == pair[1]);
-    let only_pistons = mechanism.rotating_masses.iter().all(Zero::is_zero)
-        && mechanism.mass.as_ref().is_none_or(|mass| !mass.is_zero())
-        && crankshaft.pins.is_empty()
-        && crankshaft.webs.is_empty()
-        && crankshaft.counterweights.is_empty()
-        && crankshaft.balancers.is_empty();
-    let float = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
-    let term = |cylinder: &crate::layout::Cylinder| PlainTerm {
-        throw: float(cylinder.throw.turns()),
-        bank: float(cylinder.bank.turns()),
-        weight: float(&cylinder.weight()),
-        arm: float(&layout.arm(cylinder)),
-    };
-    (same_rods && only_pistons).then(|| layout.cylinders.iter().map(term).collect())
-}
-
-fn from_terms(
+fn from_words(
     layout: &Layout,
-    terms: &[PlainTerm],
+    whole: &Whole,
     quantity: Quantity,
     order: u32,
     highest: u32,
@@ -191,27 +161,7 @@ fn from_terms(
     if coefficient.is_zero() {
         return gone();
     }
-    let k = f64::from(order);
-    let (mut direct, mut mirrored, mut whole) = (Complex::zero(), Complex::zero(), 0.0);
-    for term in terms {
-        let weight = if quantity == Quantity::Moment { term.weight * term.arm } else { term.weight };
-        whole += weight.abs();
-        // Direct `kβ − (k−1)α`, and the reverse one mirrored, `kβ − (k+1)α`.
-        let turn = k * (term.throw - term.bank);
-        direct += Complex::from_polar(weight, TAU * (turn + term.bank).fract());
-        mirrored += Complex::from_polar(weight, TAU * (turn - term.bank).fract());
-    }
-    let sum = |sense| phasor::sum(layout, quantity, order, Some(sense));
-    let decide = |value: Complex<f64>, exactly: &dyn Fn() -> bool| {
-        let surely = value.norm() > SURELY_NOT_ZERO * whole;
-        !surely && exactly()
-    };
-    let zeros = [
-        decide(direct, &|| sum(Sense::Direct).vanishes()),
-        decide(mirrored, &|| sum(Sense::Reverse).vanishes()),
-        decide(direct + mirrored, &|| sum(Sense::Direct).plus(&sum(Sense::Reverse).conjugate()).vanishes()),
-        decide(direct - mirrored, &|| sum(Sense::Direct).minus(&sum(Sense::Reverse).conjugate()).vanishes()),
-    ];
+    let Pair { direct, mirrored, zeros } = whole.pair(quantity, order);
     amplitudes(direct * coefficient, mirrored * coefficient, zeros)
 }
 
@@ -259,12 +209,14 @@ pub(super) fn parts(layout: &Layout, quantity: Quantity, order: u32, sense: Sens
 fn from_parts(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
     let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| parts(layout, quantity, order, sense));
     let mirrored: Parts = reverse.into_iter().map(|(factor, sum)| (factor, sum.conjugate())).collect();
-    let zeros = [
-        direct.values().all(PhasorSum::vanishes),
-        mirrored.values().all(PhasorSum::vanishes),
-        merged(&direct, &mirrored, 1).values().all(PhasorSum::vanishes),
-        merged(&direct, &mirrored, -1).values().all(PhasorSum::vanishes),
-    ];
+    let gone = |parts: &Parts| parts.values().all(PhasorSum::vanishes);
+    let (plus, minus) = (gone(&direct), gone(&mirrored));
+    let [along, across] = match (plus, minus) {
+        (true, true) => [true, true],
+        (false, false) => [1, -1].map(|sign| gone(&merged(&direct, &mirrored, sign))),
+        _ => [false, false],
+    };
+    let zeros = [plus, minus, along, across];
     let rods_known = !layout.mechanism.rods.is_empty();
     let mut value = |parts: &Parts| -> Complex<f64> {
         let term = |(factor, sum): (&Option<Rod>, &PhasorSum)| match factor {
