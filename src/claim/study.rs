@@ -38,6 +38,8 @@ pub struct Studied {
     pub rotating: Option<Sweep>,
     /// The engine in line that stands for the value 0, with its title.
     pub in_line: Option<(String, Point)>,
+    /// End view times length in cubes of the crank radius: of the engine in line, where there is one, and of each point.
+    pub volumes: Vec<Option<f64>>,
 }
 
 /// A statement, and what was checked for it.
@@ -163,13 +165,23 @@ pub fn study(name: &str, source: &str, read_file: &dyn Fn(&str) -> Result<String
             let template = Template::new(name, &text).map_err(|error| error.to_string())?;
             let layout = known(&template, &[])?;
             let point = sweep::judge(&layout, template.cycle(), &orders, &Geometry::default());
-            Ok::<_, String>((layout.title.clone(), point.map_err(|error| error.to_string())?))
+            let point = point.map_err(|error| error.to_string())?;
+            Ok::<_, String>((volume(&layout), layout.title.clone(), point))
         };
+        let in_line = table.in_line.as_ref().map(in_line).transpose()?;
+        let template = Template::new(name, &text).map_err(|error| error.to_string())?;
+        let of_family = parameter[0].range.values().map(|value| {
+            let layout = known(&template, &[(&parameter[0].key, &value.to_string())])?;
+            Ok(volume(&layout))
+        });
+        let first = in_line.iter().map(|(volume, ..)| Ok(*volume));
+        let volumes = first.chain(of_family).collect::<Result<Vec<_>, String>>()?;
         families.push(Studied {
             name: table.name.get_ref().0.clone(),
             sweep: run(&text)?,
             rotating: table.rotating.as_ref().map(|file| run(&read_file(&file.get_ref().0)?)).transpose()?,
-            in_line: table.in_line.as_ref().map(in_line).transpose()?,
+            in_line: in_line.map(|(_, title, point)| (title, point)),
+            volumes,
         });
         texts.push(text);
     }
@@ -184,6 +196,12 @@ pub fn study(name: &str, source: &str, read_file: &dyn Fn(&str) -> Result<String
     });
     let statements = statements.collect::<Result<Vec<_>, String>>()?;
     Ok(Study { title: file.title.get_ref().0.clone(), source: file.source.get_ref().0.clone(), families, statements })
+}
+
+/// End view times length.
+fn volume(layout: &Layout) -> Option<f64> {
+    let geometry = Geometry::default();
+    Some(sweep::section(layout, &geometry)? * sweep::envelope(layout, &geometry)?.length?)
 }
 
 fn known(template: &Template, values: &[(&Key, &str)]) -> Result<Layout, String> {

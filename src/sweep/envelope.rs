@@ -68,13 +68,6 @@ pub struct Envelope {
     pub metres: Option<f64>,
 }
 
-impl Envelope {
-    /// Volume of the box.
-    pub fn volume(&self) -> Option<f64> {
-        Some(self.length? * self.breadth * self.height)
-    }
-}
-
 /// The box round an engine; none for one with cylinders of different strokes.
 pub fn envelope(layout: &Layout, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
@@ -115,4 +108,32 @@ pub fn envelope(layout: &Layout, geometry: &Geometry) -> Option<Envelope> {
         height: high - low,
         metres,
     })
+}
+
+/// Rays over which the section is summed.
+const RAYS: u32 = 3600;
+
+/// Area of the end view, of all banks and the crankcase together, in r²: times the length it is what the engine fills.
+///
+/// Every bank and the crankcase are seen whole from the shaft, so that the area is `½ ∫ ρ² dθ` over the farthest of them.
+pub fn section(layout: &Layout, geometry: &Geometry) -> Option<f64> {
+    let half = geometry.half_width * geometry.bore;
+    let mut banks = Vec::new();
+    for (index, cylinder) in layout.cylinders.iter().enumerate() {
+        let ratio = layout.mechanism.rods.get(index).map_or(Some(geometry.rod_ratio), |rod| rod.ratio.to_f64())?;
+        let bank = (cylinder.bank.turns().to_f64()?, 1.0 + 1.0 / ratio + geometry.above_pin * geometry.bore);
+        if !banks.contains(&bank) {
+            banks.push(bank);
+        }
+    }
+    let step = std::f64::consts::TAU / f64::from(RAYS);
+    let ray = |index: u32| {
+        let direction = (f64::from(index) + 0.5) * step;
+        let reach = |(bank, top): &(f64, f64)| {
+            let (sin, cos) = (direction - std::f64::consts::TAU * bank).sin_cos();
+            if cos <= 0.0 { 0.0 } else { (top / cos).min(half / sin.abs()) }
+        };
+        banks.iter().map(reach).fold(geometry.crankcase, f64::max)
+    };
+    Some((0..RAYS).map(|index| ray(index).powi(2)).sum::<f64>() * step / 2.0)
 }

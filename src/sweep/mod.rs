@@ -16,7 +16,7 @@ mod whole;
 mod zeros;
 
 pub use counterweight::counterweight;
-pub use envelope::{Envelope, Geometry, envelope};
+pub use envelope::{Envelope, Geometry, envelope, section};
 pub use evenness::{Evenness, evenness};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use point::{Amplitudes, OrderPoint, Part, Point, judge};

@@ -1,5 +1,7 @@
 //! What does the page of a study hold? Its statements with what was found, its families in curves and tables.
 
+use std::collections::BTreeSet;
+
 use num_rational::BigRational;
 use num_traits::Zero;
 use serde::Serialize;
@@ -16,7 +18,7 @@ use super::words::{axis, exact, float, zeros_name};
 use crate::claim::{Checked, Found, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
-use crate::sweep::{Envelope, Point, Sweep, Zeros};
+use crate::sweep::{Envelope, Point, Sweep, ZeroSet, Zeros};
 
 #[derive(Serialize)]
 struct StudyPage {
@@ -162,16 +164,15 @@ fn moments(family: &Studied) -> Plot {
                 plot.curves.push(Curve::new(plot.curves.len(), format!("order {order} {name}"), points));
             }
         }
-        for set in sweep.zeros.iter().flatten() {
-            let shown = matches!(set.of, Zeros::Along | Zeros::Across);
-            if set.quantity == Quantity::Moment && set.order == order && shown {
-                plot.marks.extend(set.at.iter().map(|at| {
-                    let name = if set.of == Zeros::Along { "vertical" } else { "horizontal" };
-                    PointMark::ring((float(at), 0.0), format!("{}°: order {order} {name}", exact(at))).of("exact zero")
-                }));
-            }
-        }
     }
+    let shown = |set: &&ZeroSet| {
+        set.quantity == Quantity::Moment && set.order < 3 && matches!(set.of, Zeros::Along | Zeros::Across)
+    };
+    let at: BTreeSet<&BigRational> = sweep.zeros.iter().flatten().filter(shown).flat_map(|set| &set.at).collect();
+    plot.marks = at
+        .into_iter()
+        .map(|at| PointMark::ring((float(at), 0.0), format!("{}°", exact(at))).of("exact zero of a part"))
+        .collect();
     plot
 }
 
@@ -183,11 +184,11 @@ fn plot(sweep: &Sweep, what: &str) -> Plot {
 }
 
 /// Values over the grid: those of the family as a curve, that of the engine in line as a dot.
-fn add(plot: &mut Plot, whole: &Sweep, name: &str, value: &dyn Fn(&Point) -> Option<f64>) {
-    let mut points = whole.points.iter().filter_map(|point| Some((float(point.values.first()?), value(point)?)));
+fn add(plot: &mut Plot, name: &str, dot: &str, values: impl Iterator<Item = Option<(f64, f64)>>) {
+    let mut points = values.flatten();
     let in_line = points.next();
     plot.curves.push(Curve::new(plot.curves.len(), name, points.collect()));
-    plot.marks.extend(in_line.map(|at| PointMark::dot(at, name).of("in line")));
+    plot.marks.extend(in_line.map(|at| PointMark::dot(at, dot).of("in line")));
 }
 
 /// Length, breadth and height against the length of the engine in line.
@@ -198,7 +199,8 @@ fn size(family: &Studied, whole: &Sweep) -> Plot {
     let sides: [(&str, fn(&Envelope) -> Option<f64>); 3] =
         [("length", |e| e.length), ("breadth", |e| Some(e.breadth)), ("height", |e| Some(e.height))];
     for (name, side) in sides {
-        add(&mut plot, whole, name, &|point| Some(side(point.envelope.as_ref()?)? / unit));
+        let value = |point: &Point| Some((float(point.values.first()?), side(point.envelope.as_ref()?)? / unit));
+        add(&mut plot, name, name, whole.points.iter().map(value));
     }
     plot
 }
@@ -207,11 +209,13 @@ fn size(family: &Studied, whole: &Sweep) -> Plot {
 fn mass(family: &Studied, whole: &Sweep) -> Plot {
     let mut plot = plot(&family.sweep, "what the mass follows");
     plot.y = Axis::linear("see the legend");
-    let Some(unit) = family.in_line.as_ref().and_then(|(_, point)| point.envelope?.volume()) else { return plot };
-    add(&mut plot, whole, "volume, in line 1", &|point| Some(point.envelope?.volume()? / unit));
-    add(&mut plot, whole, "counterweight in m r", &|point| Some(point.counterweight?.value));
-    add(&mut plot, whole, "difference of firing intervals, in turns", &|point| {
-        Some(float(&point.evenness.as_ref()?.unevenness()))
-    });
+    let Some(unit) = family.volumes.first().copied().flatten() else { return plot };
+    let at = |point: &Point| point.values.first().map(float);
+    let volumes = whole.points.iter().zip(&family.volumes);
+    add(&mut plot, "volume, in line 1", "volume", volumes.map(|(point, volume)| Some((at(point)?, (*volume)? / unit))));
+    let weights = whole.points.iter().map(|point| Some((at(point)?, point.counterweight?.value)));
+    add(&mut plot, "counterweight in m r", "", weights);
+    let firing = whole.points.iter().map(|point| Some((at(point)?, float(&point.evenness.as_ref()?.unevenness()))));
+    add(&mut plot, "longest less shortest firing interval, in turns", "", firing);
     plot
 }
