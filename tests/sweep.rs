@@ -162,7 +162,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
         for order in [1, 2, 3, 4] {
             for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
                 let found = component_zeros(&open, Quantity::Moment, order, component);
-                for degrees in (3..360).step_by(3) {
+                for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
                     let Ok(Engine::Known(layout, _)) = template.engine(&[(&key, &degrees.to_string())]) else {
                         panic!("it is known")
                     };

@@ -1,7 +1,7 @@
 //! Is it true, what is said about a family of engines? A study: families with their sweeps, statements with checks.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, ToPrimitive};
 use serde::Deserialize;
 
 use super::answer::Answer;
@@ -91,6 +91,8 @@ pub enum Found {
     },
     /// `m_cw ρ b` in multiples of m r a, in closed form.
     Counterweight(Option<Form>),
+    /// The largest volume of the family as a part of that of the engine in line.
+    Volume(f64),
 }
 
 #[derive(Deserialize)]
@@ -140,6 +142,8 @@ struct CheckTable {
     only_at: Option<Vec<Text>>,
     /// `m_cw ρ b` in multiples of m r a.
     counterweight: Option<Text>,
+    /// The factor that no volume of the family reaches, of that of the engine in line.
+    volume_below: Option<Text>,
 }
 
 /// Reads a study and answers its checks; `read_file` gives the text of a file beside it.
@@ -258,6 +262,23 @@ fn checked(
             engine,
             holds: found.as_ref() == Some(&form),
             found: Found::Counterweight(found),
+        });
+    }
+    if let Some(limit) = &check.volume_below {
+        let limit = &limit.get_ref().0;
+        let below = parse_number(limit).map_err(|error| error.to_string())?.to_f64();
+        let volumes = &of_family()?.volumes;
+        let in_line = volumes.first().copied().flatten();
+        let largest = volumes.iter().skip(1).flatten().copied().reduce(f64::max);
+        let Some(part) = largest.zip(in_line).map(|(largest, in_line)| largest / in_line) else {
+            return Err(format!("`{engine}` has no volumes"));
+        };
+        let claim = format!("every volume is below {limit} times that in line");
+        return Ok(Checked {
+            claim,
+            engine,
+            holds: below.is_some_and(|below| part < below),
+            found: Found::Volume(part),
         });
     }
     if let Some(which) = &check.firing {

@@ -151,7 +151,7 @@ fn set<'a>(table: &mut DeTable<'a>, key: &Key, text: &str) -> Result<(), LayoutE
             DeValue::Array(list) => {
                 let count = list.len();
                 let index = part.parse::<usize>().ok().filter(|index| (1..=count).contains(index));
-                let found = index.and_then(|index| list.iter_mut().nth(index - 1));
+                let found = index.and_then(|index| list.get_mut(index - 1));
                 let Some(found) = found else {
                     return refuse(
                         format!("`{key}` leads nowhere: there is no `{part}` in a list of {count}"),

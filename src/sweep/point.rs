@@ -9,7 +9,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
-use super::evenness::{Evenness, evenness};
+use super::evenness::{Evenness, evenness_of};
 use super::whole::{Pair, Whole};
 use crate::exact::PhasorSum;
 use crate::layout::{Cycle, Layout, Rod};
@@ -140,7 +140,7 @@ pub(super) fn judge_with(
         orders,
         newtons: scale.filter(|_| rods_known).map(|scale| scale.force()),
         kilograms: mechanism.mass.as_ref().and_then(|_| loads::unit_mass(layout).to_f64()),
-        evenness: evenness(layout, cycle),
+        evenness: evenness_of(layout, cycle, whole.as_ref()),
         counterweight: counterweight_of(layout, whole.as_ref()),
         envelope: envelope(layout, geometry),
     })

@@ -71,6 +71,13 @@ impl Whole {
         })
     }
 
+    /// Top dead centres after that of the first cylinder, in `0..turn`, and the length of a turn.
+    pub fn top_dead_centres(&self) -> (Vec<i64>, i64) {
+        let own = self.banks.iter().zip(&self.throws).map(|(bank, throw)| bank - throw);
+        let first = self.banks.first().zip(self.throws.first()).map_or(0, |(bank, throw)| bank - throw);
+        (own.map(|centre| (centre - first).rem_euclid(self.conductor)).collect(), self.conductor)
+    }
+
     /// The sums of one order, without its coefficient.
     pub fn pair(&self, quantity: Quantity, order: u32) -> Pair {
         let weights = &self.weights[usize::from(quantity == Quantity::Moment)];

@@ -13,6 +13,9 @@ pub(super) struct Drawn {
     pub figure: Figure,
 }
 
+/// One of the amplitudes of an order.
+pub(super) type Amplitude = fn(&Amplitudes) -> f64;
+
 /// More exact zeros than this are not marked one by one.
 const MOST_MARKS: usize = 60;
 
@@ -56,7 +59,7 @@ fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure
     let x = if is_angle { Axis::angle(label, ends.0.min(ends.1), ends.0.max(ends.1), 30) } else { Axis::linear(label) };
     let x = if is_angle && (ends.1 - ends.0).abs() < 60.0 { Axis { ticks: None, ..x } } else { x };
     let mut plot = Plot::new(title, x, value_axis(sweep, quantity));
-    let parts: [(&str, fn(&Amplitudes) -> f64); 4] = [
+    let parts: [(&str, Amplitude); 4] = [
         ("largest", |a| a.largest.value),
         ("smallest", |a| a.smallest.value),
         ("along", |a| a.along.value),

@@ -13,8 +13,8 @@ use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::{render, svg};
 use super::csv::sweep_csv;
 use super::page::{Drawing, Table, tables, zero_rows};
-use super::plots::amplitudes;
-use super::words::{axis, exact, float, zeros_name};
+use super::plots::{Amplitude, amplitudes};
+use super::words::{axis, exact, float, quantity_name, short_number, zeros_name};
 use crate::claim::{Checked, Found, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
@@ -58,7 +58,9 @@ pub fn study_page(study: &Study) -> Vec<File> {
         let whole = with_in_line(family);
         let csv = format!("{}.csv", family.name);
         files.push(File { name: csv.clone(), text: sweep_csv(&whole).text });
-        let mut plots = vec![("moments", moments(family))];
+        let kinds = [("forces", Quantity::Force), ("moments", Quantity::Moment)];
+        let mut plots: Vec<(&str, Plot)> = kinds.map(|(name, quantity)| (name, unbalanced(family, quantity))).into();
+        plots.retain(|(_, plot)| !plot.curves.is_empty());
         if family.in_line.is_some() {
             plots.push(("size", size(family, &whole)));
             plots.push(("mass", mass(family, &whole)));
@@ -123,6 +125,9 @@ fn row(check: &Checked) -> [String; 4] {
             format!("The longest and the shortest interval differ by {difference}°, at {}.", degrees(at))
         }
         Found::Counterweight(Some(form)) => format!("m_cw ρ b = {form} m r a, in closed form."),
+        Found::Volume(part) => {
+            format!("The largest is {} times that in line, in the geometry below.", short_number(*part))
+        }
         Found::Counterweight(None) => "No closed form.".to_owned(),
     };
     [check.engine.clone(), check.claim.clone(), answer, found]
@@ -137,37 +142,34 @@ fn with_in_line(family: &Studied) -> Sweep {
     whole
 }
 
-/// Vertical and horizontal amplitudes of the moments, and that of the rotating masses.
-fn moments(family: &Studied) -> Plot {
+/// Vertical and horizontal amplitudes of orders 1 and 2, and that of the rotating masses; what is zero is left out.
+fn unbalanced(family: &Studied, quantity: Quantity) -> Plot {
     let sweep = &family.sweep;
-    let mut plot = plot(sweep, "unbalanced moments");
-    plot.y = match sweep.arm {
-        Arm::Spacing => Axis::linear("Amplitude in m r ω² a, of order 2 times c₂"),
-        Arm::Metre => Axis::linear("Amplitude in m r ω² · m, of order 2 times c₂"),
+    let mut plot = plot(sweep, &format!("unbalanced {}s", quantity_name(quantity)));
+    let arm = match (quantity, sweep.arm) {
+        (Quantity::Moment, Arm::Spacing) => " a",
+        (Quantity::Moment, Arm::Metre) => " · m",
+        _ => "",
     };
-    if let Some(rotating) = &family.rotating {
-        let points = rotating.curve.iter().filter_map(|point| {
-            let place = rotating.orders.iter().position(|&order| order == 1)?;
-            Some((float(point.values.first()?), amplitudes(point, place, Quantity::Moment)?.largest.value))
-        });
-        plot.curves.push(Curve::new(0, "rotating masses", points.collect()));
+    plot.y = Axis::linear(format!("Amplitude in m r ω²{arm}, of order 2 times c₂"));
+    let mut add = |name: String, of: &Sweep, place: usize, part: Amplitude| {
+        let point = |point: &Point| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
+        let points: Vec<(f64, f64)> = of.curve.iter().filter_map(point).collect();
+        if points.iter().any(|(_, value)| *value != 0.0) {
+            plot.curves.push(Curve::new(plot.curves.len(), name, points));
+        }
+    };
+    let turning = family.rotating.as_ref();
+    if let Some((rotating, place)) = turning.and_then(|of| Some((of, of.orders.iter().position(|&order| order == 1)?)))
+    {
+        add("rotating masses".into(), rotating, place, |a| a.largest.value);
     }
     for (place, &order) in sweep.orders.iter().enumerate().filter(|(_, order)| **order < 3) {
-        let parts: [(&str, fn(&crate::sweep::Amplitudes) -> f64); 2] =
-            [("vertical", |a| a.along.value), ("horizontal", |a| a.across.value)];
-        for (name, part) in parts {
-            let points = sweep.curve.iter().filter_map(|point| {
-                Some((float(point.values.first()?), part(amplitudes(point, place, Quantity::Moment)?)))
-            });
-            let points: Vec<(f64, f64)> = points.collect();
-            if points.iter().any(|(_, value)| *value != 0.0) {
-                plot.curves.push(Curve::new(plot.curves.len(), format!("order {order} {name}"), points));
-            }
-        }
+        add(format!("order {order} vertical"), sweep, place, |a| a.along.value);
+        add(format!("order {order} horizontal"), sweep, place, |a| a.across.value);
     }
-    let shown = |set: &&ZeroSet| {
-        set.quantity == Quantity::Moment && set.order < 3 && matches!(set.of, Zeros::Along | Zeros::Across)
-    };
+    let shown =
+        |set: &&ZeroSet| set.quantity == quantity && set.order < 3 && matches!(set.of, Zeros::Along | Zeros::Across);
     let at: BTreeSet<&BigRational> = sweep.zeros.iter().flatten().filter(shown).flat_map(|set| &set.at).collect();
     plot.marks = at
         .into_iter()
@@ -191,12 +193,15 @@ fn add(plot: &mut Plot, name: &str, dot: &str, values: impl Iterator<Item = Opti
     plot.marks.extend(in_line.map(|at| PointMark::dot(at, dot).of("in line")));
 }
 
+/// One side of an envelope.
+type Side = fn(&Envelope) -> Option<f64>;
+
 /// Length, breadth and height against the length of the engine in line.
 fn size(family: &Studied, whole: &Sweep) -> Plot {
     let mut plot = plot(&family.sweep, "size of the envelope");
     plot.y = Axis::linear("against the length of the engine in line");
     let Some(unit) = family.in_line.as_ref().and_then(|(_, point)| point.envelope?.length) else { return plot };
-    let sides: [(&str, fn(&Envelope) -> Option<f64>); 3] =
+    let sides: [(&str, Side); 3] =
         [("length", |e| e.length), ("breadth", |e| Some(e.breadth)), ("height", |e| Some(e.height))];
     for (name, side) in sides {
         let value = |point: &Point| Some((float(point.values.first()?), side(point.envelope.as_ref()?)? / unit));
