@@ -20,6 +20,7 @@ pub fn counterweight(layout: &Layout) -> Option<Part> {
 
 /// The same for an engine whose whole numbers are known already.
 pub(super) fn counterweight_of(layout: &Layout, whole: Option<&Whole>) -> Option<Part> {
+    let whole = whole.filter(|whole| whole.knows(1));
     let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match whole {
         Some(_) if layout.has_offset() => None,
         Some(whole) => {

@@ -124,9 +124,11 @@ pub(super) fn judge_with(
     let whole = Whole::new(layout);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
-        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match &whole {
-            Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
-            None => from_parts(layout, quantity, order, highest, motions),
+        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
+            match whole.as_ref().filter(|whole| whole.knows(order)) {
+                Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
+                None => from_parts(layout, quantity, order, highest, motions),
+            }
         });
         OrderPoint { order, force, moment }
     });

@@ -1,6 +1,6 @@
 //! How are many sums of one engine decided fast? Its angles and weights as machine words over common denominators.
 //!
-//! Where all cylinders have one rod, or none is given, and nothing else turns, every sum of an order has the exponents
+//! Where all cylinders have one rod, or none is given, every sum of an order that no other mass enters has the exponents
 //! `kβ − (k∓1)α` over one denominator. They are formed in words, and the room [`crate::exact`] decides on them as on any.
 
 use std::f64::consts::TAU;
@@ -28,6 +28,8 @@ pub(super) struct Whole {
     banks: Vec<i64>,
     /// Mass times crank radius, for the force; for the moment times the arm.
     weights: [Weights; 2],
+    /// The orders that masses enter that turn.
+    turning: Vec<u32>,
 }
 
 /// Whole weights, and what a unit of them is.
@@ -44,18 +46,19 @@ pub(super) struct Pair {
 }
 
 impl Whole {
-    /// The engine in words; none where masses turn beside the pistons, rods differ, or a number is too long.
+    /// The engine in words; none where it has no reciprocating masses, rods differ, or a number is too long.
     pub fn new(layout: &Layout) -> Option<Self> {
         let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
-        let only_pistons = mechanism.rotating_masses.iter().all(Zero::is_zero)
-            && mechanism.mass.as_ref().is_none_or(|mass| !mass.is_zero())
-            && crankshaft.pins.is_empty()
-            && crankshaft.webs.is_empty()
-            && crankshaft.counterweights.is_empty()
-            && crankshaft.balancers.is_empty();
-        if !only_pistons || mechanism.rods.windows(2).any(|pair| pair[0] != pair[1]) {
+        let weightless = mechanism.mass.as_ref().is_some_and(Zero::is_zero);
+        if weightless || mechanism.rods.windows(2).any(|pair| pair[0] != pair[1]) {
             return None;
         }
+        let only_pistons = mechanism.rotating_masses.iter().all(Zero::is_zero)
+            && crankshaft.pins.is_empty()
+            && crankshaft.webs.is_empty()
+            && crankshaft.counterweights.is_empty();
+        let shafts = crankshaft.balancers.iter().map(|shaft| shaft.order);
+        let turning = shafts.chain((!only_pistons).then_some(1)).collect();
         let cylinders = &layout.cylinders;
         let angles = cylinders.iter().flat_map(|cylinder| [cylinder.throw.turns(), cylinder.bank.turns()]);
         let conductor = common(angles)?;
@@ -68,7 +71,13 @@ impl Whole {
             throws: cylinders.iter().map(|cylinder| exponent(cylinder.throw.turns())).collect::<Option<_>>()?,
             banks: cylinders.iter().map(|cylinder| exponent(cylinder.bank.turns())).collect::<Option<_>>()?,
             weights: [Weights::new(&force)?, Weights::new(&moment)?],
+            turning,
         })
+    }
+
+    /// Whether these are all the masses of an order.
+    pub fn knows(&self, order: u32) -> bool {
+        !self.turning.contains(&order)
     }
 
     /// Top dead centres after that of the first cylinder, in `0..turn`, and the length of a turn.
