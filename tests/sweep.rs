@@ -1,5 +1,7 @@
 //! Are sweeps exact in their values and zeros, right in their amplitudes, and told in words where they cannot be done?
 
+#![allow(clippy::disallowed_types)]
+
 use std::process::Command;
 
 use crankstar::family::{self, Component, component_zeros};
@@ -253,6 +255,8 @@ fn words_decide_as_the_exact_sums_do_on_random_engines() {
                     (own.along, direct.plus(&reverse.conjugate()).vanishes()),
                     (own.across, direct.minus(&reverse.conjugate()).vanishes()),
                 ];
+                let flat = direct.squared_modulus().minus(&reverse.squared_modulus()).vanishes();
+                assert_eq!((own.smallest.vanishes, own.smallest.value == 0.0), (flat, flat), "{text}");
                 for (part, vanishes) in right {
                     assert_eq!(part.vanishes, vanishes, "{text} {quantity:?} {}", order.order);
                     assert_eq!(part.value == 0.0, vanishes, "{text}");

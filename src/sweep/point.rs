@@ -18,8 +18,8 @@ use crate::motion::{SliderCrank, coefficients_fast};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
 
-/// The shorter half-axis is told as 0 below this part of the longer one.
-const FLAT: f64 = 1e-12;
+/// Below this part of the longer half-axis it is decided exactly whether the shorter one is zero.
+const FLAT: f64 = 1e-9;
 
 /// An amplitude, zero to peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,7 +39,7 @@ pub struct Amplitudes {
     pub reverse: Part,
     /// Largest length in a revolution.
     pub largest: Part,
-    /// Smallest length; 0 without a proof below 10⁻¹² of the largest.
+    /// Smallest length: zero where both vectors are equally long.
     pub smallest: Part,
     /// Along the reference direction: vertical.
     pub along: Part,
@@ -164,16 +164,30 @@ fn from_words(
         return gone();
     }
     let Pair { direct, mirrored, zeros } = whole.pair(quantity, order);
-    amplitudes(direct * coefficient, mirrored * coefficient, zeros)
+    amplitudes(direct * coefficient, mirrored * coefficient, zeros, &|| {
+        let [direct, reverse] =
+            [Sense::Direct, Sense::Reverse].map(|sense| phasor::sum(layout, quantity, order, Some(sense)));
+        equally_long(&direct, &reverse)
+    })
 }
 
 /// An order whose coefficient is 0.
 fn gone() -> Amplitudes {
-    amplitudes(Complex::zero(), Complex::zero(), [true; 4])
+    amplitudes(Complex::zero(), Complex::zero(), [true; 4], &|| true)
 }
 
-/// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known.
-fn amplitudes(direct: Complex<f64>, mirrored: Complex<f64>, [plus, minus, along, across]: [bool; 4]) -> Amplitudes {
+fn equally_long(one: &PhasorSum, other: &PhasorSum) -> bool {
+    one.squared_modulus().minus(&other.squared_modulus()).vanishes()
+}
+
+/// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally
+/// long is decided where it may be.
+fn amplitudes(
+    direct: Complex<f64>,
+    mirrored: Complex<f64>,
+    [plus, minus, along, across]: [bool; 4],
+    equally_long: &dyn Fn() -> bool,
+) -> Amplitudes {
     let part =
         |value: Complex<f64>, vanishes: bool| Part { value: if vanishes { 0.0 } else { value.norm() / 2.0 }, vanishes };
     let (one, other) = (part(direct, plus), part(mirrored, minus));
@@ -181,11 +195,14 @@ fn amplitudes(direct: Complex<f64>, mirrored: Complex<f64>, [plus, minus, along,
         (if plus { Complex::zero() } else { direct }, if minus { Complex::zero() } else { mirrored });
     let largest = one.value + other.value;
     let smallest = (one.value - other.value).abs();
+    let none = plus && minus;
+    // Where P⁺ = ±P̄⁻ both are equally long.
+    let flat = none || along || across || (smallest < FLAT * largest && equally_long());
     Amplitudes {
         direct: one,
         reverse: other,
-        largest: Part { value: largest, vanishes: plus && minus },
-        smallest: Part { value: if smallest < FLAT * largest { 0.0 } else { smallest }, vanishes: plus && minus },
+        largest: Part { value: largest, vanishes: none },
+        smallest: Part { value: if flat { 0.0 } else { smallest }, vanishes: flat },
         along: part(direct + mirrored, along),
         across: part(direct - mirrored, across),
     }
@@ -227,7 +244,17 @@ fn from_parts(layout: &Layout, quantity: Quantity, order: u32, highest: u32, mot
         };
         parts.iter().map(term).sum()
     };
-    amplitudes(value(&direct), value(&mirrored), zeros)
+    let left = |parts: &Parts| {
+        let mut left =
+            parts.iter().filter(|(_, sum)| !sum.vanishes()).map(|(factor, sum)| (factor.clone(), sum.clone()));
+        left.next().filter(|_| left.next().is_none())
+    };
+    // Sums of several coefficients are not compared.
+    let equal = || match (left(&direct), left(&mirrored)) {
+        (Some((of, one)), Some((also, other))) => of == also && equally_long(&one, &other),
+        _ => false,
+    };
+    amplitudes(value(&direct), value(&mirrored), zeros, &equal)
 }
 
 pub(super) fn merged(one: &Parts, other: &Parts, sign: i64) -> Parts {

@@ -7,8 +7,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::Refused;
 use crate::layout::parse_number;
 
-/// More points than this are refused by name.
-pub const MOST_POINTS: usize = 1_000_000;
+/// More points than this are refused by name: at some kilobytes each they would fill a memory.
+pub const MOST_POINTS: usize = 100_000;
 
 /// Exact values at equal steps. The end is one of them where it lies on the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]

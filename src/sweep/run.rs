@@ -17,6 +17,8 @@ use crate::loads::Arm;
 
 /// Curves between the points of a coarse grid are drawn from about this many points.
 const SMOOTH: usize = 180;
+/// Of a finer grid a curve shows so many at most.
+const MOST_OF_CURVE: usize = 2000;
 
 /// A sweep over one parameter, or over two.
 #[derive(Clone, Debug)]
@@ -87,7 +89,7 @@ pub fn sweep(
                 between.point(&between.values(index), orders, geometry, motions)
             })?
         }
-        [_] => points.clone(),
+        [_] => points.iter().step_by(points.len().div_ceil(MOST_OF_CURVE)).cloned().collect(),
         _ => Vec::new(),
     };
     let known: BTreeSet<&BigRational> = curve.iter().flat_map(|point| &point.values).collect();
