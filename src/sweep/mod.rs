@@ -2,8 +2,8 @@
 //!
 //! Any value of a layout file runs over an exact range; two at once span a map. For each point the file with that value is
 //! read as any other, and its vectors are summed in floats. Whether a sum vanishes is decided exactly: floats only rule out
-//! sums whose distance from zero is a million times what they can be off by. Where the parameter is an angle,
-//! [`zeros`] finds the exact angles at which each vector vanishes, between the points of the grid too.
+//! sums that are further from zero than floats can be off by, and by far. Where the parameter is an angle,
+//! [`zeros()`] finds the exact angles at which each vector vanishes, between the points of the grid too.
 
 mod counterweight;
 mod envelope;
