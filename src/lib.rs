@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← claim ← report ← cli`
+//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← sweep ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`, nor in `beam`.
@@ -58,3 +58,5 @@ pub mod remedy;
 pub mod report;
 #[allow(clippy::disallowed_types)]
 pub mod search;
+#[allow(clippy::disallowed_types)]
+pub mod sweep;

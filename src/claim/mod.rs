@@ -17,6 +17,7 @@ mod order;
 mod radicals;
 mod statement;
 mod student;
+mod study;
 mod written_value;
 
 use crate::layout::Layout;
@@ -27,6 +28,7 @@ pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
 pub use statement::{Angle, Bearing, Masses, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
 pub use student::{StarTable, Verdict as TableVerdict};
+pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
 pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>) -> Answer {

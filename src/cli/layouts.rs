@@ -11,11 +11,16 @@ const LARGEST_FILE: u64 = 4 << 20;
 
 /// Reads the engine of this name or path.
 pub fn read(layout: &str) -> Result<Engine, Failure> {
-    if let Some(entry) = layout::find(layout) {
-        return Ok(layout::parse_engine(entry.name, entry.text)?);
+    let (name, text) = source(layout)?;
+    Ok(layout::parse_engine(&name, &text)?)
+}
+
+/// The name that messages show of a layout, and its text.
+pub fn source(layout: &str) -> Result<(String, String), Failure> {
+    match layout::find(layout) {
+        Some(entry) => Ok((entry.name.to_owned(), entry.text.to_owned())),
+        None => Ok((layout.to_owned(), read_text(layout)?)),
     }
-    let text = read_text(layout)?;
-    Ok(layout::parse_engine(layout, &text)?)
 }
 
 /// The text of a layout or claims file.

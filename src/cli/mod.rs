@@ -14,6 +14,7 @@ mod optimise;
 mod remedy;
 mod report;
 mod search;
+mod sweep;
 mod terminal;
 mod verify;
 mod write;
@@ -42,6 +43,7 @@ Examples:
   crankstar report I4 --output I4-report             a report with its diagrams
   crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
   crankstar compare I5-12453 I5-15234 V6-60-even     engines side by side
+  crankstar sweep V6-60-shared --bank-angle 0..180:10 --output V6
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
 
 A layout file in its shortest form:
@@ -85,6 +87,8 @@ enum Command {
     Compare(compare::Compare),
     /// Write the atlas: the catalogue and the best stars in line, for print and for a spreadsheet
     Atlas(atlas::Atlas),
+    /// Compute the balance over a range of a bank angle, or of any value of a layout file
+    Sweep(sweep::Sweep),
     /// Print a completion script for a shell
     Completions {
         /// Which shell
@@ -152,6 +156,7 @@ pub fn run() -> ExitCode {
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),
+        Command::Sweep(sweep) => sweep.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     match answer {

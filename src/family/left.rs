@@ -64,7 +64,7 @@ pub fn left(verdict: &OpenVerdict) -> Left {
 /// The rational q with `sum = q · reference`, if there is one.
 ///
 /// `sum · conj(reference) = q |reference|²`, whose sides are compared exactly for the q that the traces give.
-fn ratio(sum: &PhasorSum, reference: &PhasorSum) -> Option<BigRational> {
+pub(super) fn ratio(sum: &PhasorSum, reference: &PhasorSum) -> Option<BigRational> {
     let product = sum.times(&reference.conjugate());
     let square = reference.squared_modulus();
     if !product.minus(&product.conjugate()).vanishes() {

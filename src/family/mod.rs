@@ -4,10 +4,12 @@
 //! symbols. So every sum is `Σ_s s Σ_{j,l} e^{i(jφ + lδ)} S_{s,j,l}` with phasor sums S without unknowns: it vanishes for
 //! all values of the symbols iff each `Σ_{j,l}` does, and for all angles iff every S does (theory, section 5).
 
+mod component;
 mod firing;
 mod left;
 mod solve;
 
+pub use component::{Component, Zeros, component_zeros};
 pub use firing::even_firing;
 pub use left::{Left, left};
 pub use solve::{Alternative, Angles, Condition, Never, When};
@@ -115,13 +117,25 @@ pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
 }
 
 fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {
-    let weight = |cylinder: &SymbolicCylinder| match quantity {
+    let terms: Vec<(Linear, Linear)> = family
+        .cylinders
+        .iter()
+        .map(|cylinder| (phase(cylinder, order, sense), weight(family, cylinder, quantity)))
+        .collect();
+    OpenVerdict { quantity, order, sense, sums: sums_of(&terms) }
+}
+
+/// What a cylinder's vector weighs.
+fn weight(family: &Family, cylinder: &SymbolicCylinder, quantity: Quantity) -> Linear {
+    match quantity {
         Quantity::Moment => family.arm(cylinder).scaled(&family.weight(cylinder)),
         Quantity::Force => Linear::constant(family.weight(cylinder)),
         Quantity::Torque => Linear::constant(family.weight(cylinder) * &cylinder.crank_radius),
-    };
-    let terms: Vec<(Linear, Linear)> =
-        family.cylinders.iter().map(|cylinder| (phase(cylinder, order, sense), weight(cylinder))).collect();
+    }
+}
+
+/// The sums of terms with open angles and weights, one for each length.
+fn sums_of(terms: &[(Linear, Linear)]) -> Vec<OpenSum> {
     let symbols: BTreeSet<Option<&String>> = terms
         .iter()
         .flat_map(|(_, weight)| {
@@ -129,8 +143,7 @@ fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> Ope
             weight.symbols().keys().map(Some).chain(known)
         })
         .collect();
-    let sums = symbols.into_iter().map(|symbol| open_sum(&terms, symbol)).collect();
-    OpenVerdict { quantity, order, sense, sums }
+    symbols.into_iter().map(|symbol| open_sum(terms, symbol)).collect()
 }
 
 /// Direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, with the unknowns in it.

@@ -33,6 +33,11 @@ impl LayoutError {
         &self.message
     }
 
+    /// What would be right.
+    pub fn right(&self) -> &str {
+        &self.right
+    }
+
     /// Bytes of the file that the message is about.
     pub fn span(&self) -> Option<Range<usize>> {
         self.span.clone()

@@ -6,6 +6,7 @@ use std::ops::Range;
 use num_rational::BigRational;
 use serde::Deserialize;
 use serde_spanned::Spanned;
+use toml::de::DeTable;
 
 use super::balancer_keys;
 use super::bearings;
@@ -19,7 +20,7 @@ use super::linear::Linear;
 use super::mechanism::{self, Mechanism};
 use super::quantities;
 use super::title_block;
-use super::written::{Table, Text, place, read};
+use super::written::{Table, Text, place, read, read_table};
 
 /// The highest order that is answered.
 pub(crate) const HIGHEST_ORDER: u32 = 1000;
@@ -103,6 +104,11 @@ pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
 /// The first mistake, with its place and what would be right.
 pub fn parse_engine(name: &str, source: &str) -> Result<Engine, LayoutError> {
     read::<File>(source).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
+}
+
+/// Reads the tables of a layout file, whose text `source` is, numbers as texts.
+pub(super) fn read_engine(name: &str, source: &str, table: Spanned<DeTable<'_>>) -> Result<Engine, LayoutError> {
+    read_table::<File>(table).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
 }
 
 fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {

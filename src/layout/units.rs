@@ -43,6 +43,11 @@ pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
     Ok(number * ratio(size))
 }
 
+/// Turns in this unit of an angle, the degree where none is named; none where it is no unit of an angle.
+pub fn turns_per_unit(unit: &str) -> Option<BigRational> {
+    angle(&format!("1 {unit}")).ok()
+}
+
 /// A length; without a unit, metres or multiples of the spacing.
 pub(crate) fn length(text: &str) -> Result<Length, String> {
     let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\" or \"4.4 in\"")?;

@@ -91,11 +91,21 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
 
 /// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float.
 pub(crate) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> {
+    table(source).and_then(read_table)
+}
+
+/// The tables of a text, their numbers as they were written.
+pub(super) fn table(source: &str) -> Result<Spanned<DeTable<'_>>, LayoutError> {
     let mut table = DeTable::parse(source).map_err(toml_error)?;
     let pairs = table.get_mut().iter_mut();
     for (_, value) in pairs {
         numbers_as_text(value.get_mut());
     }
+    Ok(table)
+}
+
+/// Reads tables whose numbers are texts into `T`.
+pub(super) fn read_table<T: DeserializeOwned>(table: Spanned<DeTable<'_>>) -> Result<T, LayoutError> {
     T::deserialize(toml::Deserializer::from(table)).map_err(toml_error)
 }
 

@@ -33,6 +33,7 @@ mod remedy;
 mod render;
 mod star;
 mod svg;
+mod sweep;
 mod table;
 mod theorem;
 mod tikz;
@@ -65,4 +66,5 @@ pub use optimise::{
 pub use page::Subject;
 pub use remedy::{RemedyPage, remedy_document, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
 pub use svg::svg;
+pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
 pub use tikz::tikz;

@@ -1,0 +1,100 @@
+//! `sweep`: how does the balance change with a value of the layout file?
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+
+use crankstar::layout::Template;
+use crankstar::report::{self, File};
+use crankstar::sweep::{self, Geometry, Parameter};
+
+use super::failure::Failure;
+use super::{layouts, write};
+
+/// Arguments of `sweep`.
+#[derive(clap::Args)]
+pub struct Sweep {
+    /// A name of the catalogue, or the path of a layout file
+    layout: String,
+    /// The angle between the banks of a V: 0..180:10
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    bank_angle: Option<String>,
+    /// How far the pin of bank 2 stands ahead, in degrees
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    pin_split: Option<String>,
+    /// The distance between neighbouring pins: "80..120:5 mm"
+    #[arg(long, value_name = "RANGE")]
+    spacing: Option<String>,
+    /// The rod ratio r/l
+    #[arg(long, value_name = "RANGE")]
+    rod_ratio: Option<String>,
+    /// The balance factor of the counterweights
+    #[arg(long, value_name = "RANGE")]
+    balance_factor: Option<String>,
+    /// The speed in revolutions a minute
+    #[arg(long, value_name = "RANGE")]
+    speed: Option<String>,
+    /// Any key of the layout file: vee.bank_offset=0..0.02:0.001, vee.throws.2=0..120:10; a second sweep makes a map
+    #[arg(long, value_name = "KEY=RANGE")]
+    set: Vec<String>,
+    /// The orders to judge [default: those of the layout file, else 1,2,4,6]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    orders: Vec<u32>,
+    /// What is printed
+    #[arg(long, value_enum, default_value = "markdown")]
+    format: Format,
+    /// Folder for sweep.md with its plots, sweep.csv and sweep.json
+    #[arg(long, value_name = "DIR", conflicts_with = "format")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A row a point
+    Csv,
+    /// The points, and the exact zeros
+    Json,
+    /// The page, without its plots
+    Markdown,
+}
+
+impl Sweep {
+    /// Prints the points, or writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        let (name, text) = layouts::source(&self.layout)?;
+        let template = Template::new(&name, &text)?;
+        let parameters = self.parameters(&template)?;
+        let mut orders = self.orders.clone();
+        orders.sort_unstable();
+        orders.dedup();
+        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default()).map_err(Failure::new)?;
+        let json = || serde_json::to_string_pretty(&report::sweep_document(&sweep)).map_err(Failure::new);
+        let Some(folder) = &self.output else {
+            return write::to_stdout(&match self.format {
+                Format::Csv => report::sweep_csv(&sweep).text,
+                Format::Json => json()? + "\n",
+                Format::Markdown => report::sweep_page(&sweep).swap_remove(0).text,
+            });
+        };
+        let mut files = report::sweep_page(&sweep);
+        files.push(report::sweep_csv(&sweep));
+        files.push(File { name: "sweep.json".into(), text: json()? + "\n" });
+        write::to_folder(folder, &files)?;
+        write::to_stdout(&format!("Written: {}\n", folder.join(&files[0].name).display()))
+    }
+
+    fn parameters(&self, template: &Template) -> Result<Vec<Parameter>, Failure> {
+        let flags = [
+            ("bank-angle", &self.bank_angle),
+            ("pin-split", &self.pin_split),
+            ("spacing", &self.spacing),
+            ("rod-ratio", &self.rod_ratio),
+            ("balance-factor", &self.balance_factor),
+            ("speed", &self.speed),
+        ];
+        let given = flags.into_iter().filter_map(|(flag, range)| Some((flag, range.as_ref()?)));
+        let short = given.map(|(flag, range)| Parameter::short_cut(flag, range, template));
+        let set = self.set.iter().map(|text| Parameter::parse(text));
+        short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)
+    }
+}

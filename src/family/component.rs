@@ -1,0 +1,151 @@
+//! At which bank angles does the part of an order along the reference direction vanish, or the part across it?
+//!
+//! Along direction 0 an order swings with `½|P⁺ + P̄⁻|`, across it with `½|P⁺ − P̄⁻|` (theory, sections 3 and 9). With open
+//! φ both are sums `Σ_j e^{ijφ} S_j`. Where every S_j is a rational multiple of one S that is not zero, they vanish where the
+//! polynomial of these multiples does, whose roots among the roots of unity are found, all of them, by division.
+
+use std::collections::BTreeSet;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::left::ratio;
+use super::{OpenSum, phase, sums_of};
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::layout::{Family, Linear, SymbolicCylinder};
+use crate::proof::{Quantity, Sense};
+
+/// A part of the force or the moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Component {
+    /// Along the reference direction, the bisector of a V: vertical.
+    Along,
+    /// Across it: horizontal.
+    Across,
+}
+
+/// The angles φ at which a sum vanishes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Zeros {
+    /// All.
+    Everywhere,
+    /// Exactly these in (0°, 360°).
+    At(BTreeSet<Turn>),
+    /// Not solved for.
+    NotSolved,
+}
+
+/// Polynomials of a higher degree are not solved.
+const HIGHEST_DEGREE: usize = 64;
+
+/// The angles φ at which a component of one order vanishes; not solved where another unknown is open too.
+pub fn component_zeros(family: &Family, quantity: Quantity, order: u32, component: Component) -> Zeros {
+    let sign = BigRational::from_integer(if component == Component::Along { 1.into() } else { (-1).into() });
+    let terms = family.cylinders.iter().flat_map(|cylinder: &SymbolicCylinder| {
+        let weight = super::weight(family, cylinder, quantity);
+        let mirrored = phase(cylinder, order, Sense::Reverse).scaled(&-BigRational::one());
+        let reverse = (mirrored, weight.scaled(&sign));
+        [(phase(cylinder, order, Sense::Direct), weight), reverse]
+    });
+    let terms: Vec<(Linear, Linear)> = terms.collect();
+    let sums = sums_of(&terms);
+    let each: Vec<Zeros> = sums.iter().map(zeros_of).collect();
+    if each.contains(&Zeros::NotSolved) {
+        return Zeros::NotSolved;
+    }
+    let sets = each.into_iter().filter_map(|zeros| match zeros {
+        Zeros::At(set) => Some(set),
+        _ => None,
+    });
+    let common = sets.reduce(|common, set| common.intersection(&set).cloned().collect());
+    common.map_or(Zeros::Everywhere, Zeros::At)
+}
+
+fn zeros_of(sum: &OpenSum) -> Zeros {
+    let parts: Vec<_> = sum.left().collect();
+    let Some(first) = parts.first() else { return Zeros::Everywhere };
+    if parts.iter().any(|part| !part.delta.is_zero()) {
+        return Zeros::NotSolved;
+    }
+    let Some(ratios) = parts.iter().map(|part| ratio(&part.sum, &first.sum)).collect::<Option<Vec<_>>>() else {
+        return Zeros::NotSolved;
+    };
+    // x = e^{iφ/unit}, and the exponents are whole from the lowest on.
+    let unit = parts.iter().fold(BigInt::one(), |unit, part| unit.lcm(part.phi.denom()));
+    let scale = BigRational::from_integer(unit.clone());
+    let exponents: Vec<BigInt> = parts.iter().map(|part| (&part.phi * &scale).to_integer()).collect();
+    let Some(lowest) = exponents.iter().min().cloned() else { return Zeros::Everywhere };
+    let places = exponents.iter().map(|exponent| (exponent - &lowest).to_usize().filter(|at| *at <= HIGHEST_DEGREE));
+    let (Some(places), Some(unit)) = (places.collect::<Option<Vec<usize>>>(), unit.to_i64()) else {
+        return Zeros::NotSolved;
+    };
+    let degree = places.iter().max().copied().unwrap_or(0);
+    let mut polynomial = vec![BigRational::zero(); degree + 1];
+    for (place, ratio) in places.into_iter().zip(ratios) {
+        polynomial[place] += ratio;
+    }
+    roots(polynomial).map_or(Zeros::NotSolved, |found| Zeros::At(bank_angles(&found, unit)))
+}
+
+/// The orders n of the primitive roots of unity that are roots; `None` where other roots may lie on the unit circle.
+fn roots(mut polynomial: Vec<BigRational>) -> Option<Vec<i64>> {
+    let mut found = Vec::new();
+    // φ(n) ≥ √(n/2), so that no n above 2 d² has a root of degree d or less.
+    let degree = polynomial.len() - 1;
+    for n in 1..=(2 * degree * degree) as i64 {
+        if vanishes_at(&polynomial, n) {
+            found.push(n);
+            let cyclotomic = cyclotomic(n);
+            while let Some(quotient) = divided(&polynomial, &cyclotomic) {
+                polynomial = quotient;
+            }
+        }
+    }
+    (polynomial.len() == 1).then_some(found)
+}
+
+fn vanishes_at(polynomial: &[BigRational], n: i64) -> bool {
+    let term = |(place, weight): (usize, &BigRational)| Term {
+        angle: Turn::fraction(place as i64, n),
+        weight: weight.clone(),
+    };
+    PhasorSum::new(polynomial.iter().enumerate().map(term).collect()).vanishes()
+}
+
+/// The n-th cyclotomic polynomial: `x^n − 1` divided by those of the smaller divisors of n.
+fn cyclotomic(n: i64) -> Vec<BigRational> {
+    let mut rest = vec![BigRational::zero(); n as usize + 1];
+    rest[0] = -BigRational::one();
+    rest[n as usize] = BigRational::one();
+    for divisor in (1..n).filter(|divisor| n % divisor == 0) {
+        rest = divided(&rest, &cyclotomic(divisor)).unwrap_or(rest);
+    }
+    rest
+}
+
+/// The quotient of two polynomials whose last coefficient is not zero; `None` where something is left.
+fn divided(dividend: &[BigRational], divisor: &[BigRational]) -> Option<Vec<BigRational>> {
+    let steps = dividend.len().checked_sub(divisor.len())?;
+    let last = divisor.last()?;
+    let mut rest = dividend.to_vec();
+    let mut quotient = vec![BigRational::zero(); steps + 1];
+    for step in (0..=steps).rev() {
+        let factor = &rest[step + divisor.len() - 1] / last;
+        for (place, coefficient) in divisor.iter().enumerate() {
+            rest[step + place] -= coefficient * &factor;
+        }
+        quotient[step] = factor;
+    }
+    rest.iter().all(Zero::is_zero).then_some(quotient)
+}
+
+/// The φ in (0°, 360°) with `e^{iφ/unit}` a primitive n-th root of unity for one of these n.
+fn bank_angles(orders: &[i64], unit: i64) -> BTreeSet<Turn> {
+    let angles = orders.iter().flat_map(|&n| (0..n).filter(move |a| a.gcd(&n) == 1).map(move |a| (a, n)));
+    // x = e^{2πi a/n} is e^{iφ/unit} for φ = unit · a/n turns.
+    let turns = angles.map(|(a, n)| BigRational::new((a * unit).into(), n.into()));
+    let inside = |turns: &BigRational| *turns > BigRational::zero() && *turns < BigRational::one();
+    turns.filter(inside).map(Turn::new).collect()
+}

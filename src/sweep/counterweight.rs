@@ -1,0 +1,53 @@
+//! How large are the counterweights that hold what turns with the crank?
+
+use num_complex::Complex;
+use num_traits::{ToPrimitive, Zero};
+
+use super::point::{Part, float, parts};
+use super::whole::Whole;
+use crate::exact::PhasorSum;
+use crate::layout::{Layout, throws};
+use crate::proof::{Quantity, Sense};
+
+/// The larger of two counterweights in the planes of the outermost throws, as its mass-radius in multiples of m r:
+/// `U_1 + U_2 = −P/2`, `z_1 U_1 + z_2 U_2 = −C/2` for the direct first order (theory, section 7).
+///
+/// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
+/// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
+pub fn counterweight(layout: &Layout) -> Option<Part> {
+    counterweight_of(layout, Whole::new(layout).as_ref())
+}
+
+/// The same for an engine whose whole numbers are known already.
+pub(super) fn counterweight_of(layout: &Layout, whole: Option<&Whole>) -> Option<Part> {
+    let whole = whole.filter(|whole| whole.knows(1));
+    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match whole {
+        Some(_) if layout.has_offset() => None,
+        Some(whole) => {
+            let pair = whole.pair(quantity, 1);
+            Some((pair.direct, pair.zeros[0]))
+        }
+        None => {
+            let parts = parts(layout, quantity, 1, Sense::Direct);
+            // With an offset c_1 is not 1.
+            let is_plain = parts.keys().all(Option::is_none);
+            let value = parts.values().map(float).sum::<Complex<f64>>();
+            is_plain.then(|| (value, parts.values().all(PhasorSum::vanishes)))
+        }
+    });
+    let ((p, no_force), (c, no_moment)) = (force?, moment?);
+    if no_force && no_moment {
+        return Some(Part { value: 0.0, vanishes: true });
+    }
+    let p = if no_force { Complex::zero() } else { p };
+    let throws = throws(layout);
+    let positions = || throws.iter().map(|throw| &throw.position - &layout.reference_plane);
+    let (first, second) = (positions().max()?, positions().min()?);
+    if first == second {
+        return no_moment.then_some(Part { value: p.norm() / 2.0, vanishes: false });
+    }
+    let (z_1, z_2) = (first.to_f64()?, second.to_f64()?);
+    let apart = 2.0 * (z_1 - z_2);
+    let larger = ((c - p * z_2) / apart).norm().max(((p * z_1 - c) / apart).norm());
+    Some(Part { value: larger, vanishes: false })
+}

@@ -1,0 +1,139 @@
+//! What does an engine fit into? Length, breadth and height from a simple geometry, all of whose numbers are stated.
+
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use crate::layout::Layout;
+use crate::loads::Arm;
+
+/// The assumptions, as multiples of the crank radius r where nothing else is said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Geometry {
+    /// Bore D; 2 is that of an engine whose bore is its stroke.
+    pub bore: f64,
+    /// Rod ratio where the layout names none.
+    pub rod_ratio: f64,
+    /// Half the width of a bank across its axis, in bores.
+    pub half_width: f64,
+    /// From the piston pin at top dead centre to the top of the bank, in bores.
+    pub above_pin: f64,
+    /// Radius of the crankcase.
+    pub crankcase: f64,
+    /// Distance of neighbouring cylinders of a bank where the layout gives no length, in bores.
+    pub spacing: f64,
+    /// Length beyond the centres of the outermost cylinders, both ends together, in bores.
+    pub ends: f64,
+}
+
+impl Default for Geometry {
+    fn default() -> Self {
+        Geometry {
+            bore: 2.0,
+            rod_ratio: 0.25,
+            half_width: 0.6,
+            above_pin: 1.5,
+            crankcase: 1.6,
+            spacing: 1.2,
+            ends: 1.2,
+        }
+    }
+}
+
+impl Geometry {
+    /// The assumptions in words, a line each.
+    pub fn words(&self) -> Vec<String> {
+        let Geometry { bore, rod_ratio, half_width, above_pin, crankcase, spacing, ends } = self;
+        vec![
+            format!("bore D = {bore} r, r the crank radius; rod ratio {rod_ratio} where the layout names none"),
+            format!(
+                "seen from the end a bank is a rectangle about its axis, {} D wide, from the shaft to {above_pin} D above the piston pin at top dead centre, which stands r + l above the shaft; the crankcase is a circle of radius {crankcase} r about the shaft",
+                2.0 * half_width
+            ),
+            "breadth and height are those of the upright rectangle round all banks and the crankcase, the bisector upright".to_owned(),
+            format!("length: from the first to the last cylinder axis, and {ends} D; neighbours of a bank stand {spacing} D apart where the layout gives no length"),
+        ]
+    }
+}
+
+/// What an engine fits into, in multiples of the crank radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Envelope {
+    /// Along the crankshaft; none where the positions are in metres and the crank radius is not known.
+    pub length: Option<f64>,
+    /// Across the reference direction.
+    pub breadth: f64,
+    /// Along it.
+    pub height: f64,
+    /// Metres a crank radius, where the layout gives it.
+    pub metres: Option<f64>,
+}
+
+/// The box round an engine; none for one with cylinders of different strokes.
+pub fn envelope(layout: &Layout, geometry: &Geometry) -> Option<Envelope> {
+    let one = BigRational::from_integer(1.into());
+    if layout.cylinders.iter().any(|cylinder| cylinder.crank_radius != one) {
+        return None;
+    }
+    let bore = geometry.bore;
+    let half = geometry.half_width * bore;
+    let reach = geometry.crankcase;
+    let (mut left, mut right, mut low, mut high) = (-reach, reach, -reach, reach);
+    for (index, cylinder) in layout.cylinders.iter().enumerate() {
+        let ratio =
+            layout.mechanism.rods.get(index).map_or(geometry.rod_ratio, |rod| rod.ratio.to_f64().unwrap_or(0.0));
+        if ratio <= 0.0 {
+            return None;
+        }
+        let top = 1.0 + 1.0 / ratio + geometry.above_pin * bore;
+        let (sin, cos) = (std::f64::consts::TAU * cylinder.bank.turns().to_f64()?).sin_cos();
+        for (along, across) in [(top, half), (top, -half), (0.0, half), (0.0, -half)] {
+            let (up, aside) = (along * cos - across * sin, along * sin + across * cos);
+            (left, right) = (left.min(aside), right.max(aside));
+            (low, high) = (low.min(up), high.max(up));
+        }
+    }
+    let positions = || layout.cylinders.iter().map(|cylinder| &cylinder.position);
+    let between = (positions().max()? - positions().min()?).to_f64()?;
+    let metres =
+        layout.mechanism.crank_radius.as_ref().filter(|radius| !radius.is_zero()).and_then(ToPrimitive::to_f64);
+    let length = match (Arm::of(layout), metres) {
+        (Arm::Spacing, _) => Some(between * geometry.spacing * bore),
+        // All cylinders in one plane are so in any unit.
+        (Arm::Metre, _) if between == 0.0 => Some(0.0),
+        (Arm::Metre, metres) => metres.map(|metres| between / metres),
+    };
+    Some(Envelope {
+        length: length.map(|length| length + geometry.ends * bore),
+        breadth: right - left,
+        height: high - low,
+        metres,
+    })
+}
+
+/// Rays over which the section is summed.
+const RAYS: u32 = 3600;
+
+/// Area of the end view, of all banks and the crankcase together, in r²: times the length it is what the engine fills.
+///
+/// Every bank and the crankcase are seen whole from the shaft, so that the area is `½ ∫ ρ² dθ` over the farthest of them.
+pub fn section(layout: &Layout, geometry: &Geometry) -> Option<f64> {
+    let half = geometry.half_width * geometry.bore;
+    let mut banks = Vec::new();
+    for (index, cylinder) in layout.cylinders.iter().enumerate() {
+        let ratio = layout.mechanism.rods.get(index).map_or(Some(geometry.rod_ratio), |rod| rod.ratio.to_f64())?;
+        let bank = (cylinder.bank.turns().to_f64()?, 1.0 + 1.0 / ratio + geometry.above_pin * geometry.bore);
+        if !banks.contains(&bank) {
+            banks.push(bank);
+        }
+    }
+    let step = std::f64::consts::TAU / f64::from(RAYS);
+    let ray = |index: u32| {
+        let direction = (f64::from(index) + 0.5) * step;
+        let reach = |(bank, top): &(f64, f64)| {
+            let (sin, cos) = (direction - std::f64::consts::TAU * bank).sin_cos();
+            if cos <= 0.0 { 0.0 } else { (top / cos).min(half / sin.abs()) }
+        };
+        banks.iter().map(reach).fold(geometry.crankcase, f64::max)
+    };
+    Some((0..RAYS).map(|index| ray(index).powi(2)).sum::<f64>() * step / 2.0)
+}

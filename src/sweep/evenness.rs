@@ -1,0 +1,80 @@
+//! How evenly do the cylinders fire?
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive};
+
+use super::whole::Whole;
+use crate::layout::{Cycle, Layout};
+
+/// The longest and the shortest interval between firings, in turns of the crank.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Evenness {
+    /// The longest.
+    pub longest: BigRational,
+    /// The shortest; 0 where two cylinders fire together.
+    pub shortest: BigRational,
+    /// Whether this is the firing order of the file; else the most even one that the throws allow.
+    pub of_the_file: bool,
+}
+
+impl Evenness {
+    /// The longest less the shortest.
+    pub fn unevenness(&self) -> BigRational {
+        &self.longest - &self.shortest
+    }
+}
+
+/// Engines with more cylinders have too many orders to try.
+const MOST_CYLINDERS: usize = 12;
+
+/// The intervals of the file's firing order; without one those of the most even order of this cycle.
+///
+/// In a four-stroke engine each cylinder fires at every other of its top dead centres: all choices are tried for up to 12
+/// cylinders, and of those with the least difference the one with the shortest longest interval is taken.
+pub fn evenness(layout: &Layout, cycle: Option<Cycle>) -> Option<Evenness> {
+    evenness_of(layout, cycle, None)
+}
+
+/// The same for an engine whose whole numbers may be known already.
+pub(super) fn evenness_of(layout: &Layout, cycle: Option<Cycle>, known: Option<&Whole>) -> Option<Evenness> {
+    if let Some(firing) = &layout.firing {
+        let intervals = firing.intervals();
+        let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
+        return Some(Evenness { longest, shortest, of_the_file: true });
+    }
+    let cycle = cycle?;
+    let (whole, length) = match known {
+        Some(known) => known.top_dead_centres(),
+        None => top_dead_centres(layout)?,
+    };
+    let (revolutions, choices) = match cycle {
+        Cycle::TwoStroke => (1, 1),
+        Cycle::FourStroke if whole.len() <= MOST_CYLINDERS => (2, 1_usize << (whole.len() - 1)),
+        Cycle::FourStroke => return None,
+    };
+    let intervals = |choice: usize| {
+        // The first cylinder fires at 0; the others in this revolution or in the next.
+        let at = |(index, centre): (usize, &i64)| centre + if choice << 1 >> index & 1 == 1 { length } else { 0 };
+        let mut firings: Vec<i64> = whole.iter().enumerate().map(at).collect();
+        firings.sort_unstable();
+        let last = firings[0] + revolutions * length - firings[firings.len() - 1];
+        let between = firings.windows(2).map(|pair| pair[1] - pair[0]);
+        between.fold((last, last), |(longest, shortest), gap| (longest.max(gap), shortest.min(gap)))
+    };
+    let best = (0..choices).map(intervals).min_by_key(|(longest, shortest)| (longest - shortest, *longest))?;
+    let turns = |each: i64| BigRational::new(each.into(), length.into());
+    Some(Evenness { longest: turns(best.0), shortest: turns(best.1), of_the_file: false })
+}
+
+/// Top dead centres after that of the first cylinder over their common denominator, which is a turn.
+fn top_dead_centres(layout: &Layout) -> Option<(Vec<i64>, i64)> {
+    let first = layout.cylinders.first()?.top_dead_centre();
+    let centres: Vec<BigRational> =
+        layout.cylinders.iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();
+    let turn = centres.iter().fold(BigInt::one(), |turn, centre| turn.lcm(centre.denom()));
+    let whole = |centre: &BigRational| (centre.numer() * (&turn / centre.denom())).to_i64();
+    let whole = centres.iter().map(whole).collect::<Option<_>>()?;
+    Some((whole, turn.to_i64().filter(|turn| *turn < i64::MAX / 4)?))
+}

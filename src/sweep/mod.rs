@@ -1,0 +1,55 @@
+//! How does the balance change with a parameter of the layout: a bank angle, a rod ratio, a spacing?
+//!
+//! Any value of a layout file runs over an exact range; two at once span a map. For each point the file with that value is
+//! read as any other, and its vectors are summed in floats. Whether a sum vanishes is decided exactly: floats only rule out
+//! sums that are further from zero than floats can be off by, and by far. Where the parameter is an angle,
+//! [`zeros()`] finds the exact angles at which each vector vanishes, between the points of the grid too.
+
+mod counterweight;
+mod envelope;
+mod evenness;
+mod parameter;
+mod point;
+mod range;
+mod run;
+mod whole;
+mod zeros;
+
+pub use counterweight::counterweight;
+pub use envelope::{Envelope, Geometry, envelope, section};
+pub use evenness::{Evenness, evenness};
+pub use parameter::{Parameter, SHORT_CUTS};
+pub use point::{Amplitudes, OrderPoint, Part, Point, judge};
+pub use range::{MOST_POINTS, Range};
+pub use run::{Sweep, sweep};
+pub use zeros::{ZeroSet, Zeros, zeros};
+
+use std::fmt;
+
+use crate::layout::LayoutError;
+
+/// Why a sweep is refused.
+#[derive(Clone, Debug)]
+pub struct Refused(String);
+
+impl Refused {
+    pub(super) fn new(message: impl Into<String>) -> Self {
+        Refused(message.into())
+    }
+
+    /// A layout that cannot be read with these values, which `at` names.
+    fn at(at: &str, error: &LayoutError) -> Self {
+        match error.span().filter(|span| !span.is_empty()) {
+            Some(_) => Refused(format!("with {at} the layout cannot be read:\n{error}")),
+            None => Refused(format!("with {at}: {}; {}", error.message(), error.right())),
+        }
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Refused {}

@@ -1,0 +1,277 @@
+//! What does one layout of a sweep come to? Its amplitudes in floats, its zeros exactly.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::counterweight::counterweight_of;
+use super::envelope::{Envelope, Geometry, envelope};
+use super::evenness::{Evenness, evenness_of};
+use super::whole::{Pair, Whole};
+use crate::exact::PhasorSum;
+use crate::layout::{Cycle, Layout, Rod};
+use crate::loads::{self, Missing, Parts, Scale};
+use crate::motion::{SliderCrank, coefficients_fast};
+use crate::phasor;
+use crate::proof::{Quantity, Sense};
+
+/// Below this part of the longer half-axis it is decided exactly whether the shorter one is zero.
+const FLAT: f64 = 1e-9;
+
+/// An amplitude, zero to peak.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Part {
+    /// In multiples of m r ω², for moments times the unit of the positions; of m r ω² c_k where no rod is given.
+    pub value: f64,
+    /// Whether it is proved to be zero.
+    pub vanishes: bool,
+}
+
+/// What an order of the force or the moment comes to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Amplitudes {
+    /// The half of P⁺ that turns with the crank.
+    pub direct: Part,
+    /// The half of P⁻ that turns against it.
+    pub reverse: Part,
+    /// Largest length in a revolution.
+    pub largest: Part,
+    /// Smallest length: zero where both vectors are equally long.
+    pub smallest: Part,
+    /// Along the reference direction: vertical.
+    pub along: Part,
+    /// Across it: horizontal.
+    pub across: Part,
+}
+
+/// One order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrderPoint {
+    /// The order k.
+    pub order: u32,
+    /// The shaking force.
+    pub force: Amplitudes,
+    /// Its moment about the reference plane.
+    pub moment: Amplitudes,
+}
+
+/// One layout of a sweep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The values of the parameters, in their units.
+    pub values: Vec<BigRational>,
+    /// The orders, rising.
+    pub orders: Vec<OrderPoint>,
+    /// Newtons a multiple of m r ω²; none where the layout does not say.
+    pub newtons: Option<f64>,
+    /// Kilograms a multiple of m; none where the layout does not say.
+    pub kilograms: Option<f64>,
+    /// How evenly the cylinders fire, where that is known.
+    pub evenness: Option<Evenness>,
+    /// Mass-radius, in multiples of m r, of the larger of two counterweights in the outermost throws that take away what
+    /// of order 1 turns with the crank; none where one plane would have to hold a couple.
+    pub counterweight: Option<Part>,
+    /// What the engine fits into.
+    pub envelope: Option<Envelope>,
+}
+
+/// The coefficients of the motion by rod, each computed once.
+#[derive(Default)]
+pub(super) struct Motions(BTreeMap<Rod, Vec<Complex<f64>>>);
+
+impl Motions {
+    fn coefficient(&mut self, rod: &Rod, order: u32, highest: u32) -> Complex<f64> {
+        if !self.0.contains_key(rod) {
+            // A sweep over rods would collect one entry a point.
+            if self.0.len() > 64 {
+                self.0.clear();
+            }
+            self.0.insert(rod.clone(), coefficients(rod, highest));
+        }
+        self.0.get(rod).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
+    }
+}
+
+fn coefficients(rod: &Rod, highest: u32) -> Vec<Complex<f64>> {
+    if rod.offset.is_zero() {
+        let real = coefficients_fast(rod.ratio.to_f64().unwrap_or(f64::NAN), highest);
+        return real.into_iter().map(|value| Complex::new(value, 0.0)).collect();
+    }
+    let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
+    let crank = crank.unwrap_or_else(|_| unreachable!("the layout's reader admits only cranks that turn round"));
+    (0..=highest).map(|order| crank.coefficient(order).to_complex()).collect()
+}
+
+/// Judges one layout at these orders.
+///
+/// # Errors
+/// What the layout lacks for its masses to be compared.
+pub fn judge(layout: &Layout, cycle: Option<Cycle>, orders: &[u32], geometry: &Geometry) -> Result<Point, Missing> {
+    judge_with(layout, cycle, orders, geometry, &mut Motions::default())
+}
+
+pub(super) fn judge_with(
+    layout: &Layout,
+    cycle: Option<Cycle>,
+    orders: &[u32],
+    geometry: &Geometry,
+    motions: &mut Motions,
+) -> Result<Point, Missing> {
+    loads::comparable(layout)?;
+    let whole = Whole::new(layout);
+    let highest = orders.iter().copied().max().unwrap_or(1).max(1);
+    let judged = orders.iter().map(|&order| {
+        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
+            match whole.as_ref().filter(|whole| whole.knows(order)) {
+                Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
+                None => from_parts(layout, quantity, order, highest, motions),
+            }
+        });
+        OrderPoint { order, force, moment }
+    });
+    let orders = judged.collect();
+    let mechanism = &layout.mechanism;
+    let rods_known = !mechanism.rods.is_empty();
+    let scale = mechanism.mass.as_ref().zip(mechanism.crank_radius.clone()).zip(mechanism.speed.clone());
+    let scale = scale.map(|((_, crank_radius), speed)| Scale { mass: loads::unit_mass(layout), crank_radius, speed });
+    Ok(Point {
+        values: Vec::new(),
+        orders,
+        newtons: scale.filter(|_| rods_known).map(|scale| scale.force()),
+        kilograms: mechanism.mass.as_ref().and_then(|_| loads::unit_mass(layout).to_f64()),
+        evenness: evenness_of(layout, cycle, whole.as_ref()),
+        counterweight: counterweight_of(layout, whole.as_ref()),
+        envelope: envelope(layout, geometry),
+    })
+}
+
+fn from_words(
+    layout: &Layout,
+    whole: &Whole,
+    quantity: Quantity,
+    order: u32,
+    highest: u32,
+    motions: &mut Motions,
+) -> Amplitudes {
+    let coefficient = match layout.mechanism.rods.first() {
+        Some(rod) => motions.coefficient(rod, order, highest),
+        None => Complex::new(1.0, 0.0),
+    };
+    if coefficient.is_zero() {
+        return gone();
+    }
+    let Pair { direct, mirrored, zeros } = whole.pair(quantity, order);
+    amplitudes(direct * coefficient, mirrored * coefficient, zeros, &|| {
+        let [direct, reverse] =
+            [Sense::Direct, Sense::Reverse].map(|sense| phasor::sum(layout, quantity, order, Some(sense)));
+        equally_long(&direct, &reverse)
+    })
+}
+
+/// An order whose coefficient is 0.
+fn gone() -> Amplitudes {
+    amplitudes(Complex::zero(), Complex::zero(), [true; 4], &|| true)
+}
+
+fn equally_long(one: &PhasorSum, other: &PhasorSum) -> bool {
+    one.squared_modulus().minus(&other.squared_modulus()).vanishes()
+}
+
+/// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally
+/// long is decided where it may be.
+fn amplitudes(
+    direct: Complex<f64>,
+    mirrored: Complex<f64>,
+    [plus, minus, along, across]: [bool; 4],
+    equally_long: &dyn Fn() -> bool,
+) -> Amplitudes {
+    let part =
+        |value: Complex<f64>, vanishes: bool| Part { value: if vanishes { 0.0 } else { value.norm() / 2.0 }, vanishes };
+    let (one, other) = (part(direct, plus), part(mirrored, minus));
+    let (direct, mirrored) =
+        (if plus { Complex::zero() } else { direct }, if minus { Complex::zero() } else { mirrored });
+    let largest = one.value + other.value;
+    let smallest = (one.value - other.value).abs();
+    let none = plus && minus;
+    // Where P⁺ = ±P̄⁻ both are equally long.
+    let flat = none || along || across || (smallest < FLAT * largest && equally_long());
+    Amplitudes {
+        direct: one,
+        reverse: other,
+        largest: Part { value: largest, vanishes: none },
+        smallest: Part { value: if flat { 0.0 } else { smallest }, vanishes: flat },
+        along: part(direct + mirrored, along),
+        across: part(direct - mirrored, across),
+    }
+}
+
+/// The exact sums of one quantity, order and sense by coefficient, masses that turn among them.
+pub(super) fn parts(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> Parts {
+    let whole = |_: &BigRational| BigRational::from_integer(1.into());
+    let arm = |position: &BigRational| position - &layout.reference_plane;
+    let weighing: loads::Weighing = if quantity == Quantity::Moment { &arm } else { &whole };
+    let mut parts = loads::sums(layout, weighing, order, sense);
+    let weightless = layout.mechanism.mass.as_ref().is_some_and(Zero::is_zero);
+    if layout.mechanism.rods.is_empty() && !weightless {
+        // Without rods the coefficients stay symbols: that of order 1 is 1, any other one shared by all cylinders.
+        let symbol = Rod { ratio: BigRational::zero(), offset: BigRational::zero() };
+        let sum = phasor::sum(layout, quantity, order, Some(sense));
+        let factor = (order != 1).then_some(symbol);
+        parts.entry(factor).and_modify(|there| *there = there.plus(&sum)).or_insert(sum);
+    }
+    parts
+}
+
+fn from_parts(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
+    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| parts(layout, quantity, order, sense));
+    let mirrored: Parts = reverse.into_iter().map(|(factor, sum)| (factor, sum.conjugate())).collect();
+    let gone = |parts: &Parts| parts.values().all(PhasorSum::vanishes);
+    let (plus, minus) = (gone(&direct), gone(&mirrored));
+    let [along, across] = match (plus, minus) {
+        (true, true) => [true, true],
+        (false, false) => [1, -1].map(|sign| gone(&merged(&direct, &mirrored, sign))),
+        _ => [false, false],
+    };
+    let zeros = [plus, minus, along, across];
+    let rods_known = !layout.mechanism.rods.is_empty();
+    let mut value = |parts: &Parts| -> Complex<f64> {
+        let term = |(factor, sum): (&Option<Rod>, &PhasorSum)| match factor {
+            Some(rod) if rods_known => motions.coefficient(rod, order, highest) * float(sum),
+            _ => float(sum),
+        };
+        parts.iter().map(term).sum()
+    };
+    let left = |parts: &Parts| {
+        let mut left =
+            parts.iter().filter(|(_, sum)| !sum.vanishes()).map(|(factor, sum)| (factor.clone(), sum.clone()));
+        left.next().filter(|_| left.next().is_none())
+    };
+    // Sums of several coefficients are not compared.
+    let equal = || match (left(&direct), left(&mirrored)) {
+        (Some((of, one)), Some((also, other))) => of == also && equally_long(&one, &other),
+        _ => false,
+    };
+    amplitudes(value(&direct), value(&mirrored), zeros, &equal)
+}
+
+pub(super) fn merged(one: &Parts, other: &Parts, sign: i64) -> Parts {
+    let mut all = one.clone();
+    for (factor, sum) in other {
+        let sum = sum.scaled(&BigRational::from_integer(sign.into()));
+        all.entry(factor.clone()).and_modify(|there| *there = there.plus(&sum)).or_insert(sum);
+    }
+    all
+}
+
+/// A sum in floats.
+pub(super) fn float(sum: &PhasorSum) -> Complex<f64> {
+    let vectors = sum.terms().iter().map(|term| {
+        let weight = term.weight.to_f64().unwrap_or(f64::NAN);
+        let vector = Complex::from_polar(weight.abs(), TAU * term.angle.turns().to_f64().unwrap_or(f64::NAN));
+        if term.weight.is_negative() { -vector } else { vector }
+    });
+    vectors.sum()
+}

@@ -1,0 +1,219 @@
+//! How are all points of a sweep computed? Each file is read anew from parsed tables, on all cores.
+
+use std::collections::BTreeSet;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+
+use num_rational::BigRational;
+
+use super::envelope::Geometry;
+use super::parameter::Parameter;
+use super::point::{Motions, Point, judge_with};
+use super::range::MOST_POINTS;
+use super::{Refused, ZeroSet, zeros};
+use crate::layout::{Engine, Key, Layout, Template};
+use crate::loads::Arm;
+
+/// Curves between the points of a coarse grid are drawn from about this many points.
+const SMOOTH: usize = 180;
+/// Of a finer grid a curve shows so many at most.
+const MOST_OF_CURVE: usize = 2000;
+
+/// A sweep over one parameter, or over two.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// Title of the layout.
+    pub title: String,
+    /// The parameters; the last one runs fastest.
+    pub parameters: Vec<Parameter>,
+    /// The orders, rising.
+    pub orders: Vec<u32>,
+    /// The points, in order.
+    pub points: Vec<Point>,
+    /// For one parameter: points on the grid, between its points, and at the exact zeros, from which curves are drawn.
+    pub curve: Vec<Point>,
+    /// For one angle: where each vector vanishes, exactly; none for other parameters.
+    pub zeros: Option<Vec<ZeroSet>>,
+    /// What moments are counted in.
+    pub arm: Arm,
+    /// Whether the amplitudes hold the coefficients c_k; else they are in multiples of them.
+    pub rods_known: bool,
+    /// The assumptions behind the envelope.
+    pub geometry: Geometry,
+}
+
+/// Computes a sweep over one or two parameters at these orders; at those of the file where none are given.
+///
+/// # Errors
+/// More than two parameters or none, too many points, or the first layout that cannot be read.
+pub fn sweep(
+    template: &Template,
+    parameters: &[Parameter],
+    orders: &[u32],
+    geometry: &Geometry,
+) -> Result<Sweep, Refused> {
+    let count = match parameters {
+        [] => return Err(Refused::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
+        [one] => Some(one.range.count()),
+        [one, other] if one.key == other.key => {
+            return Err(Refused::new(format!("`{}` is swept twice; two different keys make a map", one.key)));
+        }
+        [one, other] => one.range.count().checked_mul(other.range.count()),
+        _ => {
+            return Err(Refused::new(format!(
+                "{} parameters are swept; one makes curves, two a map",
+                parameters.len()
+            )));
+        }
+    };
+    let Some(count) = count.filter(|count| *count <= MOST_POINTS) else {
+        let sizes: Vec<String> = parameters.iter().map(|parameter| parameter.range.count().to_string()).collect();
+        let message = format!("the map has {} points; up to {MOST_POINTS} are computed", sizes.join(" × "));
+        return Err(Refused::new(message));
+    };
+    let reader = Reader::new(template, parameters);
+    let first = reader.layout(&reader.values(0))?;
+    let orders = if orders.is_empty() { &first.orders } else { orders };
+    let points = all(count, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
+    let zeros = match parameters {
+        [one] => zeros(template, one, orders),
+        _ => None,
+    };
+    let mut curve = match parameters {
+        [one] if one.range.count() > 1 && one.range.count() <= SMOOTH => {
+            let finer = Parameter { range: one.range.finer(SMOOTH.div_ceil(one.range.count() - 1)), ..one.clone() };
+            let finer = [finer];
+            let between = Reader::new(template, &finer);
+            all(finer[0].range.count(), &|index, motions| {
+                between.point(&between.values(index), orders, geometry, motions)
+            })?
+        }
+        [_] => points.iter().step_by(points.len().div_ceil(MOST_OF_CURVE)).cloned().collect(),
+        _ => Vec::new(),
+    };
+    let known: BTreeSet<&BigRational> = curve.iter().flat_map(|point| &point.values).collect();
+    let at_zeros: BTreeSet<&BigRational> = zeros.iter().flatten().flat_map(|set| &set.at).collect();
+    let mut motions = Motions::default();
+    let between = at_zeros
+        .difference(&known)
+        .map(|value| reader.point(std::slice::from_ref(*value), orders, geometry, &mut motions));
+    let between = between.collect::<Result<Vec<Point>, Refused>>()?;
+    curve.extend(between);
+    curve.sort_by(|a, b| a.values.cmp(&b.values));
+    Ok(Sweep {
+        title: first.title.clone(),
+        parameters: parameters.to_vec(),
+        orders: orders.to_vec(),
+        points,
+        curve,
+        zeros,
+        arm: Arm::of(&first),
+        rods_known: !first.mechanism.rods.is_empty(),
+        geometry: geometry.clone(),
+    })
+}
+
+/// Reads the layouts of a sweep.
+pub(super) struct Reader<'a> {
+    template: Template<'a>,
+    /// The file without a firing order, for values whose throws cannot fire in it.
+    unfired: Option<Template<'a>>,
+    parameters: &'a [Parameter],
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(template: &Template<'a>, parameters: &'a [Parameter]) -> Self {
+        let template = parameters.iter().fold(template.clone(), |template, parameter| parameter.prepared(&template));
+        // The throws of an in-line engine may follow from its firing order.
+        let order_makes_throws = template.form() == Some("inline") && !template.has("inline.throws");
+        let fires = template.has("firing_order") || template.has("firing_angles");
+        let unfired = (fires && !order_makes_throws).then(|| template.without(&["firing_order", "firing_angles"]));
+        Reader { template, unfired, parameters }
+    }
+
+    /// The values of a point.
+    pub fn values(&self, index: usize) -> Vec<BigRational> {
+        match self.parameters {
+            [slow, fast] => {
+                let count = fast.range.count();
+                vec![slow.range.value(index / count), fast.range.value(index % count)]
+            }
+            _ => self.parameters.iter().map(|parameter| parameter.range.value(index)).collect(),
+        }
+    }
+
+    /// The layout with these values.
+    pub fn layout(&self, values: &[BigRational]) -> Result<Layout, Refused> {
+        let pairs = || self.parameters.iter().zip(values);
+        let texts: Vec<String> = pairs().map(|(parameter, value)| parameter.range.written(value)).collect();
+        let put: Vec<(&Key, &str)> =
+            self.parameters.iter().zip(&texts).map(|(parameter, text)| (&parameter.key, text.as_str())).collect();
+        let read = self.template.engine(&put).or_else(|error| match &self.unfired {
+            Some(unfired) => unfired.engine(&put).map_err(|_| error),
+            None => Err(error),
+        });
+        let at = || pairs().map(|(parameter, value)| parameter.at(value)).collect::<Vec<_>>().join(", ");
+        match read.map_err(|error| Refused::at(&at(), &error))? {
+            Engine::Known(layout, _) => Ok(*layout),
+            Engine::Open(family) => {
+                let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
+                let message = format!("the layout leaves {} open; give values below [values]", unknowns.join(", "));
+                Err(Refused::new(message))
+            }
+        }
+    }
+
+    fn point(
+        &self,
+        values: &[BigRational],
+        orders: &[u32],
+        geometry: &Geometry,
+        motions: &mut Motions,
+    ) -> Result<Point, Refused> {
+        let layout = self.layout(values)?;
+        let judged = judge_with(&layout, self.template.cycle(), orders, geometry, motions);
+        let judged = judged.map_err(|missing| Refused::new(missing.to_string()))?;
+        Ok(Point { values: values.to_vec(), ..judged })
+    }
+}
+
+/// Computes so many points on all cores; the first that fails is the one to tell.
+fn all(
+    count: usize,
+    point: &(dyn Fn(usize, &mut Motions) -> Result<Point, Refused> + Sync),
+) -> Result<Vec<Point>, Refused> {
+    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(64)).max(1);
+    let failed = AtomicBool::new(false);
+    let part = |thread: usize| {
+        let mut motions = Motions::default();
+        let (from, to) = (count * thread / threads, count * (thread + 1) / threads);
+        let mut points = Vec::with_capacity(to - from);
+        for index in from..to {
+            if thread > 0 && failed.load(Ordering::Relaxed) {
+                break;
+            }
+            match point(index, &mut motions) {
+                Ok(point) => points.push(point),
+                Err(error) => {
+                    failed.store(true, Ordering::Relaxed);
+                    return Err(error);
+                }
+            }
+        }
+        Ok(points)
+    };
+    let parts: Vec<Result<Vec<Point>, Refused>> = thread::scope(|scope| {
+        let part = &part;
+        let others: Vec<_> = (1..threads).map(|thread| scope.spawn(move || part(thread))).collect();
+        let first = part(0);
+        let rest =
+            others.into_iter().map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        [first].into_iter().chain(rest).collect()
+    });
+    let mut points = Vec::with_capacity(count);
+    for part in parts {
+        points.extend(part?);
+    }
+    Ok(points)
+}

@@ -1,0 +1,197 @@
+//! At which exact angles does each vector of a sweep vanish, on its grid or between its points?
+//!
+//! Any angle of a layout file may be the unknown φ, so that the room [`crate::family`] tells where a vector vanishes,
+//! exactly and completely. Each such angle is put into the file and judged once more, with all masses that turn.
+
+use std::collections::BTreeSet;
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::parameter::Parameter;
+use super::point::{merged, parts};
+use super::run::Reader;
+use crate::exact::{PhasorSum, Turn};
+use crate::family::{self, Component, OpenVerdict, component_zeros};
+use crate::layout::{self, Engine, Layout, PHI, Template};
+use crate::proof::{Quantity, Sense};
+
+/// What vanishes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Zeros {
+    /// The vector that turns with the crank.
+    Direct,
+    /// The vector that turns against it.
+    Reverse,
+    /// Both.
+    Largest,
+    /// The part along the reference direction.
+    Along,
+    /// The part across it.
+    Across,
+}
+
+impl Zeros {
+    /// All of them.
+    pub const ALL: [Zeros; 5] = [Zeros::Direct, Zeros::Reverse, Zeros::Largest, Zeros::Along, Zeros::Across];
+}
+
+/// Where one of them vanishes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ZeroSet {
+    /// Force or moment.
+    pub quantity: Quantity,
+    /// The order k.
+    pub order: u32,
+    /// What vanishes.
+    pub of: Zeros,
+    /// Whether it vanishes for every value of the parameter.
+    pub everywhere: bool,
+    /// The values in the range at which it vanishes, rising, in the unit of the range; empty where it does everywhere.
+    pub at: Vec<BigRational>,
+    /// Whether these are proved to be all; else they are those found.
+    pub complete: bool,
+}
+
+/// Where the vectors of these orders vanish; `None` where the parameter is no angle.
+pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Option<Vec<ZeroSet>> {
+    let per_unit = layout::turns_per_unit(parameter.range.unit())?;
+    let open =
+        template.without(&["firing_order", "firing_angles", "bearings", "crankshaft", "counterweight", "balancer"]);
+    let Ok(Engine::Open(open)) = open.engine(&[(&parameter.key, PHI)]) else { return None };
+    if !open.unknowns().into_iter().eq([PHI]) {
+        return None;
+    }
+    let parameters = [parameter.clone()];
+    let reader = Reader::new(template, &parameters);
+    let engine = reader.layout(&reader.values(0)).ok()?;
+    let same_rods = engine.rods().len() < 2;
+    let mut sets = Vec::new();
+    for order in family::classify(&open, orders) {
+        for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
+            for of in Zeros::ALL {
+                let found = if is_gone(&engine, order.order) {
+                    Found::Everywhere
+                } else {
+                    find(&open, quantity, order.order, verdicts, of)
+                };
+                let turns = same_rods && !with_turning_masses(&engine, order.order, of);
+                let (found, complete) = match found {
+                    Found::NotSolved => (BTreeSet::new(), false),
+                    Found::Everywhere if turns => {
+                        sets.push(ZeroSet {
+                            quantity,
+                            order: order.order,
+                            of,
+                            everywhere: true,
+                            at: Vec::new(),
+                            complete: true,
+                        });
+                        continue;
+                    }
+                    Found::Everywhere => (BTreeSet::new(), false),
+                    Found::At(set) => (set, turns),
+                };
+                let holds = |value: &BigRational| {
+                    reader
+                        .layout(std::slice::from_ref(value))
+                        .is_ok_and(|layout| vanishes(&layout, quantity, order.order, of))
+                };
+                let at = in_range(&found, parameter, &per_unit).into_iter().filter(holds).collect();
+                sets.push(ZeroSet { quantity, order: order.order, of, everywhere: false, at, complete });
+            }
+        }
+    }
+    Some(sets)
+}
+
+enum Found {
+    Everywhere,
+    At(BTreeSet<Turn>),
+    NotSolved,
+}
+
+fn find(open: &layout::Family, quantity: Quantity, order: u32, verdicts: &[OpenVerdict; 2], of: Zeros) -> Found {
+    let one = |verdict: &OpenVerdict| match (verdict.always(), verdict.bank_angles()) {
+        (true, _) => Found::Everywhere,
+        (false, Some(set)) => Found::At(set),
+        (false, None) => Found::NotSolved,
+    };
+    let component = |component| match component_zeros(open, quantity, order, component) {
+        family::Zeros::Everywhere => Found::Everywhere,
+        family::Zeros::At(set) => Found::At(set),
+        family::Zeros::NotSolved => Found::NotSolved,
+    };
+    match of {
+        Zeros::Direct => one(&verdicts[0]),
+        Zeros::Reverse => one(&verdicts[1]),
+        Zeros::Along => component(Component::Along),
+        Zeros::Across => component(Component::Across),
+        Zeros::Largest => match (one(&verdicts[0]), one(&verdicts[1])) {
+            (Found::Everywhere, other) | (other, Found::Everywhere) => other,
+            (Found::At(some), Found::At(others)) => Found::At(some.intersection(&others).cloned().collect()),
+            // Where one vector never vanishes, both never do.
+            (Found::At(none), _) | (_, Found::At(none)) if none.is_empty() => Found::At(none),
+            _ => Found::NotSolved,
+        },
+    }
+}
+
+/// Whether an order has the coefficient 0: the odd ones of centric rods.
+fn is_gone(layout: &Layout, order: u32) -> bool {
+    let rods = &layout.mechanism.rods;
+    let balanced = layout.crankshaft.balancers.iter().all(|shaft| shaft.order != order);
+    order > 1 && order % 2 == 1 && balanced && !rods.is_empty() && rods.iter().all(|rod| rod.offset.is_zero())
+}
+
+/// Whether masses that turn enter this vector beside the pistons.
+fn with_turning_masses(layout: &Layout, order: u32, of: Zeros) -> bool {
+    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let on_the_crank = !mechanism.rotating_masses.iter().all(Zero::is_zero)
+        || !crankshaft.pins.is_empty()
+        || !crankshaft.webs.is_empty()
+        || !crankshaft.counterweights.is_empty();
+    let enters = |sense: Sense| match of {
+        Zeros::Direct => sense == Sense::Direct,
+        Zeros::Reverse => sense == Sense::Reverse,
+        _ => true,
+    };
+    (on_the_crank && order == 1 && enters(Sense::Direct))
+        || crankshaft.balancers.iter().any(|shaft| shaft.order == order && enters(shaft.sense))
+}
+
+/// Whether a vector of this engine vanishes, decided exactly.
+fn vanishes(layout: &Layout, quantity: Quantity, order: u32, of: Zeros) -> bool {
+    let sums = |sense| parts(layout, quantity, order, sense);
+    let gone = |parts: &crate::loads::Parts| parts.values().all(PhasorSum::vanishes);
+    let (direct, reverse) = (sums(Sense::Direct), sums(Sense::Reverse));
+    let mirrored = reverse.into_iter().map(|(factor, sum)| (factor, sum.conjugate())).collect();
+    match of {
+        Zeros::Direct => gone(&direct),
+        Zeros::Reverse => gone(&mirrored),
+        Zeros::Largest => gone(&direct) && gone(&mirrored),
+        Zeros::Along => gone(&merged(&direct, &mirrored, 1)),
+        Zeros::Across => gone(&merged(&direct, &mirrored, -1)),
+    }
+}
+
+/// The angles in the range, whole turns added, and those of a whole number of turns.
+fn in_range(found: &BTreeSet<Turn>, parameter: &Parameter, per_unit: &BigRational) -> BTreeSet<BigRational> {
+    let range = &parameter.range;
+    let ends = [range.value(0), range.last()];
+    let (Some(low), Some(high)) = (ends.iter().min(), ends.iter().max()) else { return BTreeSet::new() };
+    let mut values = BTreeSet::new();
+    for angle in found.iter().map(|turn| turn.turns().clone()).chain([BigRational::zero()]) {
+        let mut turns = &angle + (low * per_unit - &angle).ceil();
+        // A range has as many turns as it has, but no plot shows more.
+        for _ in 0..1000 {
+            let value = &turns / per_unit;
+            if value > *high {
+                break;
+            }
+            values.insert(value);
+            turns += BigRational::one();
+        }
+    }
+    values
+}

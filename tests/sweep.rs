@@ -1,0 +1,430 @@
+//! Are sweeps exact in their values and zeros, right in their amplitudes, and told in words where they cannot be done?
+
+#![allow(clippy::disallowed_types)]
+
+use std::process::Command;
+
+use crankstar::family::{self, Component, component_zeros};
+use crankstar::layout::{self, Cycle, Engine, Key, Template};
+use crankstar::loads;
+use crankstar::numbers::Form;
+use crankstar::proof::{Quantity, Sense};
+use crankstar::remedy::{Subject, two_planes};
+use crankstar::report;
+use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Point, Range, Sweep, Zeros};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+#[path = "support/dice.rs"]
+#[allow(dead_code)]
+mod dice;
+
+const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
+const V8: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
+const MASSES: &str = "[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.25\nreciprocating_mass = \"0.6 kg\"\nrotating_mass = \"0.2 kg\"\n";
+
+fn run(text: &str, parameters: &[&str], orders: &[u32]) -> Result<Sweep, String> {
+    let template = Template::new("test.toml", text).expect("it is TOML");
+    let parameters: Result<Vec<Parameter>, _> = parameters.iter().map(|text| Parameter::parse(text)).collect();
+    let parameters = parameters.map_err(|error| error.to_string())?;
+    sweep::sweep(&template, &parameters, orders, &Geometry::default()).map_err(|error| error.to_string())
+}
+
+fn good(text: &str, parameters: &[&str], orders: &[u32]) -> Sweep {
+    run(text, parameters, orders).expect("a sweep")
+}
+
+fn ratio(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
+}
+
+fn zeros(sweep: &Sweep, quantity: Quantity, order: u32, of: Zeros) -> Vec<String> {
+    let sets = sweep.zeros.as_ref().expect("an angle");
+    let set = sets.iter().find(|set| set.quantity == quantity && set.order == order && set.of == of).expect("a set");
+    assert!(set.complete, "{quantity:?} {order} {of:?}");
+    match set.everywhere {
+        true => vec!["everywhere".to_owned()],
+        false => set.at.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn close(value: f64, right: f64) -> bool {
+    (value - right).abs() <= 1e-12 * right.abs().max(1.0)
+}
+
+#[test]
+fn values_are_exact_and_the_end_is_one_where_it_lies_on_the_grid() {
+    let values =
+        |text: &str| Range::parse(text).expect(text).values().map(|value| value.to_string()).collect::<Vec<_>>();
+    assert_eq!(values("0..1:1/3"), ["0", "1/3", "2/3", "1"]);
+    assert_eq!(values("0..1:0.3"), ["0", "3/10", "3/5", "9/10"]);
+    assert_eq!(values("10..-10:-10"), ["10", "0", "-10"]);
+    assert_eq!(values("5..5:7"), ["5"]);
+    let metric = Range::parse("80..120:20 mm").expect("millimetres");
+    assert_eq!((metric.unit(), metric.count()), ("mm", 3));
+    assert_eq!(Range::parse("0..1:1e-1").expect("an exponent").count(), 11);
+}
+
+#[test]
+fn ranges_that_are_none_are_refused_in_words() {
+    for (text, word) in [
+        ("0..180", "no step"),
+        ("0:10", "no `..`"),
+        ("0..180:0", "step of 0"),
+        ("0..180:-10", "is empty"),
+        ("180..0:10", "0..180"),
+        ("0..1000000000:1", "1000000001 points"),
+        ("0..1:1e-90", "points"),
+        ("a..2:1", "start"),
+        ("1..:1", "end"),
+        ("1..2:x", "step"),
+        ("", "`..`"),
+        ("0..1/0:1", "fraction over 0"),
+    ] {
+        let error = match Range::parse(text) {
+            Ok(range) => format!("{} points were read", range.count()),
+            Err(error) => error.to_string(),
+        };
+        if text == "180..0:10" {
+            assert!(error.contains("180..0:-10"), "{text}: {error}");
+        } else {
+            assert!(error.contains(word), "{text}: {error}");
+        }
+    }
+    assert_eq!(Range::parse(&format!("1..{MOST_POINTS}:1")).expect("just enough").count(), MOST_POINTS);
+}
+
+#[test]
+fn sweeps_that_cannot_be_done_are_refused_in_words() {
+    for (parameters, word) in [
+        (&[][..], "nothing is swept"),
+        (&["speed=1..2:1", "vee.spacing=1..2:1", "vee.pin_split=1..2:1"][..], "3 parameters"),
+        (&["speed=1..2:1", "speed=1..2:1"][..], "swept twice"),
+        (&["vee.pin_split=0..2000:1", "vee.bank_angle=0..100:0.1"][..], "2001 × 1001 points"),
+        (&["vee.bankangle=0..1:1"][..], "unknown key `bankangle`"),
+        (&["vee.throws.4=0..1:1"][..], "no `4` in a list of 3"),
+        (&["vee.throws.1.2=0..1:1"][..], "single value"),
+        (&["vee=0..1:1"][..], "is a table"),
+        (&["vee.bank_angle=0..360:90"][..], "vee.bank_angle = 360"),
+        (&["mechanism.rod_ratio=0..1:0.5"][..], "cannot turn round"),
+        (&["title=0..1:1"][..], "no quantity"),
+        (&["=0..1:1"][..], "cannot read the key"),
+        (&["vee.bank_angle"][..], "sets nothing"),
+        (&["crankshaft.balance_factor=0..1:1"][..], "counterweight_radius"),
+    ] {
+        let error = run(V6, parameters, &[]).expect_err("it is refused");
+        assert!(error.contains(word), "{parameters:?}: {error}");
+    }
+    let template = Template::new("i4.toml", "[inline]\nthrows = [0, 180]").expect("TOML");
+    let error = Parameter::short_cut("bank-angle", "0..90:10", &template).expect_err("no V").to_string();
+    assert!(error.contains("[vee]") && error.contains("[inline]"), "{error}");
+    assert!(run("[vee]\nbank_angle = \"phi\"\nthrows = [0]", &["speed=1..2:1"], &[]).is_err_and(|e| e.contains("phi")));
+}
+
+#[test]
+fn exact_zeros_of_the_six_with_shared_pins_lie_at_their_angles_and_not_on_the_grid() {
+    let sweep = good(V6, &["vee.bank_angle=10..180:50"], &[1, 2, 4, 6]);
+    let moment = |order, of| zeros(&sweep, Quantity::Moment, order, of);
+    assert!(moment(1, Zeros::Along).is_empty(), "this range ends at 160");
+    let sweep = good(V6, &["vee.bank_angle=10..180:17"], &[1, 2, 4, 6]);
+    let moment = |order, of| zeros(&sweep, Quantity::Moment, order, of);
+    assert_eq!(moment(1, Zeros::Along), ["180"]);
+    assert_eq!(moment(1, Zeros::Reverse), ["90"]);
+    assert!(moment(1, Zeros::Largest).is_empty() && moment(1, Zeros::Across).is_empty());
+    assert_eq!(moment(2, Zeros::Along), ["90", "180"]);
+    assert_eq!(moment(2, Zeros::Reverse), ["60", "180"]);
+    assert_eq!(moment(2, Zeros::Largest), ["180"]);
+    assert_eq!(moment(4, Zeros::Along), ["45", "135", "180"]);
+    assert_eq!(moment(4, Zeros::Across), ["90", "180"]);
+    assert_eq!(zeros(&sweep, Quantity::Force, 6, Zeros::Reverse), ["180/7", "540/7", "900/7", "180"]);
+    assert_eq!(zeros(&sweep, Quantity::Force, 1, Zeros::Largest), ["everywhere"]);
+    let on_curve = sweep.curve.iter().any(|point| point.values[0] == ratio(180, 7));
+    assert!(on_curve, "the curve passes its exact zeros");
+}
+
+#[test]
+fn a_range_that_holds_0_has_its_zero_there() {
+    let sweep = good(V6, &["vee.bank_angle=0..30:10"], &[1, 2]);
+    assert_eq!(zeros(&sweep, Quantity::Moment, 1, Zeros::Across), ["0"]);
+    let split = good(V6, &["vee.pin_split=-90..90:7"], &[1]);
+    // The pins of a pair stand opposite at a split of half a turn, outside the first range and at both ends of the second.
+    assert!(zeros(&split, Quantity::Moment, 1, Zeros::Direct).is_empty());
+    let split = good(V6, &["vee.pin_split=-1/2..1/2:1/3 turn"], &[1]);
+    assert_eq!(zeros(&split, Quantity::Moment, 1, Zeros::Direct), ["-1/2", "1/2"]);
+}
+
+#[test]
+fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
+    for throws in ["[0, 240, 120]", "[0, 270, 90, 180]", "[0, 180]", "[0, 72, 144, 216, 288]"] {
+        let text = format!("[vee]\nbank_angle = \"phi\"\nthrows = {throws}\n");
+        let template = Template::new("v.toml", &text).expect("TOML");
+        let Ok(Engine::Open(open)) = template.engine(&[]) else { panic!("it is open") };
+        let key = Key::parse("vee.bank_angle").expect("a key");
+        for order in [1, 2, 3, 4] {
+            for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
+                let found = component_zeros(&open, Quantity::Moment, order, component);
+                for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
+                    let Ok(Engine::Known(layout, _)) = template.engine(&[(&key, &degrees.to_string())]) else {
+                        panic!("it is known")
+                    };
+                    let sum = |sense| {
+                        crankstar::numbers::evaluate(&crankstar::phasor::sum(
+                            &layout,
+                            Quantity::Moment,
+                            order,
+                            Some(sense),
+                        ))
+                    };
+                    let value = sum(Sense::Direct) + sum(Sense::Reverse).conj() * sign;
+                    let at = match &found {
+                        family::Zeros::Everywhere => true,
+                        family::Zeros::At(set) => set.iter().any(|turn| turn.degrees() == ratio(degrees, 1)),
+                        family::Zeros::NotSolved => panic!("{throws} {order} is not solved"),
+                    };
+                    assert_eq!(at, value.norm() < 1e-12, "{throws} order {order} {component:?} at {degrees}");
+                }
+            }
+        }
+    }
+}
+
+/// The amplitudes of a sweep against those of the room of loads, which sums exactly and encloses its coefficients.
+fn same_as_loads(point: &Point, layout: &layout::Layout, orders: &[u32]) {
+    let loads = loads::loads(layout, orders).expect("loads");
+    for (own, other) in point.orders.iter().zip(&loads.orders) {
+        for (own, swing) in [(&own.force, &other.force), (&own.moment, &other.moment)] {
+            let size = 1.0 + swing.largest();
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-11 * size;
+            assert!(near(own.largest.value, swing.largest()), "{} {}", own.largest.value, swing.largest());
+            assert!(near(own.smallest.value, swing.smallest()));
+            assert!(near(own.along.value, swing.along()) && near(own.across.value, swing.across()));
+            assert_eq!(own.largest.vanishes, swing.vanishes());
+            assert_eq!(own.direct.vanishes, swing.direct.outcome == loads::Outcome::Zero);
+            assert_eq!(own.reverse.vanishes, swing.reverse.outcome == loads::Outcome::Zero);
+        }
+    }
+}
+
+#[test]
+fn amplitudes_are_those_of_the_loads_with_and_without_masses_that_turn() {
+    let counterweights = "[crankshaft]\nbalance_factor = 0.5\ncounterweight_radius = \"45 mm\"\n";
+    let pistons = "[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.3\nreciprocating_mass = \"0.6 kg\"\n";
+    let offset =
+        "[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.3\noffset_ratio = 0.05\nreciprocating_mass = 1\n";
+    let orders = [1, 2, 3, 4, 6];
+    for rest in [pistons.to_owned(), offset.to_owned(), MASSES.to_owned(), format!("{MASSES}{counterweights}")] {
+        for base in [V6, V8] {
+            let text = format!("{base}{rest}");
+            let sweep = good(&text, &["vee.bank_angle=0..180:36"], &orders);
+            let template = Template::new("t.toml", &text).expect("TOML");
+            let key = Key::parse("vee.bank_angle").expect("a key");
+            for point in &sweep.points {
+                let value = point.values[0].to_string();
+                let Ok(Engine::Known(layout, _)) = template.engine(&[(&key, &value)]) else { panic!("it reads") };
+                same_as_loads(point, &layout, &orders);
+            }
+        }
+    }
+}
+
+#[test]
+fn words_decide_as_the_exact_sums_do_on_random_engines() {
+    let mut dice = dice::Dice::new(20_061);
+    for _ in 0..60 {
+        let count = 2 + dice.below(5);
+        let list = |dice: &mut dice::Dice, of: u64| {
+            let values: Vec<String> = (0..count).map(|_| format!("{}", 15 * dice.below(of))).collect();
+            format!("[{}]", values.join(", "))
+        };
+        let throws = list(&mut dice, 24);
+        let text = format!(
+            "[vee]\nbank_angle = {}\nthrows = {throws}\npin_split = {}\n",
+            15 * dice.below(12),
+            15 * dice.below(6)
+        );
+        let layout = layout::parse("r.toml", &text).expect("it reads");
+        let point = sweep::judge(&layout, None, &[1, 2, 3, 4, 6, 12], &Geometry::default()).expect("judged");
+        for order in &point.orders {
+            for (quantity, own) in [(Quantity::Force, order.force), (Quantity::Moment, order.moment)] {
+                let sum = |sense| crankstar::phasor::sum(&layout, quantity, order.order, Some(sense));
+                let (direct, reverse) = (sum(Sense::Direct), sum(Sense::Reverse));
+                let right = [
+                    (own.direct, direct.vanishes()),
+                    (own.reverse, reverse.vanishes()),
+                    (own.along, direct.plus(&reverse.conjugate()).vanishes()),
+                    (own.across, direct.minus(&reverse.conjugate()).vanishes()),
+                ];
+                let flat = direct.squared_modulus().minus(&reverse.squared_modulus()).vanishes();
+                assert_eq!((own.smallest.vanishes, own.smallest.value == 0.0), (flat, flat), "{text}");
+                for (part, vanishes) in right {
+                    assert_eq!(part.vanishes, vanishes, "{text} {quantity:?} {}", order.order);
+                    assert_eq!(part.value == 0.0, vanishes, "{text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn counterweights_of_the_six_at_90_degrees_are_root_3_in_closed_form() {
+    // m_cw = √3 r a (m_r + m_n)/(ρ b), Grigoryev, Vasilyev and Dolgov, section 2; m_r is the rotating mass of a pin.
+    for (reciprocating, rotating) in [(3, 0), (3, 1), (6, 2), (5, 7)] {
+        let text = format!(
+            "[vee]\nbank_angle = 90\nthrows = [0, 240, 120]\n[mechanism]\nreciprocating_mass = {reciprocating}\nrotating_mass = {rotating}\n"
+        );
+        let layout = layout::parse("v6.toml", &text).expect("it reads");
+        let subject = Subject::new(&layout).expect("masses");
+        let planes = [ratio(1, 1), ratio(-1, 1)];
+        let (force, moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));
+        let weights = two_planes(1, Sense::Direct, &force, &moment, &planes);
+        let root = Form::parse("√3").expect("a form");
+        // b = 2a, and masses in multiples of m_n.
+        let right = root.scaled(&(ratio(reciprocating + 2 * rotating, reciprocating) / ratio(2, 1)));
+        assert_eq!(weights.len(), 2);
+        for weight in &weights {
+            assert_eq!(weight.modulus(), Some(right.clone()), "{text}");
+        }
+        let point = sweep::judge(&layout, None, &[1], &Geometry::default()).expect("judged");
+        assert!(close(point.counterweight.expect("a couple").value, right.to_float()));
+    }
+}
+
+#[test]
+fn a_balanced_shaft_needs_no_counterweight_and_that_is_proved() {
+    let i4 = layout::find("I4").expect("I4").layout().expect("it reads");
+    let none = sweep::counterweight(&i4).expect("planes");
+    assert!(none.vanishes && none.value == 0.0);
+    let i2 = layout::parse("i2.toml", "[inline]\nthrows = [0, 0]").expect("it reads");
+    // P = 2, one in each plane: U = 1/2.
+    assert!(close(sweep::counterweight(&i2).expect("planes").value, 0.5));
+}
+
+#[test]
+fn the_most_even_firing_of_the_six_is_that_of_its_bank_angle() {
+    let sweep = good(V6, &["vee.bank_angle=10..180:10"], &[1]);
+    for point in &sweep.points {
+        let angle = point.values[0].to_integer().to_i64().expect("degrees");
+        // Bank 2 fires γ after bank 1, or a revolution later: intervals γ and 240° − γ, or 120° ± γ.
+        let right = (2 * angle).min((240 - 2 * angle).abs());
+        let evenness = point.evenness.as_ref().expect("the cycle is given");
+        assert_eq!(evenness.unevenness() * ratio(360, 1), ratio(right, 1), "{angle}");
+        assert!(!evenness.of_the_file);
+    }
+    let of_the_file = layout::find("I6").expect("I6").layout().expect("it reads");
+    let even = sweep::evenness(&of_the_file, None).expect("a firing order");
+    assert!(even.of_the_file && even.unevenness() == ratio(0, 1));
+    let two_stroke = layout::parse("i3.toml", "[inline]\nthrows = [0, 120, 200]").expect("it reads");
+    let uneven = sweep::evenness(&two_stroke, Some(Cycle::TwoStroke)).expect("a cycle");
+    assert_eq!((uneven.longest * ratio(360, 1), uneven.shortest * ratio(360, 1)), (ratio(160, 1), ratio(80, 1)));
+}
+
+#[test]
+fn a_firing_order_that_some_throws_cannot_fire_leaves_the_most_even_one() {
+    let text = "cycle = \"four-stroke\"\nfiring_order = \"1-5-4-3-7-2-6-8\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
+    let sweep = good(text, &["vee.bank_angle=30..180:30"], &[1]);
+    let of_the_file: Vec<bool> =
+        sweep.points.iter().map(|point| point.evenness.as_ref().expect("a cycle").of_the_file).collect();
+    assert!(of_the_file[2], "90° is what the order is for");
+    assert!(sweep.points.iter().all(|point| point.evenness.is_some()));
+}
+
+#[test]
+fn the_envelope_is_that_of_its_geometry() {
+    let geometry = Geometry::default();
+    let one = layout::parse("i1.toml", "[inline]\nthrows = [0]").expect("it reads");
+    let box_of = sweep::envelope(&one, &geometry).expect("a box");
+    // D = 2r, λ = 1/4: 1 + 4 + 1.5·2 above the shaft and 1.6 below it; 1.6 to both sides; 1.2·2 along.
+    assert!(close(box_of.height, 9.6) && close(box_of.breadth, 3.2) && close(box_of.length.expect("a length"), 2.4));
+    let flat = layout::parse("f.toml", "[flat]\nthrows = [0]").expect("it reads");
+    let box_of = sweep::envelope(&flat, &geometry).expect("a box");
+    assert!(close(box_of.breadth, 16.0) && close(box_of.height, 3.2));
+    // Half a circle of radius 1.6, and the rectangle 2.4 wide above it with what the circle shows beside it.
+    let half = 1.2_f64;
+    let (reach, top) = (1.6_f64, 8.0);
+    let beside =
+        2.0 * (reach * reach * (half / reach).acos() / 2.0 - half * (reach * reach - half * half).sqrt() / 2.0);
+    let right = std::f64::consts::PI * reach * reach / 2.0 + 2.0 * half * top + beside;
+    let area = sweep::section(&one, &geometry).expect("an area");
+    assert!((area - right).abs() < 1e-2 * right, "{area} {right}");
+    let metric = layout::parse("m.toml", "[inline]\nthrows = [0, 180]\nspacing = \"100 mm\"").expect("it reads");
+    assert_eq!(sweep::envelope(&metric, &geometry).expect("a box").length, None);
+}
+
+#[test]
+fn any_key_is_swept_in_its_unit_and_two_make_a_map() {
+    let text = format!("speed = 3000\n{V6}{MASSES}");
+    let spaced = good(&text, &["vee.spacing=80..120:20 mm"], &[1]);
+    let couple = |point: &Point| point.orders[0].moment.largest.value;
+    assert!(close(couple(&spaced.points[2]) / couple(&spaced.points[0]), 1.5));
+    let speed = good(&text, &["speed=1000..3000:1000"], &[1]);
+    let newtons = |point: &Point| point.newtons.expect("masses and speed");
+    assert!(close(newtons(&speed.points[2]) / newtons(&speed.points[0]), 9.0));
+    let masses = good(&text, &["mechanism.reciprocating_mass=0.5..1:0.5"], &[1]);
+    assert!(close(newtons(&masses.points[1]) / newtons(&masses.points[0]), 2.0));
+    let throw = good(V6, &["vee.throws.2=200..280:40"], &[1]);
+    assert!(throw.points[1].orders[0].force.largest.vanishes && !throw.points[0].orders[0].force.largest.vanishes);
+    let map = good(V6, &["vee.bank_angle=60..120:30", "vee.pin_split=-30..0:10"], &[1]);
+    assert_eq!(map.points.len(), 12);
+    assert_eq!(map.points[5].values, [ratio(90, 1), ratio(-20, 1)]);
+    let files = report::sweep_page(&map);
+    assert!(
+        files.iter().any(|file| file.name == "moment-1.svg") && files[0].text.contains("pin\\_split")
+            || files[0].text.contains("pin split")
+    );
+}
+
+#[test]
+fn a_balance_factor_is_swept_over_its_counterweights() {
+    let crankshaft = "[crankshaft]\ncounterweight_radius = \"45 mm\"\nbalance_factor = 0\n";
+    let text = format!("{V8}{MASSES}{crankshaft}");
+    let sweep = good(&text, &["crankshaft.balance_factor=0..1:1/2"], &[1]);
+    let left = |index: usize| sweep.points[index].orders[0].moment.direct;
+    assert!(close(left(1).value, left(0).value / 2.0));
+    // BF = 1 removes all that turns with the crank, exactly.
+    assert!(left(2).vanishes && !left(1).vanishes);
+}
+
+#[test]
+fn the_table_has_a_row_a_point_and_zero_only_where_it_is_proved() {
+    let sweep = good(V6, &["vee.bank_angle=0..180:10"], &[1, 2]);
+    let csv = report::sweep_csv(&sweep).text;
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines.len(), 20);
+    assert!(lines.iter().all(|line| line.len() == lines[0].len()), "every row has every column");
+    let column = lines[0].iter().position(|name| *name == "moment_2_along").expect("the column");
+    for line in &lines[1..] {
+        assert_eq!(line[column] == "0", ["90", "180"].contains(&line[0]), "{}", line[0]);
+    }
+    let document = serde_json::to_value(report::sweep_document(&sweep)).expect("JSON");
+    assert_eq!(document["points"].as_array().map(Vec::len), Some(19));
+    assert_eq!(document["zeros"][7]["quantity"], "moment");
+}
+
+#[test]
+fn the_command_writes_its_folder_and_ends_with_1_where_it_is_refused() {
+    let program = || Command::new(env!("CARGO_BIN_EXE_crankstar"));
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep-v6");
+    let _ = std::fs::remove_dir_all(&folder);
+    let status = program()
+        .args(["sweep", "V6-60-shared", "--bank-angle", "0..180:30", "--orders", "1,2", "--output"])
+        .arg(&folder)
+        .status()
+        .expect("it starts");
+    assert_eq!(status.code(), Some(0));
+    for name in ["sweep.md", "sweep.csv", "sweep.json", "moment-1.svg", "moment-2.svg"] {
+        assert!(folder.join(name).is_file(), "{name}");
+    }
+    let page = std::fs::read_to_string(folder.join("sweep.md")).expect("the page");
+    assert!(page.contains("| 2 | moment | 180° | 60°, 180° | 180° | 90°, 180° | 0°, 180° |"), "{page}");
+    for arguments in [
+        &["sweep", "V6-60-shared", "--bank-angle", "0..1000000000:1"][..],
+        &["sweep", "V6-60-shared", "--bank-angle", "0..180:0"],
+        &["sweep", "I4", "--bank-angle", "0..180:10"],
+        &["sweep", "I4"],
+    ] {
+        let output = program().args(arguments).output().expect("it starts");
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: "));
+    }
+}
