@@ -102,6 +102,26 @@ fn guarantees_hold_for_engines_of_all_kinds_at_all_rod_ratios() {
 }
 
 #[test]
+fn guarantees_hold_with_masses_on_the_crankshaft() {
+    guarantees_hold(&example("thesis-v8-crossplane"), Quantity::Moment);
+    let text = fs::read_to_string(reports().join("thesis/i3-skewed.toml")).expect("a layout file");
+    let skewed = layout::parse("i3-skewed.toml", &text).expect("it reads");
+    assert!(!skewed.crankshaft.counterweights.is_empty());
+    guarantees_hold(&skewed, Quantity::Moment);
+    guarantees_hold(&skewed, Quantity::Force);
+}
+
+#[test]
+fn engines_with_balancer_shafts_are_refused_with_words() {
+    let numbers = "[mechanism]\nrod_ratio = 0.25\ncrank_radius = 1\nreciprocating_mass = 1\n";
+    let shaft = "[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0\n";
+    let layout =
+        layout::parse("x.toml", &format!("inline.throws = [0, 180, 180, 0]\n{numbers}{shaft}")).expect("it reads");
+    let refused = accuracy::study(&layout, Quantity::Force, false).map(|_| ());
+    assert_eq!(refused, Err(Missing::BalancerShafts));
+}
+
+#[test]
 fn the_peak_force_of_an_in_line_four_stands_a_quarter_turn_from_dead_centre() {
     // There all four have −λ/√(1−λ²); at dead centre two have 1 + λ and two −1 + λ, which is 4λ together.
     for ratio in [fraction(1, 10), fraction(1, 4), fraction(3, 10)] {

@@ -1,12 +1,12 @@
 //! What is the load of an engine at a crank angle, from the closed form of its motion, in any kind of number?
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use super::real::Real;
 use crate::exact::Turn;
 use crate::layout::{Layout, Rod};
-use crate::loads;
+use crate::loads::{self, TurningMass};
 use crate::proof::Quantity;
 
 /// A crank: λ, δ and the gaps `1 ± δ − λ`, which near the end of its reach decide.
@@ -31,7 +31,7 @@ struct Piston<T> {
 pub(super) struct Engine<T> {
     quantity: Quantity,
     pistons: Vec<Piston<T>>,
-    /// The rotating masses: the vector `Σ U e^{iβ}`, weighed, at crank angle 0; none where there are none.
+    /// The masses that turn with the crank: the vector `Σ U e^{iβ}`, weighed, at crank angle 0; none where there are none.
     rotating: Option<[T; 2]>,
 }
 
@@ -111,21 +111,27 @@ impl<T: Real> Engine<T> {
     }
 }
 
+/// The masses that turn with the crank, with their weights in the force or the moment, in multiples of m r.
+pub(super) fn turning(layout: &Layout, quantity: Quantity) -> Vec<(Turn, BigRational)> {
+    if quantity == Quantity::Torque {
+        return Vec::new();
+    }
+    let weight = |mass: TurningMass| match quantity {
+        Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - &layout.reference_plane)),
+        Quantity::Force | Quantity::Torque => (mass.angle, mass.mass_radius),
+    };
+    loads::all_turning_masses(layout).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
+}
+
 fn rotating<T: Real>(
     layout: &Layout,
     quantity: Quantity,
     number: &dyn Fn(&BigRational) -> T,
     direction: &dyn Fn(&Turn) -> [T; 2],
 ) -> Option<[T; 2]> {
-    if quantity == Quantity::Torque {
-        return None;
-    }
-    let unit = loads::unit_mass(layout);
-    let masses = layout.cylinders.iter().zip(&layout.mechanism.rotating_masses).filter(|(_, mass)| !mass.is_zero());
-    let vectors = masses.map(|(cylinder, mass)| {
-        let arm = if quantity == Quantity::Moment { layout.arm(cylinder) } else { BigRational::one() };
-        let weight = number(&(mass / &unit * &cylinder.crank_radius * arm));
-        direction(&cylinder.throw).map(|part| part.times(&weight))
+    let vectors = turning(layout, quantity).into_iter().map(|(angle, weight)| {
+        let weight = number(&weight);
+        direction(&angle).map(|part| part.times(&weight))
     });
     vectors.reduce(|[x, y], [u, v]| [x.plus(&u), y.plus(&v)])
 }

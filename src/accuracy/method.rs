@@ -12,7 +12,7 @@ use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
 use super::timing::measured;
 use crate::layout::Layout;
-use crate::loads::Missing;
+use crate::loads::{Missing, TurningMass, all_turning_masses};
 use crate::motion::Enclosure;
 use crate::proof::Quantity;
 
@@ -82,6 +82,9 @@ pub struct Study {
 /// # Errors
 /// What the layout lacks for numbers.
 pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, Missing> {
+    if !all_turning_masses(layout).iter().all(TurningMass::turns_with_the_crank) {
+        return Err(Missing::BalancerShafts);
+    }
     let orders = Orders::new(layout, quantity, SUMMED)?;
     let fractions = Fractions::new(layout, quantity);
     let (steady, steady_rest) = match orders.steady() {

@@ -6,7 +6,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::engine::{Engine, phases};
+use super::engine::{Engine, phases, turning};
 use super::real::single_direction;
 use crate::exact::Turn;
 use crate::layout::Layout;
@@ -50,12 +50,8 @@ impl Doubles {
             };
             pistons.push(Piston { crank, phase: float(phase.turns()) * TAU, part });
         }
-        let unit = loads::unit_mass(layout);
-        let masses = layout.cylinders.iter().zip(&layout.mechanism.rotating_masses);
-        let masses = masses.filter(|_| quantity != Quantity::Torque);
-        let rotating = masses.map(|(cylinder, mass)| {
-            numbers::direction(&cylinder.throw) * (float(&(mass / &unit * &cylinder.crank_radius)) * arm(cylinder))
-        });
+        let rotating = turning(layout, quantity).into_iter();
+        let rotating = rotating.map(|(angle, weight)| numbers::direction(&angle) * float(&weight));
         Ok(Doubles { quantity, rotating: rotating.sum(), pistons })
     }
 

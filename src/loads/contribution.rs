@@ -106,6 +106,11 @@ pub struct TurningMass {
 }
 
 impl TurningMass {
+    /// Whether it stands on the crankshaft, or on a shaft that turns as it does.
+    pub fn turns_with_the_crank(&self) -> bool {
+        (self.order, self.sense) == (1, Sense::Direct)
+    }
+
     /// What it adds to its vector: a mass-radius U at angle γ adds `2n²U e^{iγ}`.
     fn amount(&self) -> BigRational {
         let order = BigRational::from_integer(self.order.into());

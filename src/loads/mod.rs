@@ -156,6 +156,8 @@ pub enum Missing {
     Masses,
     /// The radii of webs, counterweights or balancer shafts cannot be compared with a crank radius that is not given.
     CrankRadius,
+    /// Methods are compared for what moves with the crank alone.
+    BalancerShafts,
     /// A crank that cannot turn round.
     Motion(String),
     /// No main bearings.
@@ -176,6 +178,9 @@ impl fmt::Display for Missing {
             Missing::CrankRadius => f.write_str(
                 "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius",
             ),
+            Missing::BalancerShafts => {
+                f.write_str("the methods are compared for engines without balancer shafts; leave out [[balancer]]")
+            }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
