@@ -57,7 +57,7 @@ fn remedy_proposes_weights_and_its_json_verifies() {
     let table = succeeds(&["remedy", "V8-crossplane", "--orders", "1,2"]);
     assert!(table.contains("= √10/3 ≈ 1.0541 m r") && table.contains("= −arctan(1/3) ≈ −18.4349°"), "{table}");
     let pair = succeeds(&["remedy", "I4", "--orders", "2"]);
-    assert!(pair.contains("Lanchester shaft") && pair.contains("= 0.5 m r |c_2|"), "{pair}");
+    assert!(pair.contains("Lanchester pair") && pair.contains("= 0.5 m r |c_2|"), "{pair}");
     let none = succeeds(&["remedy", "I6", "--orders", "1,2"]);
     assert!(none.contains("no weight is needed"), "{none}");
     let file = scratch("remedy").join("i3.json");

@@ -68,10 +68,16 @@ pub(super) fn answer(
     numbers: Option<&Numbers>,
     evidence: Vec<Evidence>,
 ) -> Answer {
+    let balance = if subject.quantity == Quantity::Moment { &order.moment } else { &order.force };
+    let vanishes = match subject.sense {
+        None => balance.is_balanced(),
+        Some(Sense::Direct) => balance.direct.vanishes(),
+        Some(Sense::Reverse) => balance.reverse.vanishes(),
+    };
+    let claims_nothing = value.form.as_rational().is_some_and(|claimed| claimed.is_zero());
     let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(layout)) else {
         return Answer::nothing("a value in N or N·m needs the table numbers");
     };
-    let balance = if subject.quantity == Quantity::Moment { &order.moment } else { &order.force };
     let empty = crate::exact::PhasorSum::new(Vec::new());
     let sums = match subject.sense {
         None => [&balance.direct.sum, &balance.reverse.sum],
@@ -96,11 +102,27 @@ pub(super) fn answer(
     let within = match &value.tolerance {
         Tolerance::Within(within) => float(within),
         Tolerance::Part(part) => float(part) * claimed,
-        Tolerance::Exact { rounding } => rounding.as_ref().map_or(0.5, float),
+        Tolerance::Exact { rounding: Some(half) } => float(half),
+        // A whole number of newtons is a rounded one.
+        Tolerance::Exact { rounding: None } if is_whole(value) => 0.5,
+        Tolerance::Exact { rounding: None } => {
+            return Answer::nothing("newtons are known in decimals: give decimals, or say within what");
+        }
     };
-    let status = if off <= within { Status::True } else { Status::False };
+    // Whether nothing is left is decided by the exact sums; only sizes are compared in decimals.
+    let status = match (claims_nothing, vanishes) {
+        (true, true) => Status::True,
+        (true, false) | (false, true) => Status::False,
+        (false, false) if off <= within => Status::True,
+        (false, false) => Status::False,
+    };
     let absolute = Absolute { first_term, whole, takes_first };
     Answer { status, finding: Finding::Absolute(Box::new(order.clone()), absolute), evidence }
+}
+
+/// Whether a claimed value is a whole number, as rounded values are.
+pub(super) fn is_whole(value: &Value) -> bool {
+    value.form.as_rational().is_some_and(|claimed| claimed.is_integer())
 }
 
 /// c_k of a centric crank: the first term of its series, and the sum (theory, section 2); none of a crank that cannot turn.

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::absolute::is_whole;
 use super::answer::{Answer, Finding, Status};
 use super::compare;
 use super::statement::{Masses, Tolerance, Value};
@@ -88,7 +89,12 @@ pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
         let within = match &value.tolerance {
             Tolerance::Within(within) => compare::float(within),
             Tolerance::Part(part) => compare::float(part) * claimed,
-            Tolerance::Exact { rounding } => rounding.as_ref().map_or(0.5, compare::float),
+            Tolerance::Exact { rounding: Some(half) } => compare::float(half),
+            // Whole newtons are rounded ones.
+            Tolerance::Exact { rounding: None } if value.unit.is_some() && is_whole(value) => 0.5,
+            Tolerance::Exact { rounding: None } => {
+                return Err("the largest load is known in decimals: give decimals, or say within what".to_owned());
+            }
         };
         Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })
     })

@@ -71,8 +71,8 @@ pub struct BearingOrder {
     pub swing: Swing,
 }
 
-/// Peaks closer than this part are equal.
-const EQUAL: f64 = 1e-9;
+/// Peaks closer than this part share the place of the worst: the roundings of their decimals could not tell them apart.
+const EQUAL: f64 = 1e-12;
 
 /// Computes what the main bearings of an engine feel at these orders.
 ///
@@ -106,10 +106,9 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
         });
         let [direct, reverse] = solved;
         for ((loads, direct), reverse) in by_bearing.iter_mut().zip(direct).zip(reverse) {
-            let swing = Swing {
-                direct: motion.vector(&direct, order, Sense::Direct),
-                reverse: motion.vector(&reverse, order, Sense::Reverse),
-            };
+            let vectors = [(&direct, Sense::Direct), (&reverse, Sense::Reverse)];
+            let vectors = vectors.map(|(parts, sense)| motion.vector(parts, order, sense));
+            let swing = Swing::new(vectors, [&direct, &reverse]);
             loads.push(BearingOrder { order, sums: [direct, reverse], swing });
         }
     }

@@ -211,18 +211,17 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
                     .iter()
                     .map(|&effect| contribution::parts(layout, effect, weighings[quantity], order, sense))
                     .collect();
-                (motion.vector(&merged(&parts), order, sense), parts)
+                let all = merged(&parts);
+                (motion.vector(&all, order, sense), all, parts)
             });
             if scene.len() > 1 {
                 for (place, harmonics) in by_effect.iter_mut().enumerate() {
-                    let alone = Swing {
-                        direct: motion.vector(&direct.1[place], order, Sense::Direct),
-                        reverse: motion.vector(&reverse.1[place], order, Sense::Reverse),
-                    };
-                    harmonics[quantity].push(harmonic(order, &alone));
+                    let direct = motion.vector(&direct.2[place], order, Sense::Direct).value / 2.0;
+                    let reverse = motion.vector(&reverse.2[place], order, Sense::Reverse).value / 2.0;
+                    harmonics[quantity].push(Harmonic { order, direct, reverse });
                 }
             }
-            Swing { direct: direct.0, reverse: reverse.0 }
+            Swing::new([direct.0, reverse.0], [&direct.1, &reverse.1])
         });
         let [force, moment] = swings;
         total.push(OrderLoads { order, coefficient: motion.common(order), force, moment });
@@ -303,9 +302,9 @@ fn harmonic(order: u32, swing: &Swing) -> Harmonic {
 }
 
 /// The sums of all effects, by factor.
-fn merged(effects: &[Parts]) -> Parts {
+fn merged<'a>(effects: impl IntoIterator<Item = &'a Parts>) -> Parts {
     let mut merged = Parts::new();
-    for (factor, sum) in effects.iter().flatten() {
+    for (factor, sum) in effects.into_iter().flatten() {
         merged.entry(factor.clone()).and_modify(|all| *all = all.plus(sum)).or_insert_with(|| sum.clone());
     }
     merged

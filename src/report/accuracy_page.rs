@@ -20,7 +20,7 @@ const LEAST: f64 = 1e-18;
 const EXPLAINED: &str = "Each method looks for the same peak. Orders are summed in doubles; what the higher orders can add is bounded \
 by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound. The closed form is the acceleration of each piston without any series, at equal \
 steps of the crank angle. Intervals enclose load and slope over spans of the crank angle and cut the highest span in two; they are stopped at 4000 spans. \
-Intervals of fractions carry some fifty digits and are what the others are compared with. Errors are parts of the peak.";
+Intervals of fractions carry some fifty digits, fewer where the load is nearly constant, and are what the others are compared with; the searches in intervals miss their aim there, and their bound says by how much. Errors are parts of the peak.";
 
 /// A part of a report: the errors of all methods, by load and rod ratio; no times, so that it is the same on every machine.
 #[derive(Clone, Debug, Serialize)]

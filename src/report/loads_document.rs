@@ -213,10 +213,10 @@ fn order_entry(quantity: &'static str, order: u32, swing: &Swing, factor: f64) -
         direct,
         reverse,
         largest: swing.largest() * factor,
-        smallest: swing.smallest() * factor,
+        smallest: if swing.is_line { 0.0 } else { swing.smallest() * factor },
         direction_deg: swing.direction(),
-        along: swing.along() * factor,
-        across: swing.across() * factor,
+        along: if swing.nothing_along { 0.0 } else { swing.along() * factor },
+        across: if swing.nothing_across { 0.0 } else { swing.across() * factor },
         dimensionless: swing.largest(),
     }
 }

@@ -155,7 +155,10 @@ fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String
         cells.push(phase(&[(-k, &throw), (k + 1, &bank)]));
         cells
     };
-    let mut rows: Vec<Vec<String>> = layout.cylinders.iter().map(row).collect();
+    // In a class of equal rods the other cylinders have no part.
+    let is_meant =
+        |cylinder: &&Cylinder| order.class.as_ref().is_none_or(|class| class.cylinders.contains(&cylinder.name));
+    let mut rows: Vec<Vec<String>> = layout.cylinders.iter().filter(is_meant).map(row).collect();
     let blank = header.len() - 3;
     for (name, balance) in [("Σ force", &order.force), ("Σ moment", &order.moment)] {
         let mut add = |name: &str, cell: fn(&Verdict) -> String| {

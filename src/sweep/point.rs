@@ -18,8 +18,8 @@ use crate::motion::{SliderCrank, coefficients_fast};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
 
-/// Below this part of the longer half-axis it is decided exactly whether the shorter one is zero.
-const FLAT: f64 = 1e-9;
+/// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
+const SURELY_NOT_ZERO: f64 = 1e-9;
 
 /// An amplitude, zero to peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -163,8 +163,9 @@ fn from_words(
     if coefficient.is_zero() {
         return gone();
     }
-    let Pair { direct, mirrored, zeros } = whole.pair(quantity, order);
-    amplitudes(direct * coefficient, mirrored * coefficient, zeros, &|| {
+    let Pair { direct, mirrored, zeros, reach } = whole.pair(quantity, order);
+    let reach = reach * coefficient.norm();
+    amplitudes(direct * coefficient, mirrored * coefficient, zeros, reach, &|| {
         let [direct, reverse] =
             [Sense::Direct, Sense::Reverse].map(|sense| phasor::sum(layout, quantity, order, Some(sense)));
         equally_long(&direct, &reverse)
@@ -173,7 +174,7 @@ fn from_words(
 
 /// An order whose coefficient is 0.
 fn gone() -> Amplitudes {
-    amplitudes(Complex::zero(), Complex::zero(), [true; 4], &|| true)
+    amplitudes(Complex::zero(), Complex::zero(), [true; 4], 0.0, &|| true)
 }
 
 fn equally_long(one: &PhasorSum, other: &PhasorSum) -> bool {
@@ -181,11 +182,12 @@ fn equally_long(one: &PhasorSum, other: &PhasorSum) -> bool {
 }
 
 /// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally
-/// long is decided where it may be.
+/// long is decided where it may be: where they differ by little of `reach`, the length of all their terms end to end.
 fn amplitudes(
     direct: Complex<f64>,
     mirrored: Complex<f64>,
     [plus, minus, along, across]: [bool; 4],
+    reach: f64,
     equally_long: &dyn Fn() -> bool,
 ) -> Amplitudes {
     let part =
@@ -197,7 +199,7 @@ fn amplitudes(
     let smallest = (one.value - other.value).abs();
     let none = plus && minus;
     // Where P⁺ = ±P̄⁻ both are equally long.
-    let flat = none || along || across || (smallest < FLAT * largest && equally_long());
+    let flat = none || along || across || (smallest <= SURELY_NOT_ZERO * reach && equally_long());
     Amplitudes {
         direct: one,
         reverse: other,
@@ -244,6 +246,7 @@ fn from_parts(layout: &Layout, quantity: Quantity, order: u32, highest: u32, mot
         };
         parts.iter().map(term).sum()
     };
+    let (direct_value, mirrored_value) = (value(&direct), value(&mirrored));
     let left = |parts: &Parts| {
         let mut left =
             parts.iter().filter(|(_, sum)| !sum.vanishes()).map(|(factor, sum)| (factor.clone(), sum.clone()));
@@ -254,7 +257,16 @@ fn from_parts(layout: &Layout, quantity: Quantity, order: u32, highest: u32, mot
         (Some((of, one)), Some((also, other))) => of == also && equally_long(&one, &other),
         _ => false,
     };
-    amplitudes(value(&direct), value(&mirrored), zeros, &equal)
+    let mut reach = 0.0;
+    for (factor, sum) in direct.iter().chain(&mirrored) {
+        let coefficient = match factor {
+            Some(rod) if rods_known => motions.coefficient(rod, order, highest).norm(),
+            _ => 1.0,
+        };
+        let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
+        reach += coefficient * weights.sum::<f64>();
+    }
+    amplitudes(direct_value, mirrored_value, zeros, reach, &equal)
 }
 
 pub(super) fn merged(one: &Parts, other: &Parts, sign: i64) -> Parts {

@@ -43,6 +43,8 @@ pub(super) struct Pair {
     pub direct: Complex<f64>,
     pub mirrored: Complex<f64>,
     pub zeros: [bool; 4],
+    /// The length of all terms of a sum end to end.
+    pub reach: f64,
 }
 
 impl Whole {
@@ -129,7 +131,8 @@ impl Whole {
             _ => [false, false],
         };
         let unit = weights.unit;
-        Pair { direct: direct * unit, mirrored: mirrored * unit, zeros: [plus, minus, along, across] }
+        let zeros = [plus, minus, along, across];
+        Pair { direct: direct * unit, mirrored: mirrored * unit, zeros, reach: whole * unit }
     }
 }
 

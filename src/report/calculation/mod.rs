@@ -239,17 +239,18 @@ fn ellipses_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
                 row.extend(["0", "–", "0", "0", "0"].map(str::to_owned));
             } else {
                 let largest = swing.largest();
-                // A part below the rounding of the largest is the zero of a line or a circle.
-                let part = |value: f64| match value > 1e-12 * largest {
-                    true => amounts::amount(value, unit),
-                    false => "≈ 0".to_owned(),
+                // What is zero only as far as the decimals go is not said to be.
+                let part = |value: f64, is_zero: bool| match is_zero {
+                    true => "0".to_owned(),
+                    false if value <= 1e-12 * largest => "≈ 0".to_owned(),
+                    false => amounts::amount(value, unit),
                 };
-                row.push(part(swing.smallest()));
+                row.push(part(swing.smallest(), swing.is_line));
                 row.push(
                     swing.direction().map_or("–".to_owned(), |degrees| format!("≈ {}°", amounts::digits(degrees))),
                 );
-                row.push(part(swing.along()));
-                row.push(part(swing.across()));
+                row.push(part(swing.along(), swing.nothing_along));
+                row.push(part(swing.across(), swing.nothing_across));
                 row.push(format!("≈ {}", amounts::digits(largest)));
             }
             rows.push(row);

@@ -21,7 +21,7 @@ pub fn optimise_rows(layout: &Layout, front: &Front) -> Rows {
         "Crankshaft in kg".into(),
         format!("Largest bearing load in {}", units.force),
         "Bearings".into(),
-        "Proved least within".into(),
+        "Least within".into(),
         "First-order force, direct".into(),
         format!("Couple, direct, in {}", units.couple),
     ];

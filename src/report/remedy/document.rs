@@ -29,7 +29,7 @@ pub struct RemedyPage {
 
 #[derive(Clone, Debug, Serialize)]
 struct WeightEntry {
-    part_of: &'static str,
+    part_of: String,
     order: u32,
     sense: &'static str,
     lanchester: bool,
@@ -89,7 +89,7 @@ fn entry(remedy: &Remedy, part: &words::Part<'_>) -> WeightEntry {
     let (subject, weight) = (&remedy.subject, part.weight);
     let decimals = weight.decimals(subject);
     WeightEntry {
-        part_of: part.name,
+        part_of: part.name.clone(),
         order: weight.order,
         sense: if weight.sense == Sense::Direct { "with" } else { "against" },
         lanchester: part.lanchester,

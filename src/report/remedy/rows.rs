@@ -56,11 +56,12 @@ pub fn remedy_lines(remedy: &Remedy) -> Vec<String> {
         ));
     }
     for height in &remedy.heights {
-        let metres = height.metres.map_or_else(String::new, |metres| format!(" ≈ {} m", significant(metres)));
+        let metres = height.metres.map_or_else(String::new, |metres| format!(" ≈ {} m", significant(metres.abs())));
         lines.push(format!(
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} r{metres} higher than the other, the pair takes the inertia torque of the order away too; half the height takes half.",
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} r{metres} {} than the other, the pair takes the inertia torque of the order away too, not the torque of the gas; half the height takes half.",
             height.order,
-            decimal_after(height.in_crank_radii)
+            decimal_after(height.in_crank_radii.abs()),
+            if height.in_crank_radii < 0.0 { "lower" } else { "higher" }
         ));
     }
     lines.extend(partial_line(remedy));

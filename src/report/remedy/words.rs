@@ -11,7 +11,7 @@ use crate::remedy::{Kind, Remedy, Shaft, Weight};
 /// A weight and the part of the remedy that it belongs to.
 pub(super) struct Part<'a> {
     /// Of the remedy.
-    pub name: &'static str,
+    pub name: String,
     /// Whether its shaft makes a Lanchester pair with another.
     pub lanchester: bool,
     /// The weight.
@@ -20,23 +20,24 @@ pub(super) struct Part<'a> {
 
 /// All weights, in the order of [`Remedy::weights`].
 pub(super) fn parts(remedy: &Remedy) -> Vec<Part<'_>> {
-    let bays = remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay", lanchester: false, weight });
-    let crankshaft = remedy
-        .crankshaft
-        .iter()
-        .flat_map(|shaft| shaft.weights.iter().map(|weight| Part { name: "counterweight", lanchester: false, weight }));
-    let shafts = remedy.shafts.iter().flat_map(|shaft| {
-        shaft.weights.iter().map(move |weight| Part { name: shaft_name(shaft), lanchester: shaft.lanchester, weight })
+    let bays =
+        remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay".into(), lanchester: false, weight });
+    let crankshaft = remedy.crankshaft.iter().flat_map(|shaft| {
+        shaft.weights.iter().map(|weight| Part { name: "counterweight".into(), lanchester: false, weight })
+    });
+    let shafts = remedy.shafts.iter().enumerate().flat_map(|(index, shaft)| {
+        let name = format!("{}, shaft {}", shaft_name(shaft), index + 1);
+        shaft.weights.iter().map(move |weight| Part { name: name.clone(), lanchester: shaft.lanchester, weight })
     });
     bays.chain(crankshaft).chain(shafts).collect()
 }
 
 fn shaft_name(shaft: &Shaft) -> &'static str {
     match (shaft.lanchester, shaft.kind) {
-        (true, _) => "Lanchester shaft",
-        (false, Kind::Force) => "balancer shaft",
-        (false, Kind::Couple) => "couple shaft",
-        (false, Kind::ForceAndMoment) => "balancer shaft with two weights",
+        (true, _) => "Lanchester pair",
+        (false, Kind::Force) => "one weight",
+        (false, Kind::Couple) => "couple",
+        (false, Kind::ForceAndMoment) => "two weights",
     }
 }
 
