@@ -14,6 +14,12 @@ const LONGEST_PERIOD: u32 = 2000;
 
 /// Answers a claim that orders vanish. Without pin offset the orders that exist are 1 and the even ones.
 pub(super) fn answer(layout: &Layout, orders: &Orders, quantities: &[Quantity]) -> Answer {
+    if quantities.contains(&Quantity::Torque) {
+        return Answer::nothing("the inertia torque is judged order by order: claim one order of it at a time");
+    }
+    if layout.has_offset() && !matches!(orders, Orders::Listed(_)) {
+        return Answer::nothing("with a pin offset every order exists: name the orders");
+    }
     let (judged, period) = match (orders, period(layout)) {
         (Orders::Listed(list), _) => (list.clone(), None),
         (_, None) => return Answer::nothing("the phases repeat only after more than 2000 orders"),

@@ -32,6 +32,10 @@ pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
 pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
+    let of_orders = matches!(statement, Statement::Order { .. } | Statement::Vanish { .. });
+    if of_orders && layout.rods().len() > 1 {
+        return Answer::nothing("the rods of the engine differ, so that no order is a single sum");
+    }
     match statement {
         Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
         Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),

@@ -156,6 +156,8 @@ pub enum Missing {
     Masses,
     /// The radii of webs, counterweights or balancer shafts cannot be compared with a crank radius that is not given.
     CrankRadius,
+    /// Forces that no decimal can hold.
+    TooLarge,
     /// Methods are compared for what moves with the crank alone.
     BalancerShafts,
     /// A crank that cannot turn round.
@@ -178,6 +180,9 @@ impl fmt::Display for Missing {
             Missing::CrankRadius => f.write_str(
                 "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius",
             ),
+            Missing::TooLarge => {
+                f.write_str("m r ω² and m r² ω² have to be below 10^150: mass, crank radius or speed of the layout is too large for decimals")
+            }
             Missing::BalancerShafts => {
                 f.write_str("the methods are compared for engines without balancer shafts; leave out [[balancer]]")
             }
@@ -327,6 +332,9 @@ fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
     Torque { waveform: Waveform::new(harmonics), orders }
 }
 
+/// Forces from here on are refused: their sums and squares would leave the range of decimals.
+const LARGEST: f64 = 1e150;
+
 /// The motions of the cylinders, and the coefficients that were asked of them.
 struct Motion {
     cranks: BTreeMap<Rod, SliderCrank>,
@@ -336,6 +344,9 @@ struct Motion {
 
 impl Motion {
     fn new(layout: &Layout) -> Result<Self, Missing> {
+        if scale(layout).is_some_and(|scale| !(scale.force() < LARGEST && scale.torque() < LARGEST)) {
+            return Err(Missing::TooLarge);
+        }
         let mechanism = &layout.mechanism;
         if mechanism.rods.is_empty() {
             return Err(Missing::Rods);

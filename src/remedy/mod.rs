@@ -37,8 +37,8 @@ pub struct Wish {
     pub orders: Vec<u32>,
     /// Planes of counterweights and couples; the outermost throws if left out.
     pub planes: Option<[BigRational; 2]>,
-    /// Balance factors of the throws for counterweights bay by bay; none for a correction in two planes alone. The last
-    /// one is that of all further throws.
+    /// Balance factors of the throws for counterweights bay by bay, one for all or one a throw; none for a correction in
+    /// two planes alone.
     pub factors: Vec<BigRational>,
     /// How far the counterweights of each bay are turned on from opposite to their throw; 0 if left out.
     pub skews: Vec<Turn>,
@@ -94,9 +94,9 @@ pub enum Refused {
     PlanesCoincide(BigRational),
     /// A plane at this position lies beyond the ends of the crankshaft.
     BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
-    /// More values are given than there are throws.
+    /// Neither one value for all nor one a throw.
     TooMany {
-        /// What is given too often.
+        /// What is given.
         what: &'static str,
         /// How many are given.
         given: usize,
@@ -147,7 +147,7 @@ pub fn remedy(layout: &Layout, wish: &Wish) -> Result<Remedy, Refused> {
     let subject = Subject::new(layout).map_err(Refused::Missing)?;
     let count = throws(layout).len();
     for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
-        if given > count {
+        if given > 1 && given != count {
             return Err(Refused::TooMany { what, given, throws: count });
         }
     }

@@ -56,6 +56,10 @@ pub(crate) fn digits(value: f64) -> String {
 
 /// A value in its unit: `≈ 10966.2`.
 pub(crate) fn amount(value: f64, unit: Unit) -> String {
+    // At rest, and without masses, every force is exactly zero.
+    if unit.factor == 0.0 {
+        return "0".to_owned();
+    }
     format!("≈ {}", digits(value * unit.factor))
 }
 

@@ -68,7 +68,7 @@ pub fn loads_lines(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> V
 /// A peak with its crank angle.
 pub(super) fn peak(peak: &Peak, unit: Unit) -> String {
     match peak.angle {
-        _ if peak.value == 0.0 => "0".to_owned(),
+        _ if peak.value == 0.0 || unit.factor == 0.0 => "0".to_owned(),
         Some(angle) => format!("≈ {} {} at θ ≈ {}°", digits(peak.value * unit.factor), unit.name, digits(angle)),
         None => format!("≈ {} {} at every crank angle", digits(peak.value * unit.factor), unit.name),
     }

@@ -1,0 +1,52 @@
+//! Are claims in newtons, on torques and on unequal rods answered by what decides them?
+
+use crankstar::claim::{self, Status};
+use crankstar::layout::{self, Layout};
+
+fn status(layout: &Layout, says: &str) -> Status {
+    claim::answer(layout, &claim::parse_statement(says).unwrap_or_else(|_| panic!("not read: {says}")), None).status
+}
+
+/// A flat four that leaves a sixth-order couple of 0.2418 N·m.
+fn flat_four() -> Layout {
+    layout::parse("layout.toml", include_str!("../reports/examples/boxer-4-ej25/layout.toml")).expect("it reads")
+}
+
+#[test]
+fn newtons_that_are_left_are_not_nothing_and_nothing_is_no_newtons() {
+    assert_eq!(status(&flat_four(), "sixth-order moment = 0 N·m"), Status::False);
+    assert_eq!(status(&flat_four(), "sixth-order moment = 0.24 N·m"), Status::True);
+    assert_eq!(status(&flat_four(), "sixth-order force = 0 N"), Status::True);
+    assert_eq!(status(&flat_four(), "sixth-order force = 1 N"), Status::False);
+}
+
+#[test]
+fn newtons_are_not_compared_with_fractions_and_roots() {
+    for says in ["sixth-order moment = 1/5 N·m", "sixth-order moment = √2/2 N·m"] {
+        assert!(!matches!(status(&flat_four(), says), Status::True | Status::False), "{says}");
+    }
+}
+
+#[test]
+fn no_claim_on_every_order_of_the_torque_is_called_true() {
+    let four = layout::find("I4").expect("known").layout().expect("reads");
+    for says in ["every order of the torque vanishes", "orders 2 and 4 of the torque vanish"] {
+        assert!(!matches!(status(&four, says), Status::True), "{says}");
+    }
+    assert_eq!(status(&four, "second-order torque vanishes"), Status::False);
+}
+
+#[test]
+fn orders_of_unequal_rods_are_not_decided_by_one_of_their_classes() {
+    let text = "[inline]\nthrows = [0, 120, 240, 240, 120, 0]\n[mechanism]\ncrank_radius = 1\nrod_length = [4, 4, 5, 5, 4, 4]\n";
+    let six = layout::parse("x.toml", text).expect("it reads");
+    assert!(!matches!(status(&six, "second-order force vanishes"), Status::True | Status::False));
+}
+
+#[test]
+fn forces_beyond_the_decimals_are_refused_with_words() {
+    let text = "speed = 1e99\ninline.throws = [0]\n[mechanism]\ncrank_radius = 1e99\nrod_ratio = 0.25\nreciprocating_mass = 1e99\n";
+    let huge = layout::parse("x.toml", text).expect("it reads");
+    let refused = crankstar::loads::loads(&huge, &[1, 2]).err().expect("refused").to_string();
+    assert!(refused.contains("10^150"), "{refused}");
+}
