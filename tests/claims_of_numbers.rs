@@ -47,6 +47,6 @@ fn orders_of_unequal_rods_are_not_decided_by_one_of_their_classes() {
 fn forces_beyond_the_decimals_are_refused_with_words() {
     let text = "speed = 1e99\ninline.throws = [0]\n[mechanism]\ncrank_radius = 1e99\nrod_ratio = 0.25\nreciprocating_mass = 1e99\n";
     let huge = layout::parse("x.toml", text).expect("it reads");
-    let refused = crankstar::loads::loads(&huge, &[1, 2]).err().expect("refused").to_string();
+    let refused = crankstar::loads::loads(&huge, &[1, 2]).expect_err("refused").to_string();
     assert!(refused.contains("10^150"), "{refused}");
 }
