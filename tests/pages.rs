@@ -16,7 +16,9 @@ use serde_json::Value;
 
 /// A fresh folder with the report of an engine in it.
 fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pages-{dialect:?}")).join(name);
+    // Tests run beside each other: each has folders of its own.
+    let test = std::thread::current().name().unwrap_or("pages").to_owned();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{dialect:?}")).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     let orders = verdict::classify(layout, &layout.orders, false);

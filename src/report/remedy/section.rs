@@ -118,7 +118,7 @@ fn table(dialect: Dialect, header: &[String], rows: &[Vec<String>]) -> String {
             };
             let columns = match header.len() {
                 5 => ragged(&[22, 22, 20, 42, 44]),
-                6 => ragged(&[20, 21, 20, 33, 35, 18]),
+                6 => ragged(&[20, 21, 20, 33, 32, 21]),
                 count => "l".repeat(count),
             };
             let head = quoted(header).join(" & ");
