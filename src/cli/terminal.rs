@@ -12,8 +12,7 @@ use crankstar::verdict::OrderBalance;
 /// The title and a table: a row an order.
 pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
     let with_torque = orders.iter().any(|order| order.torque.is_some());
-    let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let mut table = ruled();
     let mut header = vec!["Order", "Force", "Moment"];
     header.extend(with_torque.then_some("Torque"));
     table.set_header(header);
@@ -31,8 +30,7 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
 
 /// The title of a family and a table: for which angles each order vanishes.
 pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
-    let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let mut table = ruled();
     table.set_header(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
     for order in orders {
         let cells = order.force.iter().chain(&order.moment);
@@ -49,55 +47,27 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
 
 /// The title and a table of the largest values, a row an order, with the peaks of the sums.
 pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String {
-    let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY);
-    let rows = report::loads_rows(layout, loads);
-    table.set_header(rows.header);
-    for row in rows.rows {
-        table.add_row(row.into_iter().map(|text| {
-            let vanishes = text == "0";
-            verdict_cell(text, vanishes)
-        }));
-    }
+    let table = coloured(report::loads_rows(layout, loads));
     let lines = report::loads_lines(layout, loads, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", layout.title)
 }
 
 /// The title, the peaks of every bearing, and the largest value of each order.
 pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
-    let table = |rows: report::Rows| {
-        let mut table = Table::new();
-        table.load_style(UTF8_HORIZONTAL_ONLY);
-        table.set_header(rows.header);
-        for row in rows.rows {
-            table.add_row(row.into_iter().map(|text| {
-                let vanishes = text == "0";
-                verdict_cell(text, vanishes)
-            }));
-        }
-        table
-    };
-    let peaks = table(report::bearings_rows(layout, continuous, determinate));
-    let orders = table(report::bearings_tables(continuous));
+    let peaks = coloured(report::bearings_rows(layout, continuous, determinate));
+    let orders = coloured(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
     format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
 }
 
 /// Engines side by side: a column an engine.
 pub fn compare(engines: &[Compared]) -> String {
-    let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let mut rows = report::compare_rows(engines);
+    // One part of a remedy a line: columns stay narrow.
+    rows.rows.iter_mut().flatten().for_each(|text| *text = text.replace("; ", ";\n"));
+    let mut table = coloured(rows);
     // On a terminal the cells are wrapped to its width.
     table.set_content_arrangement(ContentArrangement::Dynamic);
-    let rows = report::compare_rows(engines);
-    table.set_header(rows.header);
-    for row in rows.rows {
-        table.add_row(row.into_iter().map(|text| {
-            let vanishes = text == "0";
-            // One part of a remedy a line: columns stay narrow.
-            verdict_cell(text.replace("; ", ";\n"), vanishes)
-        }));
-    }
     format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
 }
 
@@ -110,8 +80,7 @@ pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
             if study.rows.is_empty() {
                 continue;
             }
-            let mut table = Table::new();
-            table.load_style(UTF8_HORIZONTAL_ONLY);
+            let mut table = ruled();
             table.set_header(report::ACCURACY_HEADER);
             for row in report::accuracy_rows(layout, study) {
                 table.add_row(row);
@@ -130,8 +99,7 @@ pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
     if rows.rows.is_empty() {
         return format!("{}\n{lines}\n", layout.title);
     }
-    let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY);
+    let mut table = ruled();
     table.set_header(rows.header);
     for row in rows.rows {
         table.add_row(row);
@@ -142,25 +110,33 @@ pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
 /// The title, the front, and what uniform balance factors reach.
 #[cfg(feature = "optimise")]
 pub fn optimise(layout: &Layout, front: &crankstar::optimise::Front, couple: &crankstar::optimise::Couple) -> String {
-    let table = |rows: report::Rows| {
-        let mut table = Table::new();
-        table.load_style(UTF8_HORIZONTAL_ONLY);
-        table.set_header(rows.header);
-        for row in rows.rows {
-            table.add_row(row.into_iter().map(|text| {
-                let vanishes = text == "0";
-                verdict_cell(text, vanishes)
-            }));
-        }
-        table
-    };
-    let points = table(report::optimise_rows(layout, front));
+    let points = coloured(report::optimise_rows(layout, front));
     let lines = report::optimise_lines(layout, front, couple).join("\n");
     let compared = match front.uniform.is_empty() {
         true => String::new(),
-        false => format!("{}\n", table(report::optimise_compared(layout, front))),
+        false => format!("{}\n", coloured(report::optimise_compared(layout, front))),
     };
     format!("{}\n{points}\n{compared}{lines}\n", layout.title)
+}
+
+/// A table whose zeros are coloured as what is proved.
+fn coloured(rows: report::Rows) -> Table {
+    let mut table = ruled();
+    table.set_header(rows.header);
+    for row in rows.rows {
+        table.add_row(row.into_iter().map(|text| {
+            let vanishes = text == "0";
+            verdict_cell(text, vanishes)
+        }));
+    }
+    table
+}
+
+/// An empty table with lines between its rows.
+fn ruled() -> Table {
+    let mut table = Table::new();
+    table.load_style(UTF8_HORIZONTAL_ONLY);
+    table
 }
 
 fn verdict_cell(text: String, vanishes: bool) -> Cell {

@@ -368,15 +368,14 @@ impl Motion {
             return known.clone();
         }
         self.computed.set(self.computed.get() + 1);
-        // An offset below zero has its coefficients from its mirror image.
-        let crank = self
-            .cranks
-            .get(rod)
-            .cloned()
-            .ok_or(())
-            .or_else(|()| SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).map_err(|_| ()));
-        let crank = crank.unwrap_or_else(|()| unreachable!("λ + |δ| is that of a crank that turns round"));
-        let coefficient = crank.coefficient(order);
+        let coefficient = match self.cranks.get(rod) {
+            Some(crank) => crank.coefficient(order),
+            // An offset below zero has its coefficients from its mirror image.
+            None => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
+                Ok(crank) => crank.coefficient(order),
+                Err(_) => unreachable!("λ + |δ| is that of a crank that turns round"),
+            },
+        };
         self.known.borrow_mut().insert(key, coefficient.clone());
         coefficient
     }

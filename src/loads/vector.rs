@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::contribution::Parts;
 use crate::exact::PhasorSum;
@@ -69,8 +69,8 @@ fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Outcome {
         let [(re_low, re_high), (im_low, im_high)] = numbers::enclose(sum, BITS);
         let (re, im) = (Enclosure { low: re_low, high: re_high }, Enclosure { low: im_low, high: im_high });
         let minus = BigRational::from_integer((-1).into());
-        total[0] = total[0].plus(&product(&c.re, &re)).plus(&product(&c.im, &im).times(&minus));
-        total[1] = total[1].plus(&product(&c.re, &im)).plus(&product(&c.im, &re));
+        total[0] = total[0].plus(&c.re.product(&re)).plus(&c.im.product(&im).times(&minus));
+        total[1] = total[1].plus(&c.re.product(&im)).plus(&c.im.product(&re));
     }
     if excludes_zero(&total) {
         return Outcome::NotZero;
@@ -83,19 +83,5 @@ fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Outcome {
 }
 
 fn excludes_zero(parts: &[Enclosure; 2]) -> bool {
-    parts.iter().any(|part| part.low > BigRational::zero() || part.high < BigRational::zero())
-}
-
-/// The product of two enclosures: its ends are among the products of their ends.
-fn product(a: &Enclosure, b: &Enclosure) -> Enclosure {
-    let products = [&a.low * &b.low, &a.low * &b.high, &a.high * &b.low, &a.high * &b.high];
-    let [mut low, mut high] = [products[0].clone(), products[0].clone()];
-    for product in products {
-        if product < low {
-            low = product;
-        } else if product > high {
-            high = product;
-        }
-    }
-    Enclosure { low, high }
+    !parts.iter().all(Enclosure::contains_zero)
 }

@@ -63,6 +63,12 @@ impl Enclosure {
         Enclosure { low: &self.low + &other.low, high: &self.high + &other.high }
     }
 
+    /// The product of two numbers: its ends are among the products of their ends.
+    pub fn product(&self, other: &Enclosure) -> Enclosure {
+        let [one, two] = [self.times(&other.low), self.times(&other.high)];
+        Enclosure { low: one.low.min(two.low), high: one.high.max(two.high) }
+    }
+
     /// The number times a rational one.
     pub fn times(&self, factor: &BigRational) -> Enclosure {
         let (one_end, other_end) = (&self.low * factor, &self.high * factor);

@@ -13,7 +13,7 @@ use super::evenness::{Evenness, evenness_of};
 use super::whole::{Pair, Whole};
 use crate::exact::PhasorSum;
 use crate::layout::{Cycle, Layout, Rod};
-use crate::loads::{self, Missing, Parts, Scale};
+use crate::loads::{self, Missing, Parts};
 use crate::motion::{SliderCrank, coefficients_fast};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
@@ -135,12 +135,10 @@ pub(super) fn judge_with(
     let orders = judged.collect();
     let mechanism = &layout.mechanism;
     let rods_known = !mechanism.rods.is_empty();
-    let scale = mechanism.mass.as_ref().zip(mechanism.crank_radius.clone()).zip(mechanism.speed.clone());
-    let scale = scale.map(|((_, crank_radius), speed)| Scale { mass: loads::unit_mass(layout), crank_radius, speed });
     Ok(Point {
         values: Vec::new(),
         orders,
-        newtons: scale.filter(|_| rods_known).map(|scale| scale.force()),
+        newtons: loads::scale(layout).filter(|_| rods_known).map(|scale| scale.force()),
         kilograms: mechanism.mass.as_ref().and_then(|_| loads::unit_mass(layout).to_f64()),
         evenness: evenness_of(layout, cycle, whole.as_ref()),
         counterweight: counterweight_of(layout, whole.as_ref()),
