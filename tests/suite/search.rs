@@ -1,10 +1,6 @@
 //! Does the search find all stars, and the best of them exactly?
 
-#![allow(clippy::disallowed_types)]
-
-#[path = "support/plain_search.rs"]
-mod plain_search;
-
+use crate::support::plain_search;
 use std::collections::BTreeSet;
 use std::fs;
 use std::ops::ControlFlow;

@@ -1,6 +1,4 @@
 //! Does any text at all end in an engine or a message, and does every engine get the verdict that decimals suggest?
-#![allow(clippy::disallowed_types)]
-
 use crankstar::exact::Turn;
 use crankstar::layout::{Cylinder, Layout, catalogue, parse};
 use crankstar::proof::{Quantity, Sense};

@@ -11,11 +11,7 @@ use crankstar::verdict::{Balance, Reason, classify, firmness, opposed_partners, 
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-mod support {
-    #[allow(dead_code)]
-    pub mod dice;
-}
-use support::dice::Dice;
+use crate::support::dice::Dice;
 
 fn engine(name: &str) -> Layout {
     find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).layout().unwrap()

@@ -4,13 +4,8 @@ use crankstar::beam::{Beam, Mistake};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-mod support {
-    #[allow(dead_code)]
-    pub mod dice;
-    pub mod stiffness;
-}
-use support::dice::Dice;
-use support::stiffness;
+use crate::support::dice::Dice;
+use crate::support::stiffness;
 
 const TRILLION: i64 = 1_000_000_000_000;
 

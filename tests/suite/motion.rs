@@ -1,10 +1,6 @@
 //! Is the motion of one piston right: its harmonics, their enclosures, their series, and the closed forms?
 
-#![allow(clippy::disallowed_types)]
-
-#[path = "support/piston.rs"]
-mod piston;
-
+use crate::support::piston;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crankstar::motion::{Enclosure, NoFullTurn, SliderCrank, coefficients_fast, series};

@@ -1,8 +1,6 @@
 //! Are lengths and directions in closed form the numbers that they stand for?
 
-#[path = "support/decimals.rs"]
-mod decimals;
-
+use crate::support::decimals;
 use crankstar::exact::{PhasorSum, Turn};
 use crankstar::layout::{self, Layout};
 use crankstar::numbers::{self, Direction, Form};

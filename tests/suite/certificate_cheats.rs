@@ -1,9 +1,6 @@
 //! Which ways to cheat does the checker see through?
 
-mod support {
-    pub mod written;
-}
-
+use crate::support::written::{ratio, sum, vectors};
 use crankstar::exact::PhasorSum;
 use crankstar::layout::{self, Layout};
 use crankstar::numbers::evaluate;
@@ -17,7 +14,6 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use support::written::{ratio, sum, vectors};
 
 const TRIANGLE: &str = "1@0 1@1/3 1@2/3";
 const TWO_AND_ONE: &str = "1@0 1/2@1/4";

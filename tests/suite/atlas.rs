@@ -2,8 +2,6 @@
 //!
 //! `CRANKSTAR_RENEW=1 cargo test --test atlas` writes it anew.
 
-#![allow(clippy::disallowed_types)]
-
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,5 @@
 //! Do plots show what they are given, and nothing else? Ticks, thinning, breaks, and the same marks in both languages.
 
-#![allow(clippy::disallowed_types)]
-
 use crankstar::report::figure::{Figure, Ink, Mark};
 use crankstar::report::plot::{Axis, Curve, Map, Plot, PointMark, Polar, Rule};
 use crankstar::report::{svg, tikz};

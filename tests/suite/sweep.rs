@@ -1,7 +1,5 @@
 //! Are sweeps exact in their values and zeros, right in their amplitudes, and told in words where they cannot be done?
 
-#![allow(clippy::disallowed_types)]
-
 use std::process::Command;
 
 use crankstar::family::{self, Component, component_zeros};
@@ -16,10 +14,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-#[path = "support/dice.rs"]
-#[allow(dead_code)]
-mod dice;
-
+use crate::support::dice;
 const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
 const V8: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
 const MASSES: &str = "[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.25\nreciprocating_mass = \"0.6 kg\"\nrotating_mass = \"0.2 kg\"\n";

@@ -1,6 +1,4 @@
 //! Are the newtons right: the seeds' examples, random engines against sums over their pistons, the orders that an accuracy needs?
-#![allow(clippy::disallowed_types)]
-
 use std::f64::consts::TAU;
 use std::fmt::Write;
 

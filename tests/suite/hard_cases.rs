@@ -1,18 +1,12 @@
 //! Do the numbers stay right where floats are at their worst, and does a verdict never change with them?
 //!
 //! `CRANKSTAR_RENEW=1 cargo test --test hard_cases` writes `reports/stability` anew.
-#![allow(clippy::disallowed_types)]
-
-mod support {
-    pub mod hard;
-    #[allow(dead_code)]
-    pub mod written;
-}
-
 use std::fmt::Write;
 use std::path::Path;
 use std::{env, fs};
 
+use crate::support::hard::{Ask, CASES, Case};
+use crate::support::written::vectors;
 use crankstar::layout::{self, Layout, parse_number};
 use crankstar::loads::{self, Outcome};
 use crankstar::motion::SliderCrank;
@@ -20,8 +14,6 @@ use crankstar::proof::{Shape, check_certificate};
 use crankstar::verdict::{self, OrderBalance};
 use num_rational::BigRational;
 use num_traits::{Pow, Signed, ToPrimitive, Zero};
-use support::hard::{Ask, CASES, Case};
-use support::written::vectors;
 
 /// The rod's part of the way at λ = 10⁻⁸ and ψ = 1: `(√(1−λ² sin²1) − 1)/λ`, mpmath at 75 digits.
 const RODS_PART: &str = "-3.5403670913678560301649162819543707143093212963456e-9";

@@ -6,8 +6,8 @@ use crankstar::remedy::{Wish, remedy};
 use crankstar::report::remedy_document;
 use num_rational::BigRational;
 
-const I3: &str = include_str!("../reports/examples/thesis-i3/layout.toml");
-const OFFSET: &str = include_str!("../reports/examples/i6-offset/layout.toml");
+const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
+const OFFSET: &str = include_str!("../../reports/examples/i6-offset/layout.toml");
 
 fn document_of(text: &str, orders: &[u32]) -> RemedyDocument {
     let layout = parse("layout.toml", text).expect("a layout");

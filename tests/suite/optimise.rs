@@ -5,8 +5,6 @@
 //! layout files, measured: so they are the same on every machine, though the last digit of a solver may not be. The tests
 //! solve anew and hold the stored points to that.
 
-#![allow(clippy::disallowed_types)]
-
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::OnceLock;
@@ -23,11 +21,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-mod support {
-    #[allow(dead_code)]
-    pub mod dice;
-}
-use support::dice::Dice;
+use crate::support::dice::Dice;
 
 const ENGINES: [&str; 3] = ["thesis-i3", "thesis-v8-flatplane", "thesis-v8-crossplane"];
 const POINTS: usize = 9;

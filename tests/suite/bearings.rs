@@ -1,7 +1,5 @@
 //! Do the main bearings feel what a beam on supports hands on, order by order and through a revolution?
 
-#![allow(clippy::disallowed_types)]
-
 use crankstar::beam::Beam;
 use crankstar::layout::{Layout, parse};
 use crankstar::loads::{BearingLoads, Harmonic, Method, Missing, Waveform, bearing_loads, loads};
@@ -10,13 +8,9 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-mod support {
-    #[allow(dead_code)]
-    pub mod dice;
-}
 use std::process::{Command, Output};
 
-use support::dice::Dice;
+use crate::support::dice::Dice;
 
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")

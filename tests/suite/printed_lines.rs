@@ -1,7 +1,5 @@
 //! Does every line of every calculation give, worked out from its printed figures, the printed result?
 
-#![allow(clippy::disallowed_types)]
-
 use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;

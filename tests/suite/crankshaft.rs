@@ -1,13 +1,11 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
-#![allow(clippy::disallowed_types)]
-
 use crankstar::layout::{Layout, find, parse, throws};
 use crankstar::loads::{Effect, Loads, Missing, Outcome, loads};
 use num_rational::BigRational;
 
-const I3: &str = include_str!("../reports/examples/thesis-i3/layout.toml");
-const CROSS: &str = include_str!("../reports/examples/thesis-v8-crossplane/layout.toml");
-const FLAT: &str = include_str!("../reports/examples/thesis-v8-flatplane/layout.toml");
+const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
+const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
+const FLAT: &str = include_str!("../../reports/examples/thesis-v8-flatplane/layout.toml");
 
 #[track_caller]
 fn read(text: &str) -> Layout {

@@ -1,7 +1,5 @@
 //! Does a comparison say what each engine leaves, in which units, and with which remedy?
 
-#![allow(clippy::disallowed_types)]
-
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};

@@ -1,6 +1,4 @@
 //! Do the facts that are known about real engines come out, exactly?
-#![allow(clippy::disallowed_types)]
-
 use std::collections::BTreeSet;
 
 use crankstar::exact::{PhasorSum, Term, Turn};

@@ -1,20 +1,14 @@
 //! Is every verdict right, whatever the conductor, the size of the numbers and the way the sum is written?
 
-mod support {
-    pub mod dice;
-    pub mod oracle;
-    pub mod written;
-}
-
+use crate::support::dice::{Dice, Terms, one_of_each, phasors, polygons, spoiled};
+use crate::support::oracle;
+use crate::support::written::{ratio, sum, vectors};
 use crankstar::exact::{PhasorSum, Term, Turn, vanishes};
 use crankstar::proof::{Certificate, check_certificate};
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
-use support::dice::{Dice, Terms, one_of_each, phasors, polygons, spoiled};
-use support::oracle;
-use support::written::{ratio, sum, vectors};
 
 const CONDUCTORS: std::ops::RangeInclusive<u64> = 1..=300;
 const PRIME: &str = "1/1000000007";

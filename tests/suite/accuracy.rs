@@ -2,8 +2,6 @@
 //!
 //! `CRANKSTAR_RENEW=1 cargo test --test accuracy` writes the page anew.
 
-#![allow(clippy::disallowed_types)]
-
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs, thread};

@@ -1,6 +1,4 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
-#![allow(clippy::disallowed_types)]
-
 use std::f64::consts::TAU;
 
 use crankstar::exact::{PhasorSum, Term, Turn};
@@ -17,8 +15,8 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
-const I3: &str = include_str!("../reports/examples/thesis-i3/layout.toml");
-const CROSS: &str = include_str!("../reports/examples/thesis-v8-crossplane/layout.toml");
+const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
+const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
 
 #[track_caller]
 fn read(text: &str) -> Layout {

@@ -9,7 +9,7 @@ fn status(layout: &Layout, says: &str) -> Status {
 
 /// A flat four that leaves a sixth-order couple of 0.2418 N·m.
 fn flat_four() -> Layout {
-    layout::parse("layout.toml", include_str!("../reports/examples/boxer-4-ej25/layout.toml")).expect("it reads")
+    layout::parse("layout.toml", include_str!("../../reports/examples/boxer-4-ej25/layout.toml")).expect("it reads")
 }
 
 #[test]

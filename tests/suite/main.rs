@@ -1,0 +1,53 @@
+//! All tests that need a Rust toolchain and nothing else, as one program: one link instead of forty.
+
+#![allow(clippy::disallowed_types)]
+
+mod accuracy;
+mod atlas;
+mod beam;
+mod bearings;
+mod certificate_cheats;
+mod claims;
+mod claims_files;
+mod claims_of_numbers;
+mod classes;
+mod closed_forms;
+mod command_line;
+mod compare;
+mod crankshaft;
+mod decision_laws;
+mod families;
+mod firmness;
+mod grigoryev;
+mod ground_truth;
+mod hard_cases;
+mod layout_files;
+mod layout_mistakes;
+mod layout_random;
+mod loads;
+mod mechanism_files;
+mod motion;
+mod open_certificate_cheats;
+#[cfg(feature = "optimise")]
+mod optimise;
+mod plots;
+mod printed_lines;
+mod remedy;
+mod remedy_cheats;
+mod reports;
+mod rooms;
+mod search;
+mod sweep;
+mod theorems;
+mod thesis;
+
+mod support {
+    pub mod decimals;
+    pub mod dice;
+    pub mod hard;
+    pub mod oracle;
+    pub mod piston;
+    pub mod plain_search;
+    pub mod stiffness;
+    pub mod written;
+}
