@@ -3,7 +3,7 @@
 //! `cargo bench --bench decision`. The 28 sums are those of the cross-plane V8: orders 1, 2, 4, 6, 8, 10, 12; force and
 //! moment; direct and reverse. Each line times all 28: divide by 28 for one decision.
 
-#[path = "../tests/support/oracle.rs"]
+#[path = "../tests/suite/support/oracle.rs"]
 mod oracle;
 
 use crankstar::exact::{PhasorSum, Term, vanishes};
