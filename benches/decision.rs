@@ -8,7 +8,7 @@ mod oracle;
 
 use crankstar::exact::{PhasorSum, Term, vanishes};
 use crankstar::layout::Layout;
-use crankstar::phasor;
+use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use divan::{Bencher, black_box};
 
@@ -27,7 +27,7 @@ fn sums() -> Vec<PhasorSum> {
     let senses = [Some(Sense::Direct), Some(Sense::Reverse)];
     let quantities = [Quantity::Force, Quantity::Moment];
     let choices = ORDERS.iter().flat_map(|&order| quantities.map(|quantity| (order, quantity)));
-    choices.flat_map(|(order, quantity)| senses.map(|sense| phasor::sum(&v8, quantity, order, sense))).collect()
+    choices.flat_map(|(order, quantity)| senses.map(|sense| order::star(&v8, quantity, order, sense))).collect()
 }
 
 /// All eight terms as whole exponents over the conductor 8 with whole weights, not collected.

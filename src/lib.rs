@@ -6,7 +6,7 @@
 //! ```standalone_crate
 //! use crankstar::proof::{Quantity, Sense};
 //! let v8 = crankstar::layout::find("V8-crossplane").unwrap().layout().unwrap();
-//! let order_1 = crankstar::phasor::sum(&v8, Quantity::Force, 1, Some(Sense::Direct));
+//! let order_1 = crankstar::order::star(&v8, Quantity::Force, 1, Some(Sense::Direct));
 //! println!("{}", serde_json::to_string(&order_1.certificate()).unwrap());
 //! // {"kind":"polygons","polygons":[{"sides":2,"rotation":"0","weight":"2"},{"sides":2,"rotation":"1/4","weight":"2"}]}
 //! # assert_eq!(
@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← sweep ← claim ← report ← cli`
+//! `proof ← exact ← layout ← order ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← sweep ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`, nor in `beam`.
@@ -31,7 +31,7 @@ pub mod exact;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod layout;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod phasor;
+pub mod order;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod proof;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]

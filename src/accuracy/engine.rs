@@ -6,7 +6,7 @@ use num_traits::One;
 use super::real::Real;
 use crate::exact::Turn;
 use crate::layout::{Layout, Rod};
-use crate::loads::{self, TurningMass};
+use crate::order::{self, TurningMass};
 use crate::proof::Quantity;
 
 /// A crank: λ, δ and the gaps `1 ± δ − λ`, which near the end of its reach decide.
@@ -51,7 +51,7 @@ impl<T: Real> Engine<T> {
         let one = BigRational::one();
         let cylinders = layout.cylinders.iter().zip(&layout.mechanism.rods);
         let pistons = cylinders.map(|(cylinder, Rod { ratio, offset })| {
-            let mass_radius = loads::mass_radius(layout, cylinder);
+            let mass_radius = order::mass_radius(layout, cylinder);
             let axis = || direction(&cylinder.bank);
             let along = |weight: BigRational| axis().iter().map(|part| part.times(&number(&weight))).collect();
             let parts = match quantity {
@@ -120,7 +120,7 @@ pub(super) fn turning(layout: &Layout, quantity: Quantity) -> Vec<(Turn, BigRati
         Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - &layout.reference_plane)),
         Quantity::Force | Quantity::Torque => (mass.angle, mass.mass_radius),
     };
-    loads::all_turning_masses(layout).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
+    order::turning_masses(layout).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
 }
 
 fn rotating<T: Real>(

@@ -12,8 +12,9 @@ use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
 use super::timing::measured;
 use crate::layout::Layout;
-use crate::loads::{Missing, TurningMass, all_turning_masses};
+use crate::loads::Missing;
 use crate::motion::Enclosure;
+use crate::order::{TurningMass, turning_masses};
 use crate::proof::Quantity;
 
 /// A way to find a peak load.
@@ -82,7 +83,7 @@ pub struct Study {
 /// # Errors
 /// What the layout lacks for numbers.
 pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, Missing> {
-    if !all_turning_masses(layout).iter().all(TurningMass::turns_with_the_crank) {
+    if !turning_masses(layout).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }
     let orders = Orders::new(layout, quantity, SUMMED)?;

@@ -10,9 +10,10 @@ use super::engine::{Engine, phases, turning};
 use super::real::single_direction;
 use crate::exact::Turn;
 use crate::layout::Layout;
-use crate::loads::{self, Missing};
+use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
+use crate::order;
 use crate::proof::Quantity;
 
 /// An engine in doubles.
@@ -43,7 +44,7 @@ impl Doubles {
         for ((cylinder, rod), phase) in layout.cylinders.iter().zip(&layout.mechanism.rods).zip(phases(layout)) {
             let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
             let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
-            let weight = float(&loads::mass_radius(layout, cylinder)) * arm(cylinder);
+            let weight = float(&order::mass_radius(layout, cylinder)) * arm(cylinder);
             let part = match quantity {
                 Quantity::Torque => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
                 Quantity::Force | Quantity::Moment => numbers::direction(&cylinder.bank) * weight,

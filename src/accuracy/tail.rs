@@ -16,8 +16,9 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::interval::Interval;
 use crate::layout::{Layout, Rod};
-use crate::loads::{self, Missing};
+use crate::loads::Missing;
 use crate::motion::{Enclosure, SliderCrank};
+use crate::order;
 use crate::proof::Quantity;
 
 /// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
@@ -74,7 +75,7 @@ impl Tails {
         let size = |number: &BigRational| Interval::around(number).size();
         let cylinders = layout.cylinders.iter().zip(&layout.mechanism.rods);
         let parts = cylinders.map(|(cylinder, rod)| {
-            let weight = size(&loads::mass_radius(layout, cylinder)) * bound(rod);
+            let weight = size(&order::mass_radius(layout, cylinder)) * bound(rod);
             match quantity {
                 Quantity::Force => weight,
                 Quantity::Moment => weight * size(&layout.arm(cylinder)),

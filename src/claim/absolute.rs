@@ -10,8 +10,8 @@ use super::compare::float;
 use super::order::half_of_lengths;
 use super::statement::{Subject, Tolerance, Value};
 use crate::layout::{Layout, LengthUnit};
-use crate::loads::unit_mass;
 use crate::motion::{self, SliderCrank};
+use crate::order::unit_mass;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;
 

@@ -7,7 +7,7 @@ use super::answer::Condition;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::{Cylinder, Form, Layout};
 use crate::numbers;
-use crate::phasor;
+use crate::order;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;
 
@@ -52,7 +52,7 @@ fn takes_offset(layout: &Layout) -> bool {
 /// What an offset of the banks adds to the moment: the force of one bank less that of the other.
 fn offset_sum(layout: &Layout, order: u32, sense: Sense) -> PhasorSum {
     let first: Option<&Turn> = layout.cylinders.first().map(|cylinder| &cylinder.bank);
-    let force = phasor::sum(layout, Quantity::Force, order, Some(sense));
+    let force = order::star(layout, Quantity::Force, order, Some(sense));
     let signed = layout.cylinders.iter().zip(force.terms()).map(|(cylinder, term)| Term {
         angle: term.angle.clone(),
         weight: if Some(&cylinder.bank) == first { term.weight.clone() } else { BigRational::zero() - &term.weight },

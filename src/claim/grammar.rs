@@ -1,8 +1,9 @@
 //! Which claim do these words make? A small grammar, described in the room's README.
 
-use super::statement::{Masses, Orders, Predicate, Statement, Subject};
+use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
 use crate::layout::HIGHEST_ORDER;
+use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 
 /// Why words are no claim: what is wrong, and what would be right.
@@ -148,7 +149,7 @@ fn subject(words: &str) -> Result<(Subject, &str), Mistake> {
         Mistake::new(format!("`{word}` is nothing that a claim is about"), "force, moment, couple or torque")
     })?;
     let named = MASSES.iter().find_map(|(words, masses)| Some((rest.strip_prefix(words)?.trim_start(), *masses)));
-    let (rest, masses) = named.unwrap_or((rest, Masses::default()));
+    let (rest, masses) = named.unwrap_or((rest, Masses::Reciprocating));
     if quantity == Quantity::Torque && named.is_some() {
         return Err(Mistake::new("the torque is that of the pistons", "leave the words of the masses out"));
     }

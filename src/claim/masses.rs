@@ -6,10 +6,11 @@ use num_traits::{One, Signed, Zero};
 use super::absolute::is_whole;
 use super::answer::{Answer, Finding, Status};
 use super::compare;
-use super::statement::{Masses, Tolerance, Value};
+use super::statement::{Tolerance, Value};
 use crate::exact::PhasorSum;
 use crate::layout::Layout;
-use crate::loads::{self, BearingLoads, Effect, Method, Weighing};
+use crate::loads::{self, BearingLoads, Method};
+use crate::order::{self, Masses};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance};
 
@@ -19,16 +20,14 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
     if layout.mechanism.rods.is_empty() {
         return Err(loads::Missing::Rods.to_string());
     }
-    let effects: &[Effect] = match masses {
-        Masses::Reciprocating => &[Effect::Reciprocating],
-        Masses::Rotating => &[Effect::Rotating, Effect::Crankshaft],
-        Masses::Counterweights => &[Effect::Counterweights],
-        Masses::All => {
-            &[Effect::Reciprocating, Effect::Rotating, Effect::Crankshaft, Effect::Counterweights, Effect::Balancers]
-        }
-    };
-    let one_coefficient = |weighing: Weighing, sense: Sense| {
-        let parts = loads::sums_of(layout, effects, weighing, order, sense);
+    let one_coefficient = |quantity: Quantity, sense: Sense| {
+        let mut terms = order::contributions(layout, order, sense);
+        terms.retain(|one| masses.include(one.source.group()));
+        let weighing = |position: &BigRational| match quantity {
+            Quantity::Moment => position - &layout.reference_plane,
+            Quantity::Force | Quantity::Torque => BigRational::one(),
+        };
+        let parts = order::by_factor(terms.iter().map(|one| one.weighed(weighing)));
         // A sum that vanishes is kept: its certificate is the proof.
         let mut left = parts.into_values().filter(|sum| !sum.collected().is_empty());
         match (left.next(), left.next()) {
@@ -37,18 +36,11 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
             _ => Err("the masses have more than one coefficient".to_owned()),
         }
     };
-    let of = |quantity: Quantity, weighing: Weighing| {
-        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| one_coefficient(weighing, sense));
+    let of = |quantity: Quantity| {
+        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| one_coefficient(quantity, sense));
         Ok::<_, String>(Balance::of(quantity, order, direct?, reverse?))
     };
-    let arm = |position: &BigRational| position - &layout.reference_plane;
-    Ok(OrderBalance {
-        order,
-        class: None,
-        force: of(Quantity::Force, &|_| BigRational::one())?,
-        moment: of(Quantity::Moment, &arm)?,
-        torque: None,
-    })
+    Ok(OrderBalance { order, class: None, force: of(Quantity::Force)?, moment: of(Quantity::Moment)?, torque: None })
 }
 
 /// Answers a claim about the crankshaft's mass.

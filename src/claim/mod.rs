@@ -26,7 +26,7 @@ pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
-pub use statement::{Angle, Bearing, Masses, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
+pub use statement::{Angle, Bearing, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
 

@@ -7,10 +7,11 @@ use super::answer::{Answer, Condition, Evidence, Finding, Status};
 use super::compare;
 use super::condition::{of_vanishing, plane_of_vanishing, senses};
 use super::masses;
-use super::statement::{Angle, Masses, Predicate, Subject, Value};
+use super::statement::{Angle, Predicate, Subject, Value};
 use crate::exact::PhasorSum;
 use crate::layout::Layout;
 use crate::numbers::{self, Form};
+use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 use crate::verdict::{self, Balance, OrderBalance, Verdict};
 

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use crate::numbers::Form;
+use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 
 /// A claim about an engine, as the grammar reads it.
@@ -46,20 +47,6 @@ pub struct Subject {
     pub quantity: Quantity,
     /// Whose.
     pub masses: Masses,
-}
-
-/// Which masses a claim is about.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Masses {
-    /// The reciprocating ones, where no others are named.
-    #[default]
-    Reciprocating,
-    /// Those that turn with the crankpins: rods, pins and webs.
-    Rotating,
-    /// The counterweights.
-    Counterweights,
-    /// All that the layout file names, balancer shafts too.
-    All,
 }
 
 /// Which orders a claim about many is about.

@@ -9,7 +9,7 @@ use crate::exact::Turn;
 use crate::layout::written::{Table, Text, place};
 use crate::layout::{Layout, LayoutError, parse_number, units};
 use crate::numbers::{self, Form};
-use crate::phasor;
+use crate::order;
 use crate::proof::{Quantity, Sense};
 
 /// A vector-star table of one order, as a student fills it in.
@@ -130,13 +130,13 @@ fn misread(what: &str, text: &Text, right: &str) -> LayoutError {
 /// Phases first, row by row, then the sums.
 pub(super) fn judge(table: &StarTable) -> Verdict {
     for (cylinder, sense, written) in &table.phases {
-        let right = phasor::phase(&table.layout.cylinders[*cylinder], table.order, Some(*sense));
+        let right = order::phase(&table.layout.cylinders[*cylinder], table.order, Some(*sense));
         if *written != right {
             return Verdict::WrongPhase { cylinder: *cylinder, sense: *sense, written: written.clone(), right };
         }
     }
     for (quantity, sense, written, form) in &table.sums {
-        let sum = phasor::sum(&table.layout, *quantity, table.order, Some(*sense));
+        let sum = order::star(&table.layout, *quantity, table.order, Some(*sense));
         let right = match sum.vanishes() {
             true => (Some(Form::rational(BigRational::from_integer(0.into()))), 0.0),
             false => (numbers::modulus(&sum), numbers::evaluate(&sum).norm()),

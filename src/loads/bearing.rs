@@ -11,13 +11,11 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::contribution::{self, Effect, Parts, Weighing};
 use super::shares::{Shares, in_equilibrium};
-use super::{Missing, Motion, Peak, Scale, Swing, Waveform};
+use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
 use crate::beam::Beam;
-use crate::exact::PhasorSum;
 use crate::layout::Layout;
-use crate::proof::Sense;
+use crate::order::{self, Contribution, MassGroup, OrderSum};
 
 /// How a load is shared among the bearings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,8 +63,8 @@ pub struct BearingLoad {
 pub struct BearingOrder {
     /// The order k.
     pub order: u32,
-    /// P⁺ and P⁻ as exact sums by their coefficient, in multiples of m r.
-    pub sums: [Parts; 2],
+    /// P⁺ and P⁻ as exact sums, in multiples of m r.
+    pub sums: [OrderSum; 2],
     /// The two vectors, in multiples of m r ω².
     pub swing: Swing,
 }
@@ -87,28 +85,24 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     let beam = Beam::new(layout.bearings.clone()).map_err(Missing::Beam)?;
     let motion = Motion::new(layout)?;
     let shares = Shares::new(beam, method);
-    let scene: Vec<Effect> =
-        contribution::effects_of(layout).into_iter().filter(|effect| loads_the_shaft(*effect)).collect();
     let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings.iter().map(|_| Vec::new()).collect();
     for &order in orders {
-        let solved = [Sense::Direct, Sense::Reverse].map(|sense| {
-            let sum = |weighing: Weighing| {
-                let of = |&effect: &Effect| contribution::parts(layout, effect, weighing, order, sense);
-                collected(super::merged(&scene.iter().map(of).collect::<Vec<Parts>>()))
+        let [direct, reverse] = SENSES.map(|sense| {
+            let mut forces = order::contributions(layout, order, sense);
+            forces.retain(|force| loads_the_shaft(force.source.group()));
+            let sum = |weighing: &dyn Fn(&BigRational) -> BigRational| {
+                OrderSum::new(forces.iter().map(|force: &Contribution| force.weighed(weighing)))
             };
-            let parts: Vec<Parts> =
+            let reactions: Vec<OrderSum> =
                 (0..layout.bearings.len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
             let loads = [sum(&|_| BigRational::one()), sum(&Clone::clone)];
-            if !in_equilibrium(&layout.bearings, &parts, &loads) {
+            if !in_equilibrium(&layout.bearings, &reactions, &loads) {
                 unreachable!("the reactions of order {order} sum to the force and its moment")
             }
-            parts
+            reactions
         });
-        let [direct, reverse] = solved;
         for ((loads, direct), reverse) in by_bearing.iter_mut().zip(direct).zip(reverse) {
-            let vectors = [(&direct, Sense::Direct), (&reverse, Sense::Reverse)];
-            let vectors = vectors.map(|(parts, sense)| motion.vector(parts, order, sense));
-            let swing = Swing::new(vectors, [&direct, &reverse]);
+            let swing = motion.swing([direct.clone(), reverse.clone()], order);
             loads.push(BearingOrder { order, sums: [direct, reverse], swing });
         }
     }
@@ -120,18 +114,13 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(layout) })
 }
 
-/// Whether the forces of an effect reach the crankshaft; a balancer shaft lies in bearings of its own.
-fn loads_the_shaft(effect: Effect) -> bool {
-    match effect {
-        Effect::Reciprocating | Effect::Rotating | Effect::Crankshaft | Effect::Counterweights => true,
+/// Whether the forces of a group of masses reach the crankshaft; a balancer shaft lies in bearings of its own.
+fn loads_the_shaft(group: MassGroup) -> bool {
+    match group {
+        MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Crankshaft | MassGroup::Counterweights => true,
         // A balancer shaft stands in bearings of its own.
-        Effect::Balancers => false,
+        MassGroup::Balancers => false,
     }
-}
-
-/// The same sums with each direction once.
-fn collected(parts: Parts) -> Parts {
-    parts.into_iter().map(|(factor, sum)| (factor, PhasorSum::new(sum.collected()))).collect()
 }
 
 impl BearingLoad {

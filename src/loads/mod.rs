@@ -3,7 +3,6 @@
 //! The exact sums of a layout times the coefficients of its motion. Only what the layout file asks for is computed.
 
 mod bearing;
-mod contribution;
 mod needed;
 mod roll;
 mod shares;
@@ -21,7 +20,6 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
-pub use contribution::{Effect, Factor, Parts, TurningMass, Weighing, all_turning_masses, mass_radius, unit_mass};
 pub use needed::{Needed, needed_orders};
 pub use swing::Swing;
 pub use vector::{Outcome, Vector};
@@ -30,7 +28,8 @@ pub use waveform::{Circle, Harmonic, Peak, Waveform};
 use crate::beam::Mistake;
 use crate::layout::{Layout, LengthUnit, Rod};
 use crate::motion::{Coefficient, Enclosure, SliderCrank};
-use crate::proof::Sense;
+use crate::order::{self, Contribution, Factor, MassGroup, OrderSum};
+use crate::proof::{Quantity, Sense};
 use crate::verdict;
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
@@ -38,8 +37,8 @@ use crate::verdict;
 pub struct Loads {
     /// The orders, rising, each with what is left of it.
     pub orders: Vec<OrderLoads>,
-    /// The effects that are in the scene.
-    pub effects: Vec<EffectLoads>,
+    /// The groups of masses that are in the scene.
+    pub groups: Vec<GroupLoads>,
     /// The force of all orders, in multiples of m r ω².
     pub force: Waveform,
     /// The moment of all orders about the reference plane, in multiples of m r ω² times the unit of the positions.
@@ -71,11 +70,11 @@ pub struct OrderLoads {
     pub moment: Swing,
 }
 
-/// What one effect adds.
+/// What one group of masses adds.
 #[derive(Clone, Debug)]
-pub struct EffectLoads {
-    /// The effect.
-    pub effect: Effect,
+pub struct GroupLoads {
+    /// The group.
+    pub group: MassGroup,
     /// Its force, in multiples of m r ω².
     pub force: Waveform,
     /// Its moment.
@@ -203,42 +202,34 @@ impl std::error::Error for Missing {}
 /// What the layout lacks.
 pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     let motion = Motion::new(layout)?;
-    let scene = contribution::effects_of(layout);
+    let scene = order::groups_of(layout);
     let mut total = Vec::new();
-    let mut by_effect: Vec<[Vec<Harmonic>; 2]> = scene.iter().map(|_| Default::default()).collect();
-    let whole = |_: &BigRational| BigRational::from_integer(1.into());
-    let arm = |position: &BigRational| position - &layout.reference_plane;
-    let weighings: [Weighing; 2] = [&whole, &arm];
+    let mut by_group: Vec<[Vec<Harmonic>; 2]> = scene.iter().map(|_| Default::default()).collect();
     for &order in orders {
-        let swings = [0, 1].map(|quantity| {
-            let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| {
-                let parts: Vec<Parts> = scene
-                    .iter()
-                    .map(|&effect| contribution::parts(layout, effect, weighings[quantity], order, sense))
-                    .collect();
-                let all = merged(&parts);
-                (motion.vector(&all, order, sense), all, parts)
-            });
+        let [direct, reverse] = SENSES.map(|sense| order::contributions(layout, order, sense));
+        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
+            let swing = |of: &dyn Fn(&Contribution) -> bool| {
+                let sum = |all: &[Contribution]| weighed(layout, quantity, all.iter().filter(|one| of(one)));
+                motion.swing([sum(&direct), sum(&reverse)], order)
+            };
             if scene.len() > 1 {
-                for (place, harmonics) in by_effect.iter_mut().enumerate() {
-                    let direct = motion.vector(&direct.2[place], order, Sense::Direct).value / 2.0;
-                    let reverse = motion.vector(&reverse.2[place], order, Sense::Reverse).value / 2.0;
-                    harmonics[quantity].push(Harmonic { order, direct, reverse });
+                for (group, harmonics) in scene.iter().zip(&mut by_group) {
+                    let swing = swing(&|one| one.source.group() == *group);
+                    harmonics[usize::from(quantity == Quantity::Moment)].push(harmonic(order, &swing));
                 }
             }
-            Swing::new([direct.0, reverse.0], [&direct.1, &reverse.1])
+            swing(&|_| true)
         });
-        let [force, moment] = swings;
         total.push(OrderLoads { order, coefficient: motion.common(order), force, moment });
     }
     let waveform =
         |swing: fn(&OrderLoads) -> &Swing| Waveform::new(total.iter().map(|loads| harmonic(loads.order, swing(loads))));
     let (force, moment) = (waveform(|loads| &loads.force), waveform(|loads| &loads.moment));
-    if let [only] = by_effect.as_mut_slice() {
+    if let [only] = by_group.as_mut_slice() {
         *only = [force.harmonics().to_vec(), moment.harmonics().to_vec()];
     }
-    let effects = scene.iter().zip(by_effect).map(|(&effect, [force, moment])| EffectLoads {
-        effect,
+    let groups = scene.into_iter().zip(by_group).map(|(group, [force, moment])| GroupLoads {
+        group,
         force: Waveform::new(force),
         moment: Waveform::new(moment),
     });
@@ -251,7 +242,7 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     let has_shafts = !layout.crankshaft.balancers.is_empty();
     let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, orders));
     Ok(Loads {
-        effects: effects.collect(),
+        groups: groups.collect(),
         force,
         moment,
         torque,
@@ -279,23 +270,11 @@ pub fn comparable(layout: &Layout) -> Result<(), Missing> {
     }
 }
 
-/// The exact sums of one order and sense, of all effects that the layout calls for, each force weighed by its position:
-/// by coefficient, in multiples of m r. They stand for an engine that is [`comparable`] and whose rods are known.
-pub fn sums(layout: &Layout, weighing: Weighing, order: u32, sense: Sense) -> Parts {
-    sums_of(layout, &contribution::effects_of(layout), weighing, order, sense)
-}
-
-/// The same of these effects alone.
-pub fn sums_of(layout: &Layout, effects: &[Effect], weighing: Weighing, order: u32, sense: Sense) -> Parts {
-    let of_effect = |effect: &Effect| contribution::parts(layout, *effect, weighing, order, sense);
-    merged(&effects.iter().map(of_effect).collect::<Vec<_>>())
-}
-
 /// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
 pub fn scale(layout: &Layout) -> Option<Scale> {
     let mechanism = &layout.mechanism;
     Some(Scale {
-        mass: mechanism.mass.as_ref().map(|_| contribution::unit_mass(layout))?,
+        mass: mechanism.mass.as_ref().map(|_| order::unit_mass(layout))?,
         crank_radius: mechanism.crank_radius.clone()?,
         speed: mechanism.speed.clone()?,
     })
@@ -306,21 +285,24 @@ fn harmonic(order: u32, swing: &Swing) -> Harmonic {
     Harmonic { order, direct, reverse }
 }
 
-/// The sums of all effects, by factor.
-fn merged<'a>(effects: impl IntoIterator<Item = &'a Parts>) -> Parts {
-    let mut merged = Parts::new();
-    for (factor, sum) in effects.into_iter().flatten() {
-        merged.entry(factor.clone()).and_modify(|all| *all = all.plus(sum)).or_insert_with(|| sum.clone());
-    }
-    merged
+/// Both senses, direct first.
+const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
+
+/// These contributions as the force, or as the moment about the reference plane.
+fn weighed<'a>(layout: &Layout, quantity: Quantity, contributions: impl Iterator<Item = &'a Contribution>) -> OrderSum {
+    OrderSum::new(contributions.map(|one| {
+        one.weighed(|position| match quantity {
+            Quantity::Force | Quantity::Torque => BigRational::from_integer(1.into()),
+            Quantity::Moment => position - &layout.reference_plane,
+        })
+    }))
 }
 
 fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
     let order = |order: u32| {
-        let parts = contribution::torque_parts(layout, order);
-        let left: Vec<_> = parts.iter().filter(|(_, sum)| !sum.vanishes()).collect();
-        let pairs: Vec<_> = left.iter().map(|(rod, sum)| (motion.torque(rod, order), *sum)).collect();
-        let coefficient = match (parts.len(), pairs.as_slice()) {
+        let sum = order::torque(layout, order);
+        let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
+        let coefficient = match (motion.cranks.len(), pairs.as_slice()) {
             (1, [(coefficient, _)]) => Some(coefficient.clone()),
             _ => None,
         };
@@ -338,7 +320,7 @@ const LARGEST: f64 = 1e150;
 /// The motions of the cylinders, and the coefficients that were asked of them.
 struct Motion {
     cranks: BTreeMap<Rod, SliderCrank>,
-    known: RefCell<BTreeMap<(Rod, u32), Coefficient>>,
+    known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
     computed: Cell<usize>,
 }
 
@@ -360,45 +342,56 @@ impl Motion {
         Ok(Motion { cranks, known: RefCell::default(), computed: Cell::new(0) })
     }
 
-    /// c_k of a factor: computed, and counted, once.
+    /// The value of a factor: computed, and counted, once.
     fn coefficient(&self, factor: &Factor, order: u32) -> Coefficient {
-        let Some(rod) = factor else { return exactly_one() };
-        let key = (rod.clone(), order);
+        let key = (factor.clone(), order);
         if let Some(known) = self.known.borrow().get(&key) {
             return known.clone();
         }
-        self.computed.set(self.computed.get() + 1);
-        let coefficient = match self.cranks.get(rod) {
-            Some(crank) => crank.coefficient(order),
-            // An offset below zero has its coefficients from its mirror image.
-            None => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
-                Ok(crank) => crank.coefficient(order),
-                Err(_) => unreachable!("λ + |δ| is that of a crank that turns round"),
-            },
+        let coefficient = match factor {
+            Factor::One => return exactly_one(),
+            Factor::Motion(rod) => self.crank(rod, |crank| crank.coefficient(order)),
+            Factor::Torque(rod) => self.crank(rod, |crank| crank.torque_coefficient(order)),
+            Factor::Open => unreachable!("loads are those of an engine that names its rods"),
         };
+        self.computed.set(self.computed.get() + 1);
         self.known.borrow_mut().insert(key, coefficient.clone());
         coefficient
     }
 
-    fn torque(&self, rod: &Rod, order: u32) -> Coefficient {
-        self.computed.set(self.computed.get() + 1);
-        self.cranks[rod].torque_coefficient(order)
+    fn crank(&self, rod: &Rod, value: impl Fn(&SliderCrank) -> Coefficient) -> Coefficient {
+        match self.cranks.get(rod) {
+            Some(crank) => value(crank),
+            // An offset below zero has its coefficients from its mirror image.
+            None => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
+                Ok(crank) => value(&crank),
+                Err(_) => unreachable!("λ + |δ| is that of a crank that turns round"),
+            },
+        }
     }
 
-    fn vector(&self, parts: &Parts, order: u32, sense: Sense) -> Vector {
-        Vector::new(parts, |factor| match sense {
+    fn vector(&self, sum: &OrderSum, order: u32, sense: Sense) -> Vector {
+        Vector::new(sum, |factor| match sense {
             Sense::Direct => self.coefficient(factor, order),
             Sense::Reverse => Vector::conjugated(self.coefficient(factor, order)),
         })
+    }
+
+    /// What the two sums of an order trace.
+    fn swing(&self, [direct, reverse]: [OrderSum; 2], order: u32) -> Swing {
+        let vectors = [self.vector(&direct, order, Sense::Direct), self.vector(&reverse, order, Sense::Reverse)];
+        Swing::new(vectors, [&direct, &reverse])
     }
 
     /// The coefficient that all cylinders have in common, where a vector asked for it.
     fn common(&self, order: u32) -> Option<Coefficient> {
         let mut rods = self.cranks.keys();
         let (Some(rod), None) = (rods.next(), rods.next()) else { return None };
-        let (factor, sign) = contribution::factor(rod, order)?;
-        let Some(rod) = factor else { return Some(exactly_one()) };
-        let known = self.known.borrow().get(&(rod, order)).cloned()?;
+        let (factor, sign) = Factor::of_force(Some(rod), order)?;
+        if factor == Factor::One {
+            return Some(exactly_one());
+        }
+        let known = self.known.borrow().get(&(factor, order)).cloned()?;
         Some(Coefficient { re: known.re.times(&sign), im: known.im.times(&sign) })
     }
 }

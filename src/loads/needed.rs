@@ -8,11 +8,12 @@ use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Loads, Missing, OrderLoads, Swing, contribution, loads};
+use super::{Loads, Missing, OrderLoads, Swing, loads};
 use crate::layout::{Effects, Layout, Rod};
 use crate::motion::SliderCrank;
+use crate::order;
 use crate::verdict;
 
 /// Orders that are looked at one by one; the rest is bounded together.
@@ -69,7 +70,7 @@ pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> 
 
 /// Bounds of force and moment of all orders above the highest, in multiples of m r ω².
 fn rest(layout: &Layout, highest: u32) -> Result<[f64; 2], Missing> {
-    let mut bounds = contribution::faster_shafts(layout, highest).map(|size| size.to_f64().unwrap_or(f64::INFINITY));
+    let mut bounds = faster_shafts(layout, highest).map(|size| size.to_f64().unwrap_or(f64::INFINITY));
     let mut known: BTreeMap<&Rod, f64> = BTreeMap::new();
     for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
         let left = match known.get(rod) {
@@ -77,11 +78,23 @@ fn rest(layout: &Layout, highest: u32) -> Result<[f64; 2], Missing> {
             None => *known.entry(rod).or_insert(rest_of_one(rod, highest)?),
         };
         let size = |number: BigRational| number.abs().to_f64().unwrap_or(f64::INFINITY);
-        let weight = contribution::mass_radius(layout, cylinder);
+        let weight = order::mass_radius(layout, cylinder);
         bounds[1] += left * size(&weight * layout.arm(cylinder));
         bounds[0] += left * size(weight);
     }
     Ok(bounds)
+}
+
+/// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
+/// multiples of m r ω²: what they add where higher orders are left out.
+fn faster_shafts(layout: &Layout, highest: u32) -> [BigRational; 2] {
+    let half = BigRational::new(1.into(), 2.into());
+    let shafts = order::turning_masses(layout).into_iter().filter(|mass| mass.order > highest);
+    shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
+        let size = shaft.weight() * &half;
+        let arm = (&shaft.position - &layout.reference_plane).abs();
+        [force + &size, moment + size * arm]
+    })
 }
 
 /// What the orders above the highest of one cylinder add up to at most, in multiples of its m r ω².

@@ -7,11 +7,11 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::contribution::{self, unit_mass};
 use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform, exactly_one};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::Layout;
 use crate::motion::Coefficient;
+use crate::order::{self, unit_mass, unit_radius};
 use crate::proof::Sense;
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
@@ -29,11 +29,12 @@ pub(super) fn roll(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
 fn of_order(layout: &Layout, motion: &Motion, order: u32) -> TorqueOrder {
     let minus = BigRational::from_integer((-1).into());
     let shafts = shafts(layout, order);
-    let torque = contribution::torque_parts(layout, order);
-    let torque = torque.iter().filter(|(_, sum)| !sum.vanishes());
+    let torque = order::torque(layout, order);
     let mut pairs: Vec<(Coefficient, &PhasorSum)> = torque
-        .map(|(rod, sum)| {
-            let t = motion.torque(rod, order);
+        .parts()
+        .iter()
+        .map(|(factor, sum)| {
+            let t = motion.coefficient(factor, order);
             (Coefficient { re: t.re.times(&minus), im: t.im.times(&minus) }, sum)
         })
         .collect();
@@ -45,7 +46,7 @@ fn of_order(layout: &Layout, motion: &Motion, order: u32) -> TorqueOrder {
 
 /// What the shafts of an order add, in multiples of m r²; their crank radius is known where there are any.
 fn shafts(layout: &Layout, order: u32) -> PhasorSum {
-    let radius = layout.mechanism.crank_radius.clone().unwrap_or_else(|| BigRational::from_integer(1.into()));
+    let radius = unit_radius(layout);
     let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
     let share = square / (unit_mass(layout) * &radius * &radius);
     let shafts = layout.crankshaft.balancers.iter().filter(|shaft| shaft.order == order);

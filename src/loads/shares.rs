@@ -7,9 +7,8 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::bearing::Method;
-use super::contribution::Parts;
 use crate::beam::{Beam, Mistake};
-use crate::exact::PhasorSum;
+use crate::order::OrderSum;
 
 /// The parts that the bearings carry of a load, by its position; each position is solved once.
 pub(super) struct Shares {
@@ -49,15 +48,14 @@ impl Shares {
 }
 
 /// Whether the reactions sum to the force, and their moments about position 0 to its moment; all are exact sums.
-pub(super) fn in_equilibrium(positions: &[BigRational], reactions: &[Parts], [force, moment]: &[Parts; 2]) -> bool {
-    let balances = |load: &Parts, arm: &dyn Fn(&BigRational) -> BigRational| {
-        let weighed = reactions.iter().zip(positions).map(|(parts, at)| {
-            let arm = arm(at);
-            parts.iter().map(|(factor, sum)| (factor.clone(), sum.scaled(&arm))).collect::<Parts>()
-        });
-        let minus = load.iter().map(|(factor, sum)| (factor.clone(), sum.scaled(&-BigRational::one()))).collect();
-        let all: Vec<Parts> = weighed.chain([minus]).collect();
-        super::merged(&all).values().all(PhasorSum::vanishes)
+pub(super) fn in_equilibrium(
+    positions: &[BigRational],
+    reactions: &[OrderSum],
+    [force, moment]: &[OrderSum; 2],
+) -> bool {
+    let balances = |load: &OrderSum, arm: &dyn Fn(&BigRational) -> BigRational| {
+        let weighed = reactions.iter().zip(positions).map(|(reaction, at)| reaction.scaled(&arm(at)));
+        weighed.fold(OrderSum::default(), |sum, reaction| sum.plus(&reaction)).minus(load).vanishes()
     };
     balances(force, &|_| BigRational::one()) && balances(moment, &Clone::clone)
 }

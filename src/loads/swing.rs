@@ -1,12 +1,9 @@
 //! What do the two vectors of an order trace together? An ellipse (theory, section 3).
 
 use num_complex::Complex;
-use num_rational::BigRational;
 
-use super::contribution::{Factor, Parts};
-use super::merged;
 use super::vector::{Outcome, Vector};
-use crate::exact::PhasorSum;
+use crate::order::OrderSum;
 
 /// One order of the force or the moment: the vector `½(P⁺ e^{ikθ} + P⁻ e^{−ikθ})`, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -31,27 +28,16 @@ impl Swing {
     ///
     /// Sums of one factor are compared with each other: `c S⁺` and, mirrored, `c S̄⁻`. Where several are left, only the
     /// coefficients could make them equal, and nothing is proved.
-    pub(super) fn new([direct, reverse]: [Vector; 2], [direct_parts, reverse_parts]: [&Parts; 2]) -> Self {
+    pub(super) fn new([direct, reverse]: [Vector; 2], [direct_sum, reverse_sum]: [&OrderSum; 2]) -> Self {
         let none = direct.outcome == Outcome::Zero && reverse.outcome == Outcome::Zero;
         let mut swing = Swing { direct, reverse, is_line: none, nothing_along: none, nothing_across: none };
         if none || swing.smallest() > SURELY_DIFFERENT * swing.largest() {
             return swing;
         }
-        let mirrored: Parts = reverse_parts.iter().map(|(factor, sum)| (factor.clone(), sum.conjugate())).collect();
-        let opposite: Parts = mirrored.iter().map(|(factor, sum)| (factor.clone(), sum.scaled(&-one()))).collect();
-        let cancels = |other: &Parts| merged([direct_parts, other]).values().all(PhasorSum::vanishes);
-        swing.nothing_along = cancels(&mirrored);
-        swing.nothing_across = cancels(&opposite);
-        let left = |parts: &Parts| -> Vec<(Factor, PhasorSum)> {
-            parts.clone().into_iter().filter(|(_, sum)| !sum.vanishes()).collect()
-        };
-        let equally_long = || match (left(direct_parts).as_slice(), left(&mirrored).as_slice()) {
-            ([(of, one)], [(also, other)]) => {
-                of == also && one.squared_modulus().minus(&other.squared_modulus()).vanishes()
-            }
-            _ => false,
-        };
-        swing.is_line = swing.nothing_along || swing.nothing_across || equally_long();
+        let mirrored = reverse_sum.mirrored();
+        swing.nothing_along = direct_sum.plus(&mirrored).vanishes();
+        swing.nothing_across = direct_sum.minus(&mirrored).vanishes();
+        swing.is_line = swing.nothing_along || swing.nothing_across || direct_sum.is_as_long_as(&mirrored);
         swing
     }
 
@@ -95,8 +81,4 @@ impl Swing {
     pub fn amplitudes(&self) -> [Complex<f64>; 2] {
         [self.direct.value / 2.0, self.reverse.value / 2.0]
     }
-}
-
-fn one() -> BigRational {
-    BigRational::from_integer(1.into())
 }

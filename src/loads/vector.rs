@@ -4,10 +4,10 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::contribution::Parts;
 use crate::exact::PhasorSum;
 use crate::motion::{Coefficient, Enclosure};
 use crate::numbers;
+use crate::order::{Factor, OrderSum};
 
 /// What is known of a vector that is a sum of several coefficients times exact sums.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,10 +33,9 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// The vector with these parts, whose coefficients `coefficient` tells, and proves not to be zero.
-    pub(super) fn new(parts: &Parts, coefficient: impl Fn(&super::Factor) -> Coefficient) -> Self {
-        let left: Vec<_> = parts.iter().filter(|(_, sum)| !sum.vanishes()).collect();
-        let pairs: Vec<_> = left.into_iter().map(|(factor, sum)| (coefficient(factor), sum)).collect();
+    /// The vector of this sum, whose coefficients `coefficient` tells, and proves not to be zero.
+    pub(super) fn new(sum: &OrderSum, coefficient: impl Fn(&Factor) -> Coefficient) -> Self {
+        let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (coefficient(factor), sum)).collect();
         Self::of(&pairs, true)
     }
 

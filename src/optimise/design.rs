@@ -11,8 +11,9 @@ use super::problem::direct;
 use super::refused::Refused;
 use crate::exact::{PhasorSum, Term};
 use crate::layout::{Layout, throws};
-use crate::loads::{Arm, Method, Scale, bearing_loads, unit_mass};
+use crate::loads::{Arm, Method, Scale, bearing_loads};
 use crate::numbers;
+use crate::order::unit_mass;
 
 /// A crankshaft with its counterweights.
 #[derive(Clone, Debug)]

@@ -10,7 +10,8 @@ use super::{Couple, Wish};
 use crate::beam::Beam;
 use crate::exact::PhasorSum;
 use crate::layout::Layout;
-use crate::loads::{self, Arm, Harmonic, Method, Waveform, Weighing, bearing_loads, unit_mass};
+use crate::loads::{self, Arm, Harmonic, Method, Waveform, bearing_loads};
+use crate::order::{self, Factor, OrderSum, unit_mass};
 use crate::proof::Sense;
 
 /// The problem. Mass-radii are in multiples of m r, forces of m r ω², masses in kilograms.
@@ -100,14 +101,16 @@ impl Problem {
 /// Half the direct first-order sum, which is the vector itself, in kilogram-metres.
 ///
 /// The sums of a layout stand for `P⁺ = 2 · vector` (theory, section 3).
-pub(super) fn direct(layout: &Layout, weighing: Weighing, unit: &BigRational) -> Result<PhasorSum, Refused> {
+pub(super) fn direct(
+    layout: &Layout,
+    weighing: &dyn Fn(&BigRational) -> BigRational,
+    unit: &BigRational,
+) -> Result<PhasorSum, Refused> {
     let half = unit / BigRational::from_integer(2.into());
-    let mut all = PhasorSum::new(Vec::new());
-    for (factor, sum) in loads::sums(layout, weighing, 1, Sense::Direct) {
-        if factor.is_some() {
-            return Err(Refused::Offset);
-        }
-        all = all.plus(&sum.scaled(&half));
+    let all = OrderSum::new(order::contributions(layout, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
+    match all.only() {
+        None if all.vanishes() => Ok(PhasorSum::new(Vec::new())),
+        Some((Factor::One, sum)) => Ok(sum.scaled(&half)),
+        _ => Err(Refused::Offset),
     }
-    Ok(PhasorSum::new(all.collected()))
 }

@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::sums::Subject;
+use super::subject::Subject;
 use super::weight::{Weight, doubled_square};
-use crate::exact::PhasorSum;
-use crate::loads::{self, Factor, Parts, Weighing};
+use crate::exact::{PhasorSum, Term};
+use crate::order::{self, Factor};
 use crate::proof::{Certificate, Quantity, Sense};
 
 /// One sum of the corrected engine, with the evidence whether it is zero.
@@ -18,7 +18,7 @@ pub struct Corrected {
     pub order: u32,
     /// Direct or reverse.
     pub sense: Sense,
-    /// The coefficient that the sum has: none is 1, else c_k of this rod.
+    /// What the sum stands before.
     pub factor: Factor,
     /// The terms of the engine and of the weights, in multiples of m r.
     pub sum: PhasorSum,
@@ -38,12 +38,19 @@ pub fn corrected(subject: &Subject, orders: &[u32], weights: &[Weight]) -> Vec<C
     let plane = &subject.layout().reference_plane;
     let whole = |_: &BigRational| BigRational::one();
     let arm = |position: &BigRational| position - plane;
-    let quantities: [(Quantity, Weighing); 2] = [(Quantity::Force, &whole), (Quantity::Moment, &arm)];
+    let quantities: [(Quantity, &dyn Fn(&BigRational) -> BigRational); 2] =
+        [(Quantity::Force, &whole), (Quantity::Moment, &arm)];
     let mut judged = Vec::new();
     for &order in orders {
         for (quantity, weighing) in quantities {
             for sense in [Sense::Direct, Sense::Reverse] {
-                let sums = with_weights(subject, weighing, order, sense, weights);
+                let engine = order::contributions(subject.layout(), order, sense);
+                let engine = engine.iter().map(|one| one.weighed(weighing));
+                let added = weights
+                    .iter()
+                    .filter(|weight| (weight.order, weight.sense) == (order, sense))
+                    .flat_map(|weight| terms(weight, doubled_square(order) * weighing(&weight.position)));
+                let sums = order::by_factor(engine.chain(added));
                 judged.extend(sums.into_iter().map(|(factor, sum)| {
                     let certificate = sum.certificate();
                     Corrected { quantity, order, sense, factor, sum, certificate }
@@ -54,14 +61,11 @@ pub fn corrected(subject: &Subject, orders: &[u32], weights: &[Weight]) -> Vec<C
     judged
 }
 
-fn with_weights(subject: &Subject, weighing: Weighing, order: u32, sense: Sense, weights: &[Weight]) -> Parts {
-    let mut sums = loads::sums(subject.layout(), weighing, order, sense);
-    for weight in weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
-        let share = doubled_square(order) * weighing(&weight.position);
-        for (factor, sum) in weight.vector.parts() {
-            let added = sum.scaled(&share);
-            sums.entry(factor.clone()).and_modify(|there| *there = there.plus(&added)).or_insert(added);
-        }
-    }
-    sums
+/// The terms of a weight, this many times.
+fn terms(weight: &Weight, share: BigRational) -> Vec<(Factor, Term)> {
+    let parts = weight.vector.parts().iter();
+    let scaled = parts.flat_map(|(factor, sum)| {
+        sum.scaled(&share).terms().iter().map(|term| (factor.clone(), term.clone())).collect::<Vec<_>>()
+    });
+    scaled.collect()
 }

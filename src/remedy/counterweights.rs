@@ -3,12 +3,13 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::sums::{Subject, Sums};
+use super::subject::Subject;
 use super::weight::{Weight, doubled_square};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::{Throw, throws};
+use crate::numbers;
+use crate::order::{self, Factor, OrderSum};
 use crate::proof::Sense;
-use crate::{loads, numbers};
 
 /// Counterweights of each throw opposite to it, or turned on from there by a skew, sized by a balance factor: `BF·D` with
 /// `D = m_rot r + ½ Σ m_rec r` (theory, section 7). One weight a throw, in its plane.
@@ -26,7 +27,7 @@ pub fn bay_by_bay(subject: &Subject, factors: &[BigRational], skews: &[Turn]) ->
             order: 1,
             sense: Sense::Direct,
             position: throw.position.clone(),
-            vector: Sums::plain(PhasorSum::new(vec![Term { angle, weight }])),
+            vector: OrderSum::single(Factor::One, PhasorSum::new(vec![Term { angle, weight }])),
         }
     };
     throws.iter().enumerate().map(weight).filter(|weight| !weight.vector.vanishes()).collect()
@@ -44,11 +45,11 @@ fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
     }
     // Without a crank radius all masses stand at the crankpins, and it cancels.
     let two = BigRational::from_integer(2.into());
-    let unit = loads::unit_mass(layout);
+    let unit = order::unit_mass(layout);
     let cylinder = |&at: &usize| {
         let rotating = layout.mechanism.rotating_masses.get(at).map_or_else(BigRational::zero, |mass| mass / &unit);
         let cylinder = &layout.cylinders[at];
-        rotating * &cylinder.crank_radius + loads::mass_radius(layout, cylinder) / &two
+        rotating * &cylinder.crank_radius + order::mass_radius(layout, cylinder) / &two
     };
     let whole = |(index, throw): (usize, &Throw)| {
         let pin = layout.crankshaft.pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
@@ -61,19 +62,25 @@ fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
 /// `U_1 + U_2 = −P/2n²`, `z_1 U_1 + z_2 U_2 = −C/2n²` (theory, section 7, there for n = 1).
 ///
 /// Weights of length zero are left out. The planes must differ.
-pub fn two_planes(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes: &[BigRational; 2]) -> Vec<Weight> {
+pub fn two_planes(
+    order: u32,
+    sense: Sense,
+    force: &OrderSum,
+    moment: &OrderSum,
+    planes: &[BigRational; 2],
+) -> Vec<Weight> {
     let [first, second] = planes;
     let size = (second - first) * doubled_square(order);
     let share = BigRational::one() / size;
     let at_first = moment.minus(&force.scaled(second)).scaled(&share);
     let at_second = force.scaled(first).minus(moment).scaled(&share);
-    let weight = |position: &BigRational, vector: Sums| Weight { order, sense, position: position.clone(), vector };
+    let weight = |position: &BigRational, vector: OrderSum| Weight { order, sense, position: position.clone(), vector };
     let weights = [weight(first, at_first), weight(second, at_second)];
     weights.into_iter().filter(|weight| !weight.vector.vanishes()).collect()
 }
 
 /// The one weight that takes both away, where the force acts in one plane: `C = z_0 P` with a rational position z_0.
-pub fn one_plane(order: u32, sense: Sense, force: &Sums, moment: &Sums) -> Option<Weight> {
+pub fn one_plane(order: u32, sense: Sense, force: &OrderSum, moment: &OrderSum) -> Option<Weight> {
     let (factor, sum) = force.parts().iter().next()?;
     let fits = |position: &BigRational| moment.minus(&force.scaled(position)).vanishes();
     let position = match moment.parts().get(factor) {

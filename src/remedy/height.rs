@@ -8,7 +8,7 @@
 
 use num_traits::{ToPrimitive, Zero};
 
-use super::sums::Subject;
+use super::subject::Subject;
 use crate::layout::{Layout, Rod};
 use crate::motion::{Enclosure, SliderCrank};
 

@@ -9,7 +9,7 @@ mod counterweights;
 mod height;
 mod partial;
 mod shafts;
-mod sums;
+mod subject;
 mod weight;
 
 use std::fmt;
@@ -22,7 +22,8 @@ pub use counterweights::{bay_by_bay, one_plane, two_planes};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, Shaft, shaft, shafts};
-pub use sums::{Subject, Sums};
+pub use subject::Subject;
+pub(crate) use weight::is_negative;
 pub use weight::{Weight, with_counterweights};
 
 use crate::exact::Turn;

@@ -10,9 +10,8 @@ use num_traits::{One, Signed, Zero};
 
 use crate::exact::{PhasorSum, Term};
 use crate::layout::Layout;
-use crate::loads;
 use crate::numbers::{self, Form};
-use crate::phasor;
+use crate::order;
 use crate::proof::Sense;
 
 /// What is left of the first order over the balanced part f of the reciprocating masses.
@@ -49,8 +48,8 @@ impl Partial {
     pub fn new(layout: &Layout) -> Option<Self> {
         let sum = |sense| {
             let term = |cylinder| Term {
-                angle: phasor::phase(cylinder, 1, Some(sense)),
-                weight: loads::mass_radius(layout, cylinder),
+                angle: order::phase(cylinder, 1, Some(sense)),
+                weight: order::mass_radius(layout, cylinder),
             };
             PhasorSum::new(PhasorSum::new(layout.cylinders.iter().map(term).collect()).collected())
         };

@@ -6,8 +6,9 @@
 use num_rational::BigRational;
 
 use super::counterweights::{one_plane, two_planes};
-use super::sums::{Subject, Sums};
+use super::subject::Subject;
 use super::weight::Weight;
+use crate::order::OrderSum;
 use crate::proof::Sense;
 
 /// What a shaft takes away.
@@ -37,7 +38,13 @@ pub struct Shaft {
 }
 
 /// The shaft of an order and sense whose force and moment about position 0 are these; `None` where both vanish.
-pub fn shaft(order: u32, sense: Sense, force: &Sums, moment: &Sums, planes: &[BigRational; 2]) -> Option<Shaft> {
+pub fn shaft(
+    order: u32,
+    sense: Sense,
+    force: &OrderSum,
+    moment: &OrderSum,
+    planes: &[BigRational; 2],
+) -> Option<Shaft> {
     let (kind, weights) = match (force.vanishes(), moment.vanishes()) {
         (true, true) => return None,
         (true, false) => (Kind::Couple, two_planes(order, sense, force, moment, planes)),
@@ -72,10 +79,5 @@ pub fn shafts(subject: &Subject, orders: &[u32], planes: &[BigRational; 2]) -> V
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {
     let ([one], [other]) = (a.weights.as_slice(), b.weights.as_slice()) else { return false };
-    match (one.vector.only(), other.vector.only()) {
-        (Some((factor, sum)), Some((other_factor, other_sum))) => {
-            factor == other_factor && sum.squared_modulus().minus(&other_sum.squared_modulus()).vanishes()
-        }
-        _ => false,
-    }
+    one.vector.is_as_long_as(&other.vector)
 }

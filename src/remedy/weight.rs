@@ -1,12 +1,13 @@
 //! What is a remedy made of? Weights that turn, each at a multiple of the crank speed.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
-use super::sums::{Subject, Sums};
+use super::subject::Subject;
 use crate::exact::{PhasorSum, Turn};
 use crate::layout::{Counterweight, Layout};
-use crate::numbers::{Direction, Form};
+use crate::numbers::{self, Direction, Form};
+use crate::order::{Factor, OrderSum};
 use crate::proof::Sense;
 
 /// A weight on the crankshaft (order 1, direct) or on a balancer shaft.
@@ -19,23 +20,31 @@ pub struct Weight {
     /// Where it stands along the crankshaft, in the unit of the positions.
     pub position: BigRational,
     /// `U e^{iγ}`: its mass-radius in multiples of m r, in its direction at θ = 0.
-    pub vector: Sums,
+    pub vector: OrderSum,
 }
 
 impl Weight {
     /// What it adds to the vector of its order and sense: `2n²U e^{iγ}` (theory, section 3).
-    pub fn adds(&self) -> Sums {
+    pub fn adds(&self) -> OrderSum {
         self.vector.scaled(&doubled_square(self.order))
     }
 
-    /// The length U in closed form, in multiples of m r, or of m r |c_k|.
+    /// The length U in closed form, in multiples of m r, or of m r |c_k| where one sum stands before c_k.
     pub fn modulus(&self) -> Option<Form> {
-        self.vector.modulus()
+        match self.vector.only() {
+            Some((_, sum)) => numbers::modulus(sum),
+            None => self.vector.vanishes().then(|| Form::rational(BigRational::zero())),
+        }
     }
 
-    /// Its direction γ at θ = 0 in closed form.
+    /// Its direction γ at θ = 0 in closed form; `None` where it is none, or where a coefficient that is not real turns it.
     pub fn direction(&self) -> Option<Direction> {
-        self.vector.direction(self.order)
+        let (factor, sum) = self.vector.only()?;
+        let half = || sum.turned(&Turn::fraction(1, 2));
+        match is_negative(factor, self.order)? {
+            true => numbers::direction_of(&half()),
+            false => numbers::direction_of(sum),
+        }
     }
 
     /// U in multiples of m r and γ in degrees, in decimals; `None` where c_k is not known.
@@ -57,6 +66,17 @@ impl Weight {
     }
 }
 
+/// Whether a factor is below 0; `None` where it is not real.
+pub(crate) fn is_negative(factor: &Factor, order: u32) -> Option<bool> {
+    match factor {
+        Factor::One => Some(false),
+        // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
+        Factor::Open => Some(order.is_multiple_of(4)),
+        Factor::Motion(rod) => rod.offset.is_zero().then(|| order.is_multiple_of(4)),
+        Factor::Torque(_) => unreachable!("weights take away forces"),
+    }
+}
+
 /// `2n²`.
 pub(super) fn doubled_square(order: u32) -> BigRational {
     let order = u64::from(order);
@@ -72,7 +92,7 @@ pub fn with_counterweights(subject: &Subject, weights: &[Weight]) -> Option<Layo
     for weight in weights {
         let on_the_crank = (weight.order, weight.sense) == (1, Sense::Direct);
         for (factor, sum) in weight.vector.parts() {
-            if factor.is_some() || !on_the_crank {
+            if *factor != Factor::One || !on_the_crank {
                 return None;
             }
             layout.crankshaft.counterweights.extend(rational_weights(sum, &unit, &radius, &weight.position));

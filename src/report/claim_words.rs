@@ -6,10 +6,11 @@ use num_traits::ToPrimitive;
 use super::left;
 use super::typeset::{self, Amount};
 use crate::claim::{
-    Absolute, Answer, Condition, Evidence, Finding, Masses, StarTable, Statement, Status, Subject, TableVerdict,
+    Absolute, Answer, Condition, Evidence, Finding, StarTable, Statement, Status, Subject, TableVerdict,
 };
 use crate::layout::Layout;
-use crate::phasor;
+use crate::order;
+use crate::order::Masses;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance, Verdict};
 
@@ -203,7 +204,7 @@ pub fn table_finding(table: &StarTable, verdict: &TableVerdict) -> String {
         TableVerdict::WrongPhase { cylinder, sense, written, right } => {
             let layout: &Layout = &table.layout;
             let cylinder = &layout.cylinders[*cylinder];
-            debug_assert_eq!(phasor::phase(cylinder, table.order, Some(*sense)), *right);
+            debug_assert_eq!(order::phase(cylinder, table.order, Some(*sense)), *right);
             format!(
                 "false: the first wrong row is that of cylinder {}: its {} phase is {}, not {}: {} with β = {} and α = {} is {}",
                 cylinder.name,

@@ -5,7 +5,8 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use crate::layout::Layout;
-use crate::loads::{Arm, Effect, Loads, Needed, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::loads::{Arm, Loads, Needed, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::order::MassGroup;
 
 /// The loads of an engine as data.
 #[derive(Clone, Debug, Serialize)]
@@ -137,9 +138,8 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         });
         orders.collect()
     };
-    let effects = |part: fn(&crate::loads::EffectLoads) -> &Waveform, peak: &Peak| {
-        let shares =
-            loads.effects.iter().map(|effect| (effect_name(effect.effect), share(part(effect), peak) * factor));
+    let effects = |part: fn(&crate::loads::GroupLoads) -> &Waveform, peak: &Peak| {
+        let shares = loads.groups.iter().map(|group| (effect_name(group.group), share(part(group), peak) * factor));
         shares.collect()
     };
     let entry = |peak: Peak, effects, factor: f64| PeakEntry {
@@ -160,14 +160,14 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
             angular_speed_rad_s: scale.omega(),
             m_r_omega_squared_n: scale.force(),
         }),
-        effects: loads.effects.iter().map(|effect| effect_name(effect.effect)).collect(),
+        effects: loads.groups.iter().map(|group| effect_name(group.group)).collect(),
         coefficients: loads.orders.iter().filter_map(coefficient).collect(),
         orders: rows.collect(),
         torque: torque_orders(&loads.torque),
         roll: torque_orders(&loads.roll),
         peaks: Peaks {
-            force: entry(force, effects(|effect| &effect.force, &force), factor),
-            moment: entry(moment, effects(|effect| &effect.moment, &moment), factor),
+            force: entry(force, effects(|group| &group.force, &force), factor),
+            moment: entry(moment, effects(|group| &group.moment, &moment), factor),
             torque: loads.torque.as_ref().map(|torque| entry(torque.waveform.real_peak(), Vec::new(), torque_factor)),
         },
         coefficients_computed: loads.coefficients,
@@ -234,13 +234,13 @@ fn angle(vector: &Vector) -> Option<f64> {
 }
 
 /// The word of an effect in the JSON document.
-pub(super) fn effect_name(effect: Effect) -> &'static str {
+pub(super) fn effect_name(effect: MassGroup) -> &'static str {
     match effect {
-        Effect::Reciprocating => "reciprocating",
-        Effect::Rotating => "rotating",
-        Effect::Crankshaft => "crankshaft",
-        Effect::Counterweights => "counterweights",
-        Effect::Balancers => "balancers",
+        MassGroup::Reciprocating => "reciprocating",
+        MassGroup::Rotating => "rotating",
+        MassGroup::Crankshaft => "crankshaft",
+        MassGroup::Counterweights => "counterweights",
+        MassGroup::Balancers => "balancers",
     }
 }
 

@@ -3,10 +3,10 @@
 use num_complex::Complex;
 use num_traits::{ToPrimitive, Zero};
 
-use super::point::{Part, float, parts};
+use super::point::{Part, float, order_sum};
 use super::whole::Whole;
-use crate::exact::PhasorSum;
 use crate::layout::{Layout, throws};
+use crate::order::Factor;
 use crate::proof::{Quantity, Sense};
 
 /// The larger of two counterweights in the planes of the outermost throws, as its mass-radius in multiples of m r:
@@ -28,11 +28,11 @@ pub(super) fn counterweight_of(layout: &Layout, whole: Option<&Whole>) -> Option
             Some((pair.direct, pair.zeros[0]))
         }
         None => {
-            let parts = parts(layout, quantity, 1, Sense::Direct);
+            let sum = order_sum(layout, quantity, 1, Sense::Direct);
             // With an offset c_1 is not 1.
-            let is_plain = parts.keys().all(Option::is_none);
-            let value = parts.values().map(float).sum::<Complex<f64>>();
-            is_plain.then(|| (value, parts.values().all(PhasorSum::vanishes)))
+            let is_plain = sum.parts().keys().all(|factor| *factor == Factor::One);
+            let value = sum.parts().values().map(float).sum::<Complex<f64>>();
+            is_plain.then(|| (value, sum.vanishes()))
         }
     });
     let ((p, no_force), (c, no_moment)) = (force?, moment?);

@@ -13,9 +13,9 @@ use super::evenness::{Evenness, evenness_of};
 use super::whole::{Pair, Whole};
 use crate::exact::PhasorSum;
 use crate::layout::{Cycle, Layout, Rod};
-use crate::loads::{self, Missing, Parts};
+use crate::loads::{self, Missing};
 use crate::motion::{SliderCrank, coefficients_fast};
-use crate::phasor;
+use crate::order::{self, Factor, OrderSum};
 use crate::proof::{Quantity, Sense};
 
 /// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
@@ -127,7 +127,7 @@ pub(super) fn judge_with(
         let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
             match whole.as_ref().filter(|whole| whole.knows(order)) {
                 Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
-                None => from_parts(layout, quantity, order, highest, motions),
+                None => from_sums(layout, quantity, order, highest, motions),
             }
         });
         OrderPoint { order, force, moment }
@@ -139,7 +139,7 @@ pub(super) fn judge_with(
         values: Vec::new(),
         orders,
         newtons: loads::scale(layout).filter(|_| rods_known).map(|scale| scale.force()),
-        kilograms: mechanism.mass.as_ref().and_then(|_| loads::unit_mass(layout).to_f64()),
+        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(layout).to_f64()),
         evenness: evenness_of(layout, cycle, whole.as_ref()),
         counterweight: counterweight_of(layout, whole.as_ref()),
         envelope: envelope(layout, geometry),
@@ -165,7 +165,7 @@ fn from_words(
     let reach = reach * coefficient.norm();
     amplitudes(direct * coefficient, mirrored * coefficient, zeros, reach, &|| {
         let [direct, reverse] =
-            [Sense::Direct, Sense::Reverse].map(|sense| phasor::sum(layout, quantity, order, Some(sense)));
+            [Sense::Direct, Sense::Reverse].map(|sense| order::star(layout, quantity, order, Some(sense)));
         equally_long(&direct, &reverse)
     })
 }
@@ -208,72 +208,41 @@ fn amplitudes(
     }
 }
 
-/// The exact sums of one quantity, order and sense by coefficient, masses that turn among them.
-pub(super) fn parts(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> Parts {
-    let whole = |_: &BigRational| BigRational::from_integer(1.into());
-    let arm = |position: &BigRational| position - &layout.reference_plane;
-    let weighing: loads::Weighing = if quantity == Quantity::Moment { &arm } else { &whole };
-    let mut parts = loads::sums(layout, weighing, order, sense);
-    let weightless = layout.mechanism.mass.as_ref().is_some_and(Zero::is_zero);
-    if layout.mechanism.rods.is_empty() && !weightless {
-        // Without rods the coefficients stay symbols: that of order 1 is 1, any other one shared by all cylinders.
-        let symbol = Rod { ratio: BigRational::zero(), offset: BigRational::zero() };
-        let sum = phasor::sum(layout, quantity, order, Some(sense));
-        let factor = (order != 1).then_some(symbol);
-        parts.entry(factor).and_modify(|there| *there = there.plus(&sum)).or_insert(sum);
-    }
-    parts
+/// One quantity, order and sense of all masses, exactly.
+pub(super) fn order_sum(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
+    OrderSum::new(order::contributions(layout, order, sense).iter().map(|one| {
+        one.weighed(|position| match quantity {
+            Quantity::Moment => position - &layout.reference_plane,
+            Quantity::Force | Quantity::Torque => BigRational::from_integer(1.into()),
+        })
+    }))
 }
 
-fn from_parts(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
-    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| parts(layout, quantity, order, sense));
-    let mirrored: Parts = reverse.into_iter().map(|(factor, sum)| (factor, sum.conjugate())).collect();
-    let gone = |parts: &Parts| parts.values().all(PhasorSum::vanishes);
-    let (plus, minus) = (gone(&direct), gone(&mirrored));
+fn from_sums(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
+    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order_sum(layout, quantity, order, sense));
+    let mirrored = reverse.mirrored();
+    let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {
         (true, true) => [true, true],
-        (false, false) => [1, -1].map(|sign| gone(&merged(&direct, &mirrored, sign))),
+        (false, false) => [direct.plus(&mirrored).vanishes(), direct.minus(&mirrored).vanishes()],
         _ => [false, false],
     };
-    let zeros = [plus, minus, along, across];
-    let rods_known = !layout.mechanism.rods.is_empty();
-    let mut value = |parts: &Parts| -> Complex<f64> {
-        let term = |(factor, sum): (&Option<Rod>, &PhasorSum)| match factor {
-            Some(rod) if rods_known => motions.coefficient(rod, order, highest) * float(sum),
-            _ => float(sum),
-        };
-        parts.iter().map(term).sum()
+    let mut coefficient = |factor: &Factor| match factor {
+        Factor::Motion(rod) => motions.coefficient(rod, order, highest),
+        // Of rods that are not given, amplitudes are in multiples of c_k.
+        Factor::One | Factor::Open => Complex::new(1.0, 0.0),
+        Factor::Torque(_) => unreachable!("forces have no coefficient of the torque"),
+    };
+    let mut value = |sum: &OrderSum| -> Complex<f64> {
+        sum.parts().iter().map(|(factor, sum)| coefficient(factor) * float(sum)).sum()
     };
     let (direct_value, mirrored_value) = (value(&direct), value(&mirrored));
-    let left = |parts: &Parts| {
-        let mut left =
-            parts.iter().filter(|(_, sum)| !sum.vanishes()).map(|(factor, sum)| (factor.clone(), sum.clone()));
-        left.next().filter(|_| left.next().is_none())
-    };
-    // Sums of several coefficients are not compared.
-    let equal = || match (left(&direct), left(&mirrored)) {
-        (Some((of, one)), Some((also, other))) => of == also && equally_long(&one, &other),
-        _ => false,
-    };
     let mut reach = 0.0;
-    for (factor, sum) in direct.iter().chain(&mirrored) {
-        let coefficient = match factor {
-            Some(rod) if rods_known => motions.coefficient(rod, order, highest).norm(),
-            _ => 1.0,
-        };
+    for (factor, sum) in direct.parts().iter().chain(mirrored.parts()) {
         let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
-        reach += coefficient * weights.sum::<f64>();
+        reach += coefficient(factor).norm() * weights.sum::<f64>();
     }
-    amplitudes(direct_value, mirrored_value, zeros, reach, &equal)
-}
-
-pub(super) fn merged(one: &Parts, other: &Parts, sign: i64) -> Parts {
-    let mut all = one.clone();
-    for (factor, sum) in other {
-        let sum = sum.scaled(&BigRational::from_integer(sign.into()));
-        all.entry(factor.clone()).and_modify(|there| *there = there.plus(&sum)).or_insert(sum);
-    }
-    all
+    amplitudes(direct_value, mirrored_value, [plus, minus, along, across], reach, &|| direct.is_as_long_as(&mirrored))
 }
 
 /// A sum in floats.

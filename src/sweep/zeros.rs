@@ -9,9 +9,9 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::parameter::Parameter;
-use super::point::{merged, parts};
+use super::point::order_sum;
 use super::run::Reader;
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::Turn;
 use crate::family::{self, Component, OpenVerdict, component_zeros};
 use crate::layout::{self, Engine, Layout, PHI, Template};
 use crate::proof::{Quantity, Sense};
@@ -162,16 +162,13 @@ fn with_turning_masses(layout: &Layout, order: u32, of: Zeros) -> bool {
 
 /// Whether a vector of this engine vanishes, decided exactly.
 fn vanishes(layout: &Layout, quantity: Quantity, order: u32, of: Zeros) -> bool {
-    let sums = |sense| parts(layout, quantity, order, sense);
-    let gone = |parts: &crate::loads::Parts| parts.values().all(PhasorSum::vanishes);
-    let (direct, reverse) = (sums(Sense::Direct), sums(Sense::Reverse));
-    let mirrored = reverse.into_iter().map(|(factor, sum)| (factor, sum.conjugate())).collect();
+    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order_sum(layout, quantity, order, sense));
     match of {
-        Zeros::Direct => gone(&direct),
-        Zeros::Reverse => gone(&mirrored),
-        Zeros::Largest => gone(&direct) && gone(&mirrored),
-        Zeros::Along => gone(&merged(&direct, &mirrored, 1)),
-        Zeros::Across => gone(&merged(&direct, &mirrored, -1)),
+        Zeros::Direct => direct.vanishes(),
+        Zeros::Reverse => reverse.vanishes(),
+        Zeros::Largest => direct.vanishes() && reverse.vanishes(),
+        Zeros::Along => direct.plus(&reverse.mirrored()).vanishes(),
+        Zeros::Across => direct.minus(&reverse.mirrored()).vanishes(),
     }
 }
 

@@ -10,7 +10,7 @@ use num_traits::{Signed, Zero};
 use super::{Balance, Verdict};
 use crate::exact::{PhasorSum, Term};
 use crate::layout::{Cylinder, Layout};
-use crate::phasor;
+use crate::order;
 use crate::proof::Quantity;
 
 /// What is changed on the engine.
@@ -93,7 +93,7 @@ fn coefficients(layout: &Layout, verdict: &Verdict, disturbance: Disturbance) ->
         return None;
     }
     let banks = distinct(layout, |cylinder| cylinder.bank.clone()).len();
-    let force = || phasor::sum(layout, Quantity::Force, verdict.order, verdict.sense);
+    let force = || order::star(layout, Quantity::Force, verdict.order, verdict.sense);
     let bank = |cylinder: &Cylinder| cylinder.bank.clone();
     match disturbance {
         Disturbance::SymmetricSpacing => {

@@ -10,7 +10,7 @@ pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, surviv
 
 use crate::exact::PhasorSum;
 use crate::layout::{Layout, Rod};
-use crate::phasor;
+use crate::order;
 use crate::proof::{Certificate, Quantity, Sense, Shape};
 
 /// Whether one phasor sum of the engine vanishes, with the evidence.
@@ -30,7 +30,7 @@ pub struct Verdict {
 
 impl Verdict {
     fn new(layout: &Layout, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
-        Verdict::of(quantity, order, sense, phasor::sum(layout, quantity, order, sense))
+        Verdict::of(quantity, order, sense, order::star(layout, quantity, order, sense))
     }
 
     fn of(quantity: Quantity, order: u32, sense: Option<Sense>, sum: PhasorSum) -> Self {
@@ -59,7 +59,7 @@ pub struct Balance {
 
 impl Balance {
     fn new(layout: &Layout, quantity: Quantity, order: u32) -> Self {
-        let sum = |sense| phasor::sum(layout, quantity, order, Some(sense));
+        let sum = |sense| order::star(layout, quantity, order, Some(sense));
         Balance::of(quantity, order, sum(Sense::Direct), sum(Sense::Reverse))
     }
 

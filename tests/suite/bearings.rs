@@ -66,7 +66,7 @@ fn rotating_loads_of_the_flat_four_are_25_56_9_28_minus_43_28_9_28_25_56() {
     let direct = |order: usize| -> Vec<String> {
         let sums = loads.bearings.iter().map(|bearing| &bearing.orders[order].sums[0]);
         sums.map(|parts| {
-            let terms = parts.values().flat_map(|sum| sum.collected());
+            let terms = parts.parts().values().flat_map(|sum| sum.collected());
             let along = terms.map(|term| {
                 let degrees = term.angle.degrees();
                 let sign = if degrees.is_zero() { 1 } else { -1 };

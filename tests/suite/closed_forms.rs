@@ -4,7 +4,7 @@ use crate::support::decimals;
 use crankstar::exact::{PhasorSum, Turn};
 use crankstar::layout::{self, Layout};
 use crankstar::numbers::{self, Direction, Form};
-use crankstar::phasor;
+use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -27,7 +27,7 @@ fn sums() -> Vec<(String, PhasorSum)> {
         for order in [1, 2, 4, 6, 8, 10] {
             for quantity in [Quantity::Force, Quantity::Moment] {
                 for sense in [Sense::Direct, Sense::Reverse] {
-                    let sum = phasor::sum(&layout, quantity, order, Some(sense));
+                    let sum = order::star(&layout, quantity, order, Some(sense));
                     if !sum.vanishes() {
                         sums.push((format!("{name}, {} {order} {}", quantity.name(), sense.name()), sum));
                     }
@@ -77,7 +77,7 @@ fn every_direction_agrees_with_its_sum_to_fifty_digits() {
 fn known_lengths_are_printed_as_a_book_would() {
     let length = |engine: &str, quantity, order, sense| {
         let layout = layout::find(engine).expect("in the catalogue").layout().expect("it reads");
-        numbers::modulus(&phasor::sum(&layout, quantity, order, Some(sense))).expect("small").to_string()
+        numbers::modulus(&order::star(&layout, quantity, order, Some(sense))).expect("small").to_string()
     };
     assert_eq!(length("I3", Quantity::Moment, 1, Sense::Direct), "√3");
     assert_eq!(length("V8-crossplane", Quantity::Moment, 1, Sense::Direct), "2√10");
@@ -90,7 +90,7 @@ fn known_lengths_are_printed_as_a_book_would() {
 #[test]
 fn the_moment_plane_of_the_cross_plane_v8_is_minus_arctan_one_third() {
     let v8 = layout::find("V8-crossplane").expect("in the catalogue").layout().expect("it reads");
-    let sum = phasor::sum(&v8, Quantity::Moment, 1, Some(Sense::Direct));
+    let sum = order::star(&v8, Quantity::Moment, 1, Some(Sense::Direct));
     let third = Form::rational(BigRational::new((-1).into(), 3.into()));
     assert_eq!(numbers::direction_of(&sum), Some(Direction::Arctangent { tangent: third, opposite: false }));
 }

@@ -1,6 +1,7 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
 use crankstar::layout::{Layout, find, parse, throws};
-use crankstar::loads::{Effect, Loads, Missing, Outcome, loads};
+use crankstar::loads::{Loads, Missing, Outcome, loads};
+use crankstar::order::MassGroup;
 use num_rational::BigRational;
 
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
@@ -122,7 +123,7 @@ fn a_balance_factor_scales_the_direct_moment_and_the_factor_1_removes_it_exactly
         let balanced = computed(&with_factor(engine, "1", offset));
         assert_eq!(balanced.orders[0].moment.direct.outcome, Outcome::Zero);
         assert_eq!(balanced.orders[0].force.direct.outcome, Outcome::Zero);
-        assert!(balanced.effects.iter().any(|effect| effect.effect == Effect::Counterweights));
+        assert!(balanced.groups.iter().any(|group| group.group == MassGroup::Counterweights));
     }
 }
 
@@ -156,7 +157,7 @@ fn pins_and_webs_weigh_what_a_rotating_mass_at_the_rods_does() {
     let [pins, webs, rods] = [pins, webs, rods].map(|layout| computed(&layout));
     assert_near(direct_moment(&pins), direct_moment(&rods));
     assert_near(direct_moment(&webs), direct_moment(&rods));
-    let has = |loads: &Loads| loads.effects.iter().any(|effect| effect.effect == Effect::Crankshaft);
+    let has = |loads: &Loads| loads.groups.iter().any(|group| group.group == MassGroup::Crankshaft);
     assert_eq!([has(&pins), has(&webs), has(&rods)], [true, true, false]);
 }
 
@@ -172,7 +173,7 @@ fn a_lanchester_pair_is_a_term_of_order_2_direct_and_reverse() {
     for vector in [&loads.orders[1].force.direct, &loads.orders[1].force.reverse] {
         assert_near(vector.value.re, 4.0 * c2 - 1.0);
     }
-    assert!(loads.effects.iter().any(|effect| effect.effect == Effect::Balancers));
+    assert!(loads.groups.iter().any(|group| group.group == MassGroup::Balancers));
 }
 
 /// The frame rolls with −T; at half the height a pair takes half of order 2, at the whole height all of it.

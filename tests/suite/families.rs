@@ -7,7 +7,7 @@ use crankstar::family::{self, Left, OpenVerdict, When};
 use crankstar::layout::{self, DELTA, Engine, Family, PHI};
 use crankstar::numbers::Form;
 use crankstar::proof::Quantity;
-use crankstar::{phasor, report};
+use crankstar::{order, report};
 use num_rational::BigRational;
 
 const V_TWIN: &str = "vee = { bank_angle = 'phi', throws = [0] }";
@@ -38,7 +38,7 @@ fn at(values: &[(&str, BigRational)]) -> BTreeMap<String, BigRational> {
 /// Whether the verdict's sum vanishes when the unknowns have these values.
 fn vanishes_at(family: &Family, verdict: &OpenVerdict, values: &BTreeMap<String, BigRational>) -> bool {
     let engine = family.with(values).only().expect("nothing else is open");
-    phasor::sum(&engine, verdict.quantity, verdict.order, Some(verdict.sense)).vanishes()
+    order::star(&engine, verdict.quantity, verdict.order, Some(verdict.sense)).vanishes()
 }
 
 fn verdicts(family: &Family) -> Vec<OpenVerdict> {
@@ -179,7 +179,7 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
             let values =
                 at(&[("a", fraction(7, 3)), ("b", fraction(2, 5)), ("c", fraction(11, 7)), ("d", fraction(13, 9))]);
             let engine = family.with(&values).only().expect("known");
-            let sum = phasor::sum(&engine, Quantity::Moment, verdict.order, Some(verdict.sense));
+            let sum = order::star(&engine, Quantity::Moment, verdict.order, Some(verdict.sense));
             match family::left(verdict) {
                 Left::Nothing => assert!(sum.vanishes() && verdict.always()),
                 Left::Factored { factor, lengths, .. } => {

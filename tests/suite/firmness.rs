@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crankstar::layout::{Cylinder, Layout, catalogue, find, parse};
-use crankstar::phasor;
+use crankstar::order;
 use crankstar::proof::Quantity::{self, Force, Moment};
 use crankstar::verdict::Disturbance::{self, AnySpacing, BankMasses, BankOffset, CylinderMasses, SymmetricSpacing};
 use crankstar::verdict::Outcome::{self, Breaks, DoesNotApply, Survives};
@@ -121,7 +121,7 @@ fn check(layout: &Layout, dice: &mut Dice) -> [usize; 3] {
                 let mut stays_zero = || {
                     let changed = disturbed(layout, disturbance, dice);
                     let verdicts = balance.verdicts().into_iter();
-                    verdicts.map(|v| phasor::sum(&changed, quantity, v.order, v.sense)).all(|sum| sum.vanishes())
+                    verdicts.map(|v| order::star(&changed, quantity, v.order, v.sense)).all(|sum| sum.vanishes())
                 };
                 let outcome = firmness.outcome(disturbance);
                 let holds = match outcome {

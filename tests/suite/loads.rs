@@ -3,8 +3,9 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use crankstar::layout::{self, Cylinder, Layout, Rod};
-use crankstar::loads::{Effect, Harmonic, Loads, Missing, Outcome, Waveform, loads, needed_orders};
+use crankstar::loads::{Harmonic, Loads, Missing, Outcome, Waveform, loads, needed_orders};
 use crankstar::motion::SliderCrank;
+use crankstar::order::MassGroup;
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -146,7 +147,7 @@ fn thesis_engines_have_their_moments() {
     let three = example("thesis-i3");
     let loads = computed(&three, &[1, 2]);
     let unit = loads.scale.as_ref().expect("a scale").force();
-    let rotating = loads.effects.iter().find(|effect| effect.effect == Effect::Rotating).expect("rotating masses");
+    let rotating = loads.groups.iter().find(|group| group.group == MassGroup::Rotating).expect("rotating masses");
     is_near(rotating.moment.peak().value * unit, 3.0_f64.sqrt() * 0.1 * 0.5 * acceleration, 1e-12);
     let first = &loads.orders[0].moment;
     is_near(first.reverse.value.norm() / 2.0 * unit, 1000.04, 1e-5);
@@ -413,7 +414,7 @@ fn no_coefficient_is_computed_but_for_what_is_left_and_asked_for() {
     let asked: Vec<u32> =
         plain.orders.iter().filter(|o| o.coefficient.is_some() && o.order > 1).map(|o| o.order).collect();
     assert_eq!(asked, [6]);
-    assert!(plain.torque.is_none() && plain.effects.len() == 1);
+    assert!(plain.torque.is_none() && plain.groups.len() == 1);
     // The torque asks for t_3 and t_6, which are left of its own star.
     let turning = computed(&engine(&six("effects = [\"torque\"]")), &orders);
     assert_eq!(turning.coefficients, 1 + 2);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 const ROOMS: [&str; 18] = [
-    "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "accuracy", "remedy",
+    "proof", "exact", "layout", "order", "verdict", "numbers", "motion", "beam", "loads", "accuracy", "remedy",
     "optimise", "search", "family", "sweep", "claim", "report", "cli",
 ];
 

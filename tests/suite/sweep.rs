@@ -164,7 +164,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
                         panic!("it is known")
                     };
                     let sum = |sense| {
-                        crankstar::numbers::evaluate(&crankstar::phasor::sum(
+                        crankstar::numbers::evaluate(&crankstar::order::star(
                             &layout,
                             Quantity::Moment,
                             order,
@@ -242,7 +242,7 @@ fn words_decide_as_the_exact_sums_do_on_random_engines() {
         let point = sweep::judge(&layout, None, &[1, 2, 3, 4, 6, 12], &Geometry::default()).expect("judged");
         for order in &point.orders {
             for (quantity, own) in [(Quantity::Force, order.force), (Quantity::Moment, order.moment)] {
-                let sum = |sense| crankstar::phasor::sum(&layout, quantity, order.order, Some(sense));
+                let sum = |sense| crankstar::order::star(&layout, quantity, order.order, Some(sense));
                 let (direct, reverse) = (sum(Sense::Direct), sum(Sense::Reverse));
                 let right = [
                     (own.direct, direct.vanishes()),

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crankstar::layout::{self, Layout};
-use crankstar::phasor;
+use crankstar::order;
 use crankstar::proof::{Certificate, Document, Fault, Quantity, Sense, Survivors, check_document};
 use crankstar::report::{self, Dialect};
 use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
@@ -136,7 +136,7 @@ fn the_formula_needs_no_bar_in_a_table_and_compiles_as_latex() {
 }
 
 fn sum_vanishes(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> bool {
-    phasor::sum(layout, quantity, order, Some(sense)).vanishes()
+    order::star(layout, quantity, order, Some(sense)).vanishes()
 }
 
 /// Compares the statements with direct verdicts at order 1 and the even orders up to 200.

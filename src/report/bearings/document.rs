@@ -7,7 +7,8 @@ use serde::Serialize;
 use super::super::calculation::Unit;
 use super::amounts::unit_of;
 use crate::layout::Layout;
-use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Factor, Outcome, Parts, Peak, Vector};
+use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
+use crate::order::{Factor, OrderSum};
 
 /// What the main bearings feel, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -122,7 +123,7 @@ fn order(order: &BearingOrder, unit: Unit) -> Order {
     }
 }
 
-fn turning(vector: &Vector, parts: &Parts, unit: Unit) -> Turning {
+fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
     let vanishes = match vector.outcome {
         Outcome::Zero => Some(true),
         Outcome::NotZero => Some(false),
@@ -138,11 +139,19 @@ fn turning(vector: &Vector, parts: &Parts, unit: Unit) -> Turning {
         amplitude: vector.value.norm() / 2.0 * unit.factor,
         angle_deg: (vector.value.norm_sqr() > 0.0).then(|| vector.value.arg().to_degrees()),
         vanishes,
-        sums: parts.iter().map(|(factor, sum)| Sum { coefficient: coefficient(factor), terms: terms(sum) }).collect(),
+        sums: sum
+            .parts()
+            .iter()
+            .map(|(factor, sum)| Sum { coefficient: coefficient(factor), terms: terms(sum) })
+            .collect(),
     }
 }
 
 /// `1`, or c_k of which rod.
 fn coefficient(factor: &Factor) -> String {
-    factor.as_ref().map_or("1".to_owned(), |rod| format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset))
+    match factor {
+        Factor::One => "1".to_owned(),
+        Factor::Motion(rod) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
+        Factor::Torque(_) | Factor::Open => unreachable!("bearings feel forces of rods that are known"),
+    }
 }

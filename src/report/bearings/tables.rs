@@ -4,7 +4,8 @@ use super::super::calculation::Rows;
 use super::super::{left, table, typeset};
 use super::amounts;
 use crate::layout::Layout;
-use crate::loads::{BearingLoad, BearingLoads, Parts};
+use crate::loads::{BearingLoad, BearingLoads};
+use crate::order::OrderSum;
 
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
 pub fn bearings_rows(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> Rows {
@@ -80,12 +81,11 @@ pub(super) fn vectors(loads: &BearingLoads) -> Rows {
 }
 
 /// The length of a vector where all that is left of it has one coefficient.
-fn exact(parts: &Parts) -> String {
-    let mut left = parts.values().filter(|sum| !sum.vanishes());
-    match (left.next(), left.next()) {
-        (None, _) => "**0**".to_owned(),
-        (Some(sum), None) => left::modulus_of(sum).prose(),
-        _ => "rods differ".to_owned(),
+fn exact(sum: &OrderSum) -> String {
+    match sum.only() {
+        Some((_, only)) => left::modulus_of(only).prose(),
+        None if sum.vanishes() => "**0**".to_owned(),
+        None => "rods differ".to_owned(),
     }
 }
 

@@ -3,7 +3,8 @@
 use num_traits::Zero;
 
 use crate::layout::Layout;
-use crate::loads::{Effect, Loads};
+use crate::loads::Loads;
+use crate::order::MassGroup;
 
 /// The equations with what they say, in TeX with their numbers.
 pub(super) fn equations(layout: &Layout, loads: &Loads) -> Vec<(&'static str, String)> {
@@ -29,8 +30,8 @@ pub(super) fn equations(layout: &Layout, loads: &Loads) -> Vec<(&'static str, St
             },
         ),
     ];
-    let turning = [Effect::Rotating, Effect::Crankshaft, Effect::Counterweights];
-    let has = |wanted: &[Effect]| loads.effects.iter().any(|loads| wanted.contains(&loads.effect));
+    let turning = [MassGroup::Rotating, MassGroup::Crankshaft, MassGroup::Counterweights];
+    let has = |wanted: &[MassGroup]| loads.groups.iter().any(|loads| wanted.contains(&loads.group));
     let rotating = if has(&turning) { " + [k=1]\\; 2 \\sum_u \\frac{U_u}{m\\,r}\\, e^{i\\beta_u}" } else { "" };
     equations.push((
         "The rotating vectors of order k are, with the stars of (2) and the arms for the moment W,",
@@ -42,7 +43,7 @@ pub(super) fn equations(layout: &Layout, loads: &Loads) -> Vec<(&'static str, St
             "U_u = m_{\\mathrm{rot}}\\, r".to_owned(),
         ));
     }
-    if has(&[Effect::Balancers]) {
+    if has(&[MassGroup::Balancers]) {
         equations.push((
             "A balancer shaft at n times the speed of the crank, with it or against it, with its weight U at the angle γ for θ = 0, adds",
             "\\Delta V_n^{\\pm} = 2 n^2 \\frac{U}{m\\,r}\\, e^{i\\gamma}".to_owned(),

@@ -23,7 +23,8 @@ use super::loads_document::share;
 use super::page::NamedFigure;
 use super::table::Table;
 use crate::layout::Layout;
-use crate::loads::{Effect, Loads, Missing, Needed, Peak, Waveform};
+use crate::loads::{Loads, Missing, Needed, Peak, Waveform};
+use crate::order::MassGroup;
 use crate::proof::Quantity;
 use expression::Line;
 use results::Group;
@@ -190,8 +191,8 @@ fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
         (loads.force.peak(), Unit::of(layout, loads, Quantity::Force)),
         (loads.moment.peak(), Unit::of(layout, loads, Quantity::Moment)),
     ];
-    let shares = |effect: Effect| {
-        let loads = loads.effects.iter().find(|loads| loads.effect == effect);
+    let shares = |group: MassGroup| {
+        let loads = loads.groups.iter().find(|loads| loads.group == group);
         let cell = |place: usize| {
             let (peak, unit) = &peaks[place];
             match loads.map(|loads| [&loads.force, &loads.moment][place]) {
@@ -204,7 +205,7 @@ fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
     };
     let row = |row: words::EffectRow| {
         let inside = if row.inside { "yes" } else { "no" };
-        let shares = row.effect.map_or_else(|| ["–".to_owned(), "–".to_owned()], shares);
+        let shares = row.group.map_or_else(|| ["–".to_owned(), "–".to_owned()], shares);
         [row.name.to_owned(), inside.to_owned(), row.why].into_iter().chain(shares).collect()
     };
     let rows = words::effects(layout, loads).into_iter().map(row);

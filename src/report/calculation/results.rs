@@ -8,7 +8,7 @@ use crate::layout::Layout;
 use crate::loads::{Harmonic, Loads, OrderLoads, Outcome, Swing, Vector, Waveform};
 use crate::motion;
 use crate::numbers;
-use crate::phasor;
+use crate::order;
 use crate::proof::{Quantity, Sense};
 
 /// Most terms of the series of a coefficient that are printed.
@@ -101,7 +101,7 @@ fn length(layout: &Layout, order: &OrderLoads, of: Quantity, sense: Sense, vecto
         return None;
     }
     let symbol = vector_symbol(order.order, of, sense);
-    let star = numbers::evaluate(&phasor::sum(layout, of, order.order, Some(sense))).norm();
+    let star = numbers::evaluate(&order::star(layout, of, order.order, Some(sense))).norm();
     let letter = if of == Quantity::Moment { "C" } else { "P" };
     let star_symbol = format!("\\left|{letter}_{{{}}}^{{{}}}\\right|", order.order, sign(sense));
     let c = order.coefficient.as_ref().map(|coefficient| coefficient.to_complex().norm());
@@ -285,7 +285,7 @@ pub(super) fn torque(layout: &Layout, loads: &Loads) -> Option<Group> {
     }
     for order in torque.orders.iter().filter(|order| order.vector.outcome != Outcome::Zero) {
         let k = order.order;
-        let star = numbers::evaluate(&phasor::sum(layout, Quantity::Torque, k, None)).norm();
+        let star = numbers::evaluate(&order::star(layout, Quantity::Torque, k, None)).norm();
         let mut factors: Vec<Expression> = loads.scale.iter().map(|scale| quantity("K\\,r", scale.torque())).collect();
         match &order.coefficient {
             Some(coefficient) => {

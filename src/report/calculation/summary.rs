@@ -2,7 +2,8 @@
 
 use super::amounts::{self, Unit, amount, digits};
 use crate::layout::Layout;
-use crate::loads::{Effect, Loads, Needed, Peak};
+use crate::loads::{Loads, Needed, Peak};
+use crate::order::MassGroup;
 use crate::proof::Quantity;
 
 /// Header and rows of plain text.
@@ -59,7 +60,7 @@ pub fn loads_lines(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> V
         let peak = peak(&torque.waveform.real_peak(), unit(Quantity::Torque));
         lines.push(format!("Largest inertia torque: {peak}."));
     }
-    let names: Vec<&str> = loads.effects.iter().map(|effect| name(effect.effect)).collect();
+    let names: Vec<&str> = loads.groups.iter().map(|group| name(group.group)).collect();
     lines.push(format!("In the scene: {}.", names.join(", ")));
     lines.extend(needed.map(needed_sentence));
     lines
@@ -74,14 +75,14 @@ pub(super) fn peak(peak: &Peak, unit: Unit) -> String {
     }
 }
 
-/// The name of an effect.
-pub(super) fn name(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Reciprocating => "reciprocating masses",
-        Effect::Rotating => "rotating masses",
-        Effect::Crankshaft => "pins and webs",
-        Effect::Counterweights => "counterweights",
-        Effect::Balancers => "balancer shafts",
+/// The name of a group of masses.
+pub(super) fn name(group: MassGroup) -> &'static str {
+    match group {
+        MassGroup::Reciprocating => "reciprocating masses",
+        MassGroup::Rotating => "rotating masses",
+        MassGroup::Crankshaft => "pins and webs",
+        MassGroup::Counterweights => "counterweights",
+        MassGroup::Balancers => "balancer shafts",
     }
 }
 

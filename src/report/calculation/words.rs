@@ -5,7 +5,8 @@ use num_traits::{Signed, Zero};
 use super::inputs;
 use super::summary::name;
 use crate::layout::{Layout, Measure};
-use crate::loads::{Arm, Effect, Loads};
+use crate::loads::{Arm, Loads};
+use crate::order::MassGroup;
 
 /// What every number rests on.
 pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
@@ -23,7 +24,7 @@ pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
             "The masses are given as reciprocating and rotating ones; how the rod is split is the giver's.".to_owned(),
         );
     }
-    if loads.effects.len() == 1 {
+    if loads.groups.len() == 1 {
         lines.push(
             "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".to_owned(),
         );
@@ -100,27 +101,27 @@ pub(super) struct EffectRow {
     pub inside: bool,
     /// Why, or why not.
     pub why: String,
-    /// The effect of the loads that its shares are those of, if any.
-    pub effect: Option<Effect>,
+    /// The group of masses that its shares are those of, if any.
+    pub group: Option<MassGroup>,
 }
 
 /// What is in the scene and what is not, and why.
 pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<EffectRow> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
-    let masses = Effect::ALL.into_iter().map(|effect| {
-        let inside = loads.effects.iter().any(|loads| loads.effect == effect);
-        let why = match (effect, inside) {
-            (Effect::Reciprocating, _) => format!("orders {}", orders.join(", ")),
+    let masses = MassGroup::ALL.into_iter().map(|group| {
+        let inside = loads.groups.iter().any(|loads| loads.group == group);
+        let why = match (group, inside) {
+            (MassGroup::Reciprocating, _) => format!("orders {}", orders.join(", ")),
             (_, true) => "given in the file".to_owned(),
             (_, false) => "none given".to_owned(),
         };
-        EffectRow { name: name(effect), inside, why, effect: Some(effect) }
+        EffectRow { name: name(group), inside, why, group: Some(group) }
     });
     let row = |name, inside: bool, yes: &str, no: &str| EffectRow {
         name,
         inside,
         why: if inside { yes } else { no }.to_owned(),
-        effect: None,
+        group: None,
     };
     let first = layout.mechanism.rods.first();
     let unequal = layout.mechanism.rods.iter().any(|rod| Some(rod) != first) || !layout.has_unit_masses();

@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::words;
 use crate::exact::PhasorSum;
-use crate::loads::{self, Factor};
+use crate::layout::Rod;
+use crate::order::{self, Factor};
 use crate::proof::{
     CorrectedClaim, RemedyDocument, RodClaim, RodCylinder, Sense, TurningClaim, Vector, WeightClaim, WeightPart,
 };
@@ -104,14 +105,14 @@ fn entry(remedy: &Remedy, part: &words::Part<'_>) -> WeightEntry {
 
 fn proof(remedy: &Remedy) -> RemedyDocument {
     let layout = remedy.subject.layout();
-    let cylinders = layout.cylinders.iter().zip(&layout.mechanism.rods).map(|(cylinder, rod)| RodCylinder {
+    let cylinders = layout.cylinders.iter().enumerate().map(|(index, cylinder)| RodCylinder {
         throw: cylinder.throw.turns().clone(),
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
-        weight: loads::mass_radius(layout, cylinder),
-        rod: RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() },
+        weight: order::mass_radius(layout, cylinder),
+        rod: layout.mechanism.rods.get(index).map_or_else(open_rod, rod_claim),
     });
-    let masses = loads::all_turning_masses(layout).into_iter().map(|mass| TurningClaim {
+    let masses = order::turning_masses(layout).into_iter().map(|mass| TurningClaim {
         order: mass.order,
         sense: mass.sense,
         position: mass.position,
@@ -130,7 +131,7 @@ fn proof(remedy: &Remedy) -> RemedyDocument {
         title: layout.title.clone(),
         remedied_orders: remedy.orders.clone(),
         reference_plane: layout.reference_plane.clone(),
-        rods_known: remedy.subject.rods_known(),
+        rods_known: !layout.mechanism.rods.is_empty(),
         cylinders: cylinders.collect(),
         masses: masses.collect(),
         weights: remedy.weights().iter().map(weight).collect(),
@@ -149,7 +150,21 @@ fn weight(weight: &Weight) -> WeightClaim {
 }
 
 fn rod(factor: &Factor) -> Option<RodClaim> {
-    factor.as_ref().map(|rod| RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() })
+    match factor {
+        Factor::One => None,
+        Factor::Motion(rod) => Some(rod_claim(rod)),
+        Factor::Open => Some(open_rod()),
+        Factor::Torque(_) => unreachable!("weights take away forces"),
+    }
+}
+
+fn rod_claim(rod: &Rod) -> RodClaim {
+    RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() }
+}
+
+/// What stands for the rods of an engine that names none: any would do, all alike.
+fn open_rod() -> RodClaim {
+    RodClaim { ratio: BigRational::new(1.into(), 4.into()), offset: BigRational::from_integer(0.into()) }
 }
 
 fn terms(sum: &PhasorSum) -> Vec<Vector> {

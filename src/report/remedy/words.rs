@@ -1,12 +1,10 @@
 //! What are the weights of a remedy called, and how are their sizes written?
 
-use num_traits::Zero;
-
 use super::super::typeset::{Amount, Bearing};
-use crate::loads::Factor;
 use crate::numbers;
+use crate::order::Factor;
 use crate::proof::Sense;
-use crate::remedy::{Kind, Remedy, Shaft, Weight};
+use crate::remedy::{self, Kind, Remedy, Shaft, Weight};
 
 /// A weight and the part of the remedy that it belongs to.
 pub(super) struct Part<'a> {
@@ -56,8 +54,10 @@ pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
     let exact = weight.modulus().filter(|form| form.to_string().chars().count() <= LONGEST_FORM);
     let amount = |decimal: f64| Amount { exact: exact.clone(), decimal }.plain();
     match (weight.vector.only(), weight.decimals(&remedy.subject)) {
-        (Some((None, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
-        (Some((Some(_), sum)), _) => format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order),
+        (Some((Factor::One, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
+        (Some((Factor::Motion(_) | Factor::Open | Factor::Torque(_), sum)), _) => {
+            format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order)
+        }
         (None, Some([size, _])) => format!("{} m r", amount(size)),
         (None, None) => format!("depends on c_{}", weight.order),
     }
@@ -66,16 +66,13 @@ pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
 /// The direction at θ = 0.
 pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
     let exact = weight.direction();
-    let centric = |factor: &Factor| factor.as_ref().is_none_or(|rod| rod.offset.is_zero());
-    let decimal = match (weight.decimals(&remedy.subject), weight.vector.only()) {
-        (Some([_, degrees]), _) => degrees,
-        (None, Some((factor, sum))) if centric(factor) => {
-            let value = numbers::evaluate(sum);
-            // c_4, c_8, … are below 0 (theory, section 2).
-            let value = if factor.is_some() && weight.order.is_multiple_of(4) { -value } else { value };
-            value.arg().to_degrees()
-        }
-        (None, _) => return format!("depends on c_{}", weight.order),
+    let of_sum = || {
+        let (factor, sum) = weight.vector.only()?;
+        let value = numbers::evaluate(sum);
+        let value = if remedy::is_negative(factor, weight.order)? { -value } else { value };
+        Some(value.arg().to_degrees())
     };
+    let of_value = weight.decimals(&remedy.subject).map(|[_, degrees]| degrees);
+    let Some(decimal) = of_value.or_else(of_sum) else { return format!("depends on c_{}", weight.order) };
     Bearing { exact, decimal }.plain()
 }

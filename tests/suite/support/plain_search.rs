@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crankstar::exact::{PhasorSum, Turn};
 use crankstar::layout::{Cycle, Layout};
 use crankstar::numbers::evaluate;
-use crankstar::phasor;
+use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::search::Problem;
 
@@ -93,7 +93,7 @@ fn with_throws(layout: &mut Layout, star: &[i64], directions: i64) {
 }
 
 fn squares(layout: &Layout, orders: &[u32]) -> Vec<PhasorSum> {
-    let sum = |&order: &u32| phasor::sum(layout, Quantity::Moment, order, Some(Sense::Direct)).squared_modulus();
+    let sum = |&order: &u32| order::star(layout, Quantity::Moment, order, Some(Sense::Direct)).squared_modulus();
     orders.iter().map(sum).collect()
 }
 
@@ -103,7 +103,7 @@ pub fn all_stars(problem: &Problem, stars: Vec<Vec<i64>>, directions: i64) -> Ve
     let mut distinct: Vec<Star> = Vec::new();
     for star in stars {
         with_throws(&mut layout, &star, directions);
-        let force = phasor::sum(&layout, Quantity::Force, 1, Some(Sense::Direct));
+        let force = order::star(&layout, Quantity::Force, 1, Some(Sense::Direct));
         if problem.grid.is_some() && !force.vanishes() {
             continue;
         }

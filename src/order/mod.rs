@@ -1,0 +1,21 @@
+//! Which sum of rotating vectors is an order of the force, the moment, the torque?
+//!
+//! Order k of force and moment is `½ω²(P_k⁺ e^{ikθ} + P_k⁻ e^{−ikθ})` (theory, section 3). Every source of force adds a term
+//! to one or both sums ([`contributions`]), which stands before a number of the motion ([`Factor`]). The terms before one
+//! number are one exact phasor sum; sums before different numbers are kept apart ([`OrderSum`]).
+
+mod factor;
+mod masses;
+mod phase;
+mod source;
+mod sum;
+mod torque;
+mod turning;
+
+pub use factor::Factor;
+pub use masses::{MassGroup, Masses};
+pub use phase::{multiples, phase};
+pub use source::{Contribution, Source, contributions, groups_of, star};
+pub use sum::{OrderSum, by_factor};
+pub use torque::torque;
+pub use turning::{TurningMass, mass_radius, turning_masses, unit_mass, unit_radius};

@@ -1,0 +1,107 @@
+//! Who makes a force of this order, and which term is it in its sum?
+
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::factor::Factor;
+use super::masses::MassGroup;
+use super::phase::phase;
+use super::turning::{mass_radius, turning_masses};
+use crate::exact::{PhasorSum, Term};
+use crate::layout::{Cylinder, Layout};
+use crate::proof::{Quantity, Sense};
+
+/// What makes a force; by its index in the layout.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Source {
+    /// The reciprocating mass of a cylinder.
+    Piston(usize),
+    /// The rotating mass of a cylinder's rod.
+    BigEnd(usize),
+    /// The pin of a throw.
+    Pin(usize),
+    /// Both webs of a throw.
+    Webs(usize),
+    /// A counterweight.
+    Counterweight(usize),
+    /// A balancer shaft.
+    Balancer(usize),
+}
+
+impl Source {
+    /// The group that it belongs to.
+    pub fn group(self) -> MassGroup {
+        match self {
+            Source::Piston(_) => MassGroup::Reciprocating,
+            Source::BigEnd(_) => MassGroup::Rotating,
+            Source::Pin(_) | Source::Webs(_) => MassGroup::Crankshaft,
+            Source::Counterweight(_) => MassGroup::Counterweights,
+            Source::Balancer(_) => MassGroup::Balancers,
+        }
+    }
+}
+
+/// The term that a source adds to the force of an order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Contribution {
+    /// Whose it is.
+    pub source: Source,
+    /// Where the force acts along the crankshaft.
+    pub position: BigRational,
+    /// What the term stands before.
+    pub factor: Factor,
+    /// The term, in multiples of m r.
+    pub term: Term,
+}
+
+impl Contribution {
+    /// The term with its factor, the force weighed by its position: 1 for the force, the arm for the moment, the part that a
+    /// bearing carries.
+    pub fn weighed(&self, weighing: impl Fn(&BigRational) -> BigRational) -> (Factor, Term) {
+        let weight = &self.term.weight * weighing(&self.position);
+        (self.factor.clone(), Term { angle: self.term.angle.clone(), weight })
+    }
+}
+
+/// What every mass of an engine adds to the force of one order and sense: a term per cylinder, where the order exists for
+/// its rod, then those of the masses that turn at this order.
+pub fn contributions(layout: &Layout, order: u32, sense: Sense) -> Vec<Contribution> {
+    let piston = |(index, cylinder): (usize, &Cylinder)| {
+        let (factor, sign) = Factor::of_force(layout.mechanism.rods.get(index), order)?;
+        let term = Term { angle: phase(cylinder, order, Some(sense)), weight: mass_radius(layout, cylinder) * sign };
+        Some(Contribution { source: Source::Piston(index), position: cylinder.position.clone(), factor, term })
+    };
+    let pistons = layout.cylinders.iter().enumerate().filter_map(piston);
+    let turning = turning_masses(layout).into_iter().filter(|mass| (mass.order, mass.sense) == (order, sense));
+    let turning = turning.map(|mass| Contribution {
+        source: mass.source,
+        factor: Factor::One,
+        term: Term { weight: mass.weight(), angle: mass.angle },
+        position: mass.position,
+    });
+    pistons.chain(turning).collect()
+}
+
+/// The groups of masses that an engine has: the reciprocating ones, and those that weigh something.
+pub fn groups_of(layout: &Layout) -> Vec<MassGroup> {
+    let mut groups: Vec<MassGroup> = turning_masses(layout).into_iter().map(|mass| mass.source.group()).collect();
+    groups.push(MassGroup::Reciprocating);
+    groups.sort_unstable();
+    groups.dedup();
+    groups
+}
+
+/// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.
+///
+/// Masses and crank radii are in multiples of the layout's; its coefficient c_k and the factor ½ω² are left out.
+pub fn star(layout: &Layout, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
+    let term = |cylinder: &Cylinder| {
+        let by = match quantity {
+            Quantity::Force => BigRational::one(),
+            Quantity::Moment => layout.arm(cylinder),
+            Quantity::Torque => cylinder.crank_radius.clone(),
+        };
+        Term { angle: phase(cylinder, order, sense), weight: cylinder.weight() * by }
+    };
+    PhasorSum::new(layout.cylinders.iter().map(term).collect())
+}

@@ -1,0 +1,17 @@
+//! Which sums make the inertia torque of an order?
+
+use super::factor::Factor;
+use super::phase::phase;
+use super::sum::OrderSum;
+use super::turning::mass_radius;
+use crate::exact::Term;
+use crate::layout::Layout;
+
+/// The inertia torque of one order: `Σ m r² e^{ik(β−α)}` before t_k of each rod, in multiples of m r².
+pub fn torque(layout: &Layout, order: u32) -> OrderSum {
+    OrderSum::new(layout.cylinders.iter().enumerate().map(|(index, cylinder)| {
+        let weight = mass_radius(layout, cylinder) * &cylinder.crank_radius;
+        let term = Term { angle: phase(cylinder, order, None), weight };
+        (Factor::of_torque(layout.mechanism.rods.get(index)), term)
+    }))
+}

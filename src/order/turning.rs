@@ -1,0 +1,99 @@
+//! What turns in the engine, beside its pistons: rods, pins, webs, counterweights, balancer shafts.
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::source::Source;
+use crate::exact::Turn;
+use crate::layout::{self, Cylinder, Layout};
+use crate::proof::Sense;
+
+/// A mass that turns at a multiple of the crank speed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TurningMass {
+    /// Which one it is.
+    pub source: Source,
+    /// The multiple.
+    pub order: u32,
+    /// With the crank or against it.
+    pub sense: Sense,
+    /// Mass times radius U, in multiples of m r.
+    pub mass_radius: BigRational,
+    /// Its direction at θ = 0.
+    pub angle: Turn,
+    /// Where it stands along the crankshaft.
+    pub position: BigRational,
+}
+
+impl TurningMass {
+    /// Whether it stands on the crankshaft, or on a shaft that turns as it does.
+    pub fn turns_with_the_crank(&self) -> bool {
+        (self.order, self.sense) == (1, Sense::Direct)
+    }
+
+    /// What it adds to its vector: a mass-radius U at angle γ adds `2n²U e^{iγ}` (theory, section 3).
+    pub fn weight(&self) -> BigRational {
+        let order = u64::from(self.order);
+        BigRational::from_integer((2 * order * order).into()) * &self.mass_radius
+    }
+}
+
+/// All masses of an engine that turn and weigh something.
+pub fn turning_masses(layout: &Layout) -> Vec<TurningMass> {
+    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let on_the_crank = |source, mass_radius, angle: &Turn, position: &BigRational| TurningMass {
+        source,
+        order: 1,
+        sense: Sense::Direct,
+        mass_radius,
+        angle: angle.clone(),
+        position: position.clone(),
+    };
+    let radius = unit_radius(layout);
+    let rods = layout.cylinders.iter().zip(&mechanism.rotating_masses).enumerate().map(|(index, (at, mass))| {
+        on_the_crank(Source::BigEnd(index), mass * &radius * &at.crank_radius, &at.throw, &at.position)
+    });
+    let named = !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty();
+    let throws = if named { layout::throws(layout) } else { Vec::new() };
+    let pins = throws.iter().zip(&crankshaft.pins).enumerate().map(|(index, (at, mass))| {
+        on_the_crank(Source::Pin(index), mass * &radius * &at.crank_radius, &at.angle, &at.position)
+    });
+    let webs =
+        throws.iter().zip(&crankshaft.webs).enumerate().map(|(index, (at, web))| {
+            on_the_crank(Source::Webs(index), &web.mass * &web.radius, &at.angle, &at.position)
+        });
+    let weights = crankshaft.counterweights.iter().enumerate().map(|(index, weight)| {
+        on_the_crank(Source::Counterweight(index), weight.mass_radius(), &weight.angle, &weight.position)
+    });
+    let shafts = crankshaft.balancers.iter().enumerate().map(|(index, shaft)| TurningMass {
+        source: Source::Balancer(index),
+        order: shaft.order,
+        sense: shaft.sense,
+        mass_radius: shaft.mass_radius.clone(),
+        angle: shaft.angle.clone(),
+        position: shaft.position.clone(),
+    });
+    let unit = unit_mass(layout) * &radius;
+    let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
+    let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
+    weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
+}
+
+/// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
+pub fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
+    match &layout.mechanism.mass {
+        Some(mass) if mass.is_zero() => BigRational::zero(),
+        _ => cylinder.weight(),
+    }
+}
+
+/// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
+pub fn unit_mass(layout: &Layout) -> BigRational {
+    let mass = layout.mechanism.mass.clone().filter(|mass| !mass.is_zero());
+    mass.unwrap_or_else(BigRational::one)
+}
+
+/// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
+pub fn unit_radius(layout: &Layout) -> BigRational {
+    layout.mechanism.crank_radius.clone().unwrap_or_else(BigRational::one)
+}

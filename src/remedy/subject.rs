@@ -1,0 +1,73 @@
+//! What is an engine for its remedies? Sums that can be compared; its rods may be unknown, then c_k stays a symbol.
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::One;
+
+use crate::exact::PhasorSum;
+use crate::layout::Layout;
+use crate::loads::{self, Missing};
+use crate::motion::SliderCrank;
+use crate::numbers;
+use crate::order::{self, Factor, OrderSum};
+use crate::proof::Sense;
+
+/// An engine whose masses can be compared.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    layout: Layout,
+}
+
+impl Subject {
+    /// The engine of this layout.
+    ///
+    /// # Errors
+    /// What the layout lacks for its masses to be compared.
+    pub fn new(layout: &Layout) -> Result<Self, Missing> {
+        loads::comparable(layout)?;
+        Ok(Subject { layout: layout.clone() })
+    }
+
+    /// The layout.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The force of one order and sense.
+    pub fn force(&self, order: u32, sense: Sense) -> OrderSum {
+        self.weighed(order, sense, |_| BigRational::one())
+    }
+
+    /// Its moment about position 0.
+    pub fn moment(&self, order: u32, sense: Sense) -> OrderSum {
+        self.weighed(order, sense, BigRational::clone)
+    }
+
+    fn weighed(&self, order: u32, sense: Sense, weighing: impl Fn(&BigRational) -> BigRational) -> OrderSum {
+        OrderSum::new(order::contributions(&self.layout, order, sense).iter().map(|one| one.weighed(&weighing)))
+    }
+
+    /// A vector in multiples of m r; `None` where its coefficient is not known.
+    pub fn value(&self, sum: &OrderSum, order: u32, sense: Sense) -> Option<Complex<f64>> {
+        let term = |(factor, sum): (&Factor, &PhasorSum)| {
+            let coefficient = match factor {
+                Factor::One => Complex::new(1.0, 0.0),
+                Factor::Motion(rod) => {
+                    SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).ok()?.coefficient(order).to_complex()
+                }
+                Factor::Open => return None,
+                Factor::Torque(_) => unreachable!("weights take away forces"),
+            };
+            let coefficient = if sense == Sense::Reverse { coefficient.conj() } else { coefficient };
+            Some(coefficient * numbers::evaluate(sum))
+        };
+        sum.parts().iter().map(term).sum()
+    }
+
+    /// m r in kilogram-metres, and r in metres; `None` where the layout does not give them.
+    pub fn scale(&self) -> Option<[BigRational; 2]> {
+        let radius = self.layout.mechanism.crank_radius.clone()?;
+        self.layout.mechanism.mass.as_ref()?;
+        Some([order::unit_mass(&self.layout) * &radius, radius])
+    }
+}
