@@ -23,11 +23,8 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
     let one_coefficient = |quantity: Quantity, sense: Sense| {
         let mut terms = order::contributions(layout, order, sense);
         terms.retain(|one| masses.include(one.source.group()));
-        let weighing = |position: &BigRational| match quantity {
-            Quantity::Moment => position - &layout.reference_plane,
-            Quantity::Force | Quantity::Torque => BigRational::one(),
-        };
-        let parts = order::by_factor(terms.iter().map(|one| one.weighed(weighing)));
+        let lever = |position: &BigRational| order::lever(layout, quantity, position);
+        let parts = order::by_factor(terms.iter().map(|one| one.weighed(lever)));
         // A sum that vanishes is kept: its certificate is the proof.
         let mut left = parts.into_values().filter(|sum| !sum.collected().is_empty());
         match (left.next(), left.next()) {

@@ -17,10 +17,11 @@ pub use solve::{Alternative, Angles, Condition, Never, When};
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::{DELTA, Family, Linear, PHI, SymbolicCylinder};
+use crate::order;
 use crate::proof::{Certificate, Quantity, Sense};
 
 /// The factor `e^{i(phi·φ + delta·δ)}` with the sum behind it.
@@ -146,14 +147,10 @@ fn sums_of(terms: &[(Linear, Linear)]) -> Vec<OpenSum> {
     symbols.into_iter().map(|symbol| open_sum(terms, symbol)).collect()
 }
 
-/// Direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`, with the unknowns in it.
+/// The phase of a cylinder in the star of order k, with the unknowns in it.
 pub fn phase(cylinder: &SymbolicCylinder, order: u32, sense: Sense) -> Linear {
-    let k = BigRational::from_integer(order.into());
-    let one = BigRational::one();
-    match sense {
-        Sense::Direct => cylinder.throw.scaled(&k).minus(&cylinder.bank.scaled(&(k - one))),
-        Sense::Reverse => cylinder.bank.scaled(&(&k + one)).minus(&cylinder.throw.scaled(&k)),
-    }
+    let [of_throw, of_bank] = order::multiples(order, Some(sense)).map(|times| BigRational::from_integer(times.into()));
+    cylinder.throw.scaled(&of_throw).plus(&cylinder.bank.scaled(&of_bank))
 }
 
 fn open_sum(terms: &[(Linear, Linear)], symbol: Option<&String>) -> OpenSum {

@@ -290,12 +290,7 @@ const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
 /// These contributions as the force, or as the moment about the reference plane.
 fn weighed<'a>(layout: &Layout, quantity: Quantity, contributions: impl Iterator<Item = &'a Contribution>) -> OrderSum {
-    OrderSum::new(contributions.map(|one| {
-        one.weighed(|position| match quantity {
-            Quantity::Force | Quantity::Torque => BigRational::from_integer(1.into()),
-            Quantity::Moment => position - &layout.reference_plane,
-        })
-    }))
+    OrderSum::new(contributions.map(|one| one.weighed(|position| order::lever(layout, quantity, position))))
 }
 
 fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {

@@ -14,8 +14,8 @@ mod turning;
 
 pub use factor::Factor;
 pub use masses::{MassGroup, Masses};
-pub use phase::{multiples, phase};
-pub use source::{Contribution, Source, contributions, groups_of, star};
+pub use phase::{multiples, phase, phase_of};
+pub use source::{Contribution, Source, all_masses, contributions, groups_of, lever, star};
 pub use sum::{OrderSum, by_factor};
 pub use torque::torque;
 pub use turning::{TurningMass, mass_radius, turning_masses, unit_mass, unit_radius};

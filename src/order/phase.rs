@@ -22,6 +22,11 @@ pub fn multiples(order: u32, sense: Option<Sense>) -> [i64; 2] {
 
 /// Angle of a cylinder's vector in the star of order k: direct, reverse, or the torque's (none).
 pub fn phase(cylinder: &Cylinder, order: u32, sense: Option<Sense>) -> Turn {
+    phase_of(&cylinder.throw, &cylinder.bank, order, sense)
+}
+
+/// The same for a throw β and a bank angle α.
+pub fn phase_of(throw: &Turn, bank: &Turn, order: u32, sense: Option<Sense>) -> Turn {
     let [of_throw, of_bank] = multiples(order, sense);
-    &cylinder.throw.times(of_throw) + &cylinder.bank.times(of_bank)
+    &throw.times(of_throw) + &bank.times(of_bank)
 }

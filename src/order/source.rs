@@ -6,6 +6,7 @@ use num_traits::One;
 use super::factor::Factor;
 use super::masses::MassGroup;
 use super::phase::phase;
+use super::sum::OrderSum;
 use super::turning::{mass_radius, turning_masses};
 use crate::exact::{PhasorSum, Term};
 use crate::layout::{Cylinder, Layout};
@@ -80,6 +81,24 @@ pub fn contributions(layout: &Layout, order: u32, sense: Sense) -> Vec<Contribut
         position: mass.position,
     });
     pistons.chain(turning).collect()
+}
+
+/// What a force at this position counts for: 1 in the force, its arm about the reference plane in the moment.
+///
+/// # Panics
+/// For the torque, which no position enters.
+pub fn lever(layout: &Layout, quantity: Quantity, position: &BigRational) -> BigRational {
+    match quantity {
+        Quantity::Force => BigRational::one(),
+        Quantity::Moment => position - &layout.reference_plane,
+        Quantity::Torque => unreachable!("the torque has sums of its own"),
+    }
+}
+
+/// One order and sense of the force or the moment of all masses.
+pub fn all_masses(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
+    let contributions = contributions(layout, order, sense);
+    OrderSum::new(contributions.iter().map(|one| one.weighed(|position| lever(layout, quantity, position))))
 }
 
 /// The groups of masses that an engine has: the reciprocating ones, and those that weigh something.

@@ -1,7 +1,6 @@
 //! Is the corrected engine balanced? Its sums are formed anew, with the weights among their terms, and judged.
 
 use num_rational::BigRational;
-use num_traits::One;
 
 use super::subject::Subject;
 use super::weight::{Weight, doubled_square};
@@ -35,21 +34,17 @@ impl Corrected {
 
 /// Judges the sums of these orders of an engine with these weights.
 pub fn corrected(subject: &Subject, orders: &[u32], weights: &[Weight]) -> Vec<Corrected> {
-    let plane = &subject.layout().reference_plane;
-    let whole = |_: &BigRational| BigRational::one();
-    let arm = |position: &BigRational| position - plane;
-    let quantities: [(Quantity, &dyn Fn(&BigRational) -> BigRational); 2] =
-        [(Quantity::Force, &whole), (Quantity::Moment, &arm)];
     let mut judged = Vec::new();
     for &order in orders {
-        for (quantity, weighing) in quantities {
+        for quantity in [Quantity::Force, Quantity::Moment] {
+            let lever = |position: &BigRational| order::lever(subject.layout(), quantity, position);
             for sense in [Sense::Direct, Sense::Reverse] {
                 let engine = order::contributions(subject.layout(), order, sense);
-                let engine = engine.iter().map(|one| one.weighed(weighing));
+                let engine = engine.iter().map(|one| one.weighed(lever));
                 let added = weights
                     .iter()
                     .filter(|weight| (weight.order, weight.sense) == (order, sense))
-                    .flat_map(|weight| terms(weight, doubled_square(order) * weighing(&weight.position)));
+                    .flat_map(|weight| terms(weight, doubled_square(order) * lever(&weight.position)));
                 let sums = order::by_factor(engine.chain(added));
                 judged.extend(sums.into_iter().map(|(factor, sum)| {
                     let certificate = sum.certificate();

@@ -8,6 +8,7 @@ use super::firmness;
 use super::left;
 use super::typeset;
 use crate::layout::{Cylinder, Layout, LengthUnit};
+use crate::order;
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, Theorem, Verdict};
 
@@ -151,8 +152,7 @@ fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String
         cells.push(typeset::number(&layout.arm(cylinder)));
         cells.extend(with_mass.then(|| typeset::number(&cylinder.reciprocating_mass)));
         let throw = cylinder.throw.degrees();
-        cells.push(phase(&[(k, &throw), (1 - k, &bank)]));
-        cells.push(phase(&[(-k, &throw), (k + 1, &bank)]));
+        cells.extend([Sense::Direct, Sense::Reverse].map(|sense| phase(&parts(order.order, sense, &throw, &bank))));
         cells
     };
     // In a class of equal rods the other cylinders have no part.
@@ -200,11 +200,13 @@ pub(super) fn phase_formula(k: i64, sense: Sense, has_banks: bool) -> String {
 
 /// The phase of a cylinder in the star of order k, worked out.
 pub(super) fn working(cylinder: &Cylinder, order: u32, sense: Sense) -> String {
-    let (k, throw, bank) = (i64::from(order), cylinder.throw.degrees(), typeset::signed_degrees(&cylinder.bank));
-    match sense {
-        Sense::Direct => phase(&[(k, &throw), (1 - k, &bank)]),
-        Sense::Reverse => phase(&[(-k, &throw), (k + 1, &bank)]),
-    }
+    phase(&parts(order, sense, &cylinder.throw.degrees(), &typeset::signed_degrees(&cylinder.bank)))
+}
+
+/// How often throw and bank enter a phase, with their degrees.
+fn parts<'a>(order: u32, sense: Sense, throw: &'a BigRational, bank: &'a BigRational) -> Parts<'a> {
+    let [of_throw, of_bank] = order::multiples(order, Some(sense));
+    [(of_throw, throw), (of_bank, bank)]
 }
 
 /// A phase worked out: `2·270° + 45° = 585° ≡ 225°`.

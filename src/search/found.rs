@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::{self, Layout, LayoutError};
 use crate::numbers::{self, Form};
+use crate::order;
 use crate::proof::Sense;
 
 use super::firing;
@@ -110,13 +111,10 @@ pub(super) fn name(problem: &Problem) -> String {
 
 /// The vectors of an order: one for an in-line engine, direct and reverse for a V.
 fn moments(throws: &[Turn], banks: &[Turn], order: u32) -> Vec<Moment> {
-    let k = i64::from(order);
     let arm = |place: usize| BigRational::new((throws.len() as i64 - 1 - 2 * place as i64).into(), 2.into());
     let moment = |sense: Option<Sense>| {
-        let angle = |throw: &Turn, bank: &Turn| match sense {
-            Some(Sense::Reverse) => &bank.times(k + 1) - &throw.times(k),
-            _ => &throw.times(k) - &bank.times(k - 1),
-        };
+        // Without banks both vectors are alike.
+        let angle = |throw: &Turn, bank: &Turn| order::phase_of(throw, bank, order, sense.or(Some(Sense::Direct)));
         let places = throws.iter().enumerate();
         let terms = places.flat_map(|(place, throw)| {
             let term = move |bank: &Turn| Term { angle: angle(throw, bank), weight: arm(place) };

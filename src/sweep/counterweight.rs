@@ -3,10 +3,10 @@
 use num_complex::Complex;
 use num_traits::{ToPrimitive, Zero};
 
-use super::point::{Part, float, order_sum};
+use super::point::{Part, float};
 use super::whole::Whole;
 use crate::layout::{Layout, throws};
-use crate::order::Factor;
+use crate::order::{self, Factor};
 use crate::proof::{Quantity, Sense};
 
 /// The larger of two counterweights in the planes of the outermost throws, as its mass-radius in multiples of m r:
@@ -28,7 +28,7 @@ pub(super) fn counterweight_of(layout: &Layout, whole: Option<&Whole>) -> Option
             Some((pair.direct, pair.zeros[0]))
         }
         None => {
-            let sum = order_sum(layout, quantity, 1, Sense::Direct);
+            let sum = order::all_masses(layout, quantity, 1, Sense::Direct);
             // With an offset c_1 is not 1.
             let is_plain = sum.parts().keys().all(|factor| *factor == Factor::One);
             let value = sum.parts().values().map(float).sum::<Complex<f64>>();

@@ -208,18 +208,8 @@ fn amplitudes(
     }
 }
 
-/// One quantity, order and sense of all masses, exactly.
-pub(super) fn order_sum(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
-    OrderSum::new(order::contributions(layout, order, sense).iter().map(|one| {
-        one.weighed(|position| match quantity {
-            Quantity::Moment => position - &layout.reference_plane,
-            Quantity::Force | Quantity::Torque => BigRational::from_integer(1.into()),
-        })
-    }))
-}
-
 fn from_sums(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
-    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order_sum(layout, quantity, order, sense));
+    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
     let mirrored = reverse.mirrored();
     let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {

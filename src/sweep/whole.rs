@@ -13,7 +13,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact;
 use crate::layout::Layout;
-use crate::proof::Quantity;
+use crate::order;
+use crate::proof::{Quantity, Sense};
 
 /// A sum further from zero than this part of the sum of its weights is not zero: floats are off by far less, with as many
 /// cylinders as are read.
@@ -92,15 +93,18 @@ impl Whole {
     /// The sums of one order, without its coefficient.
     pub fn pair(&self, quantity: Quantity, order: u32) -> Pair {
         let weights = &self.weights[usize::from(quantity == Quantity::Moment)];
-        let (k, n) = (i128::from(order), i128::from(self.conductor));
+        let n = i128::from(self.conductor);
+        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::multiples(order, Some(sense)));
+        let mirrored = reverse.map(|times| -times);
         let exponents: Vec<[u64; 2]> = self
             .throws
             .iter()
             .zip(&self.banks)
             .map(|(&throw, &bank)| {
-                let own = k * (i128::from(throw) - i128::from(bank));
-                // Direct `kβ − (k−1)α`; the reverse one mirrored, `kβ − (k+1)α`. Both lie in 0..n.
-                [own + i128::from(bank), own - i128::from(bank)].map(|exponent| exponent.rem_euclid(n) as u64)
+                [direct, mirrored].map(|[of_throw, of_bank]| {
+                    let exponent = i128::from(of_throw) * i128::from(throw) + i128::from(of_bank) * i128::from(bank);
+                    exponent.rem_euclid(n) as u64
+                })
             })
             .collect();
         let angle = |exponent: u64| TAU * (exponent as f64 / self.conductor as f64);

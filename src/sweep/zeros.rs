@@ -9,11 +9,11 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::parameter::Parameter;
-use super::point::order_sum;
 use super::run::Reader;
 use crate::exact::Turn;
 use crate::family::{self, Component, OpenVerdict, component_zeros};
 use crate::layout::{self, Engine, Layout, PHI, Template};
+use crate::order;
 use crate::proof::{Quantity, Sense};
 
 /// What vanishes.
@@ -162,7 +162,7 @@ fn with_turning_masses(layout: &Layout, order: u32, of: Zeros) -> bool {
 
 /// Whether a vector of this engine vanishes, decided exactly.
 fn vanishes(layout: &Layout, quantity: Quantity, order: u32, of: Zeros) -> bool {
-    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order_sum(layout, quantity, order, sense));
+    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
     match of {
         Zeros::Direct => direct.vanishes(),
         Zeros::Reverse => reverse.vanishes(),
