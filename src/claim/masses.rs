@@ -1,7 +1,7 @@
 //! Is it true, what is said about other masses than the pistons: rotating ones, counterweights, bearings, the crankshaft?
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 use super::absolute::is_whole;
 use super::answer::{Answer, Finding, Status};
