@@ -17,7 +17,7 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← sweep ← claim ← report ← cli`
+//! `proof ← exact ← text ← layout ← phasor ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← sweep ← claim ← report ← cli`
 //!
 //! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
 //! compile left of `numbers`, nor in `beam`.
@@ -34,6 +34,8 @@ pub mod layout;
 pub mod phasor;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod proof;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod text;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod verdict;
 

@@ -12,12 +12,13 @@ use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
 use crate::layout::written::{Table, Text, place, read};
 use crate::layout::{Layout, LayoutError, units};
+use crate::text::Untrusted;
 
 /// A claims file, every claim read.
 #[derive(Clone, Debug)]
 pub struct Claims {
     /// Title of the page.
-    pub title: String,
+    pub title: Untrusted,
     /// Statements with their claims; a plain `[[claim]]` is a statement of its own.
     pub statements: Vec<Published>,
     /// Students' vector-star tables.
@@ -28,11 +29,11 @@ pub struct Claims {
 #[derive(Clone, Debug)]
 pub struct Published {
     /// The statement in words; none for a claim by itself.
-    pub text: Option<String>,
+    pub text: Option<Untrusted>,
     /// Where it is said.
-    pub source: Option<String>,
+    pub source: Option<Untrusted>,
     /// What the author of the file concludes from the answers.
-    pub conclusion: Option<String>,
+    pub conclusion: Option<Untrusted>,
     /// The claims.
     pub claims: Vec<Claim>,
 }
@@ -41,11 +42,11 @@ pub struct Published {
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// The engine's name or path, as written.
-    pub engine: String,
+    pub engine: Untrusted,
     /// The engine.
     pub layout: Layout,
     /// The claim, as written.
-    pub says: String,
+    pub says: Untrusted,
     /// The claim, as read.
     pub statement: Statement,
     /// What the engine weighs and measures, where a claim is in newtons.
@@ -137,11 +138,11 @@ fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {
         let right = "add a [[claim]] with layout and says, a [[statement]] or a [[table]]";
         return Err(LayoutError::new("the file claims nothing", right, None));
     }
-    Ok(Claims { title: file.title.as_ref().map_or_else(|| name.to_owned(), text), statements, tables })
+    Ok(Claims { title: file.title.as_ref().map_or_else(|| Untrusted::new(name), text), statements, tables })
 }
 
-fn text(text: &Text) -> String {
-    text.get_ref().0.clone()
+fn text(text: &Text) -> Untrusted {
+    text.get_ref().untrusted()
 }
 
 /// The engine that a text names.
@@ -155,7 +156,7 @@ fn claim(table: &ClaimTable, find: Find) -> Result<Claim, LayoutError> {
     Ok(Claim {
         engine: text(&table.layout),
         layout: engine(&table.layout, find)?,
-        statement: parse_statement(&says).map_err(mistake)?,
+        statement: parse_statement(says.written()).map_err(mistake)?,
         says,
         numbers: table.numbers.as_ref().map(|table| numbers(&table.0)).transpose()?,
     })

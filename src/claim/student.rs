@@ -11,12 +11,13 @@ use crate::layout::{Layout, LayoutError, parse_number, units};
 use crate::numbers::{self, Form};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
+use crate::text::Untrusted;
 
 /// A vector-star table of one order, as a student fills it in.
 #[derive(Clone, Debug)]
 pub struct StarTable {
     /// The engine's name or path, as written.
-    pub engine: String,
+    pub engine: Untrusted,
     /// The engine.
     pub layout: Layout,
     /// The order k.
@@ -120,7 +121,7 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
             sums.push((quantity, sense, text.get_ref().0.clone(), form));
         }
     }
-    Ok(StarTable { engine: table.layout.get_ref().0.clone(), layout, order, phases, sums })
+    Ok(StarTable { engine: table.layout.get_ref().untrusted(), layout, order, phases, sums })
 }
 
 fn misread(what: &str, text: &Text, right: &str) -> LayoutError {

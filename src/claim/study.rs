@@ -13,14 +13,15 @@ use crate::numbers::Form;
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{self, Subject};
 use crate::sweep::{self, Geometry, Parameter, Point, Sweep, Zeros};
+use crate::text::Untrusted;
 
 /// A study, every family computed and every check answered.
 #[derive(Clone, Debug)]
 pub struct Study {
     /// Title of the page.
-    pub title: String,
+    pub title: Untrusted,
     /// What it is about.
-    pub source: String,
+    pub source: Untrusted,
     /// The families.
     pub families: Vec<Studied>,
     /// The statements.
@@ -37,7 +38,7 @@ pub struct Studied {
     /// The same of its rotating masses alone.
     pub rotating: Option<Sweep>,
     /// The engine in line that stands for the value 0, with its title.
-    pub in_line: Option<(String, Point)>,
+    pub in_line: Option<(Untrusted, Point)>,
     /// End view times length in cubes of the crank radius: of the engine in line, where there is one, and of each point.
     pub volumes: Vec<Option<f64>>,
 }
@@ -46,11 +47,11 @@ pub struct Studied {
 #[derive(Clone, Debug)]
 pub struct Said {
     /// The statement.
-    pub text: String,
+    pub text: Untrusted,
     /// Where it stands.
-    pub place: String,
+    pub place: Untrusted,
     /// What the author of the file concludes.
-    pub conclusion: String,
+    pub conclusion: Untrusted,
     /// The checks.
     pub checks: Vec<Checked>,
 }
@@ -59,9 +60,9 @@ pub struct Said {
 #[derive(Clone, Debug)]
 pub struct Checked {
     /// The engine.
-    pub engine: String,
+    pub engine: Untrusted,
     /// What is claimed, in words.
-    pub claim: String,
+    pub claim: Untrusted,
     /// Whether it holds.
     pub holds: bool,
     /// What is the case.
@@ -181,7 +182,7 @@ pub fn study(name: &str, source: &str, read_file: &dyn Fn(&str) -> Result<String
         let first = in_line.iter().map(|(volume, ..)| Ok(*volume));
         let volumes = first.chain(of_family).collect::<Result<Vec<_>, String>>()?;
         families.push(Studied {
-            name: table.name.get_ref().0.clone(),
+            name: file_name(&table.name.get_ref().0)?,
             sweep: run(&text)?,
             rotating: table.rotating.as_ref().map(|file| run(&read_file(&file.get_ref().0)?)).transpose()?,
             in_line: in_line.map(|(_, title, point)| (title, point)),
@@ -192,14 +193,28 @@ pub fn study(name: &str, source: &str, read_file: &dyn Fn(&str) -> Result<String
     let statements = file.statement.iter().map(|said| {
         let check = |check: &CheckTable| checked(check, &families, &texts, read_file);
         Ok(Said {
-            text: said.text.get_ref().0.clone(),
-            place: said.place.get_ref().0.clone(),
-            conclusion: said.conclusion.get_ref().0.clone(),
+            text: said.text.get_ref().untrusted(),
+            place: said.place.get_ref().untrusted(),
+            conclusion: said.conclusion.get_ref().untrusted(),
             checks: said.check.iter().map(check).collect::<Result<_, String>>()?,
         })
     });
     let statements = statements.collect::<Result<Vec<_>, String>>()?;
-    Ok(Study { title: file.title.get_ref().0.clone(), source: file.source.get_ref().0.clone(), families, statements })
+    Ok(Study {
+        title: file.title.get_ref().untrusted(),
+        source: file.source.get_ref().untrusted(),
+        families,
+        statements,
+    })
+}
+
+/// The name of a family, which its files begin with.
+fn file_name(name: &str) -> Result<String, String> {
+    let fits = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-');
+    match fits {
+        true => Ok(name.to_owned()),
+        false => Err(format!("cannot read the name of a family `{name}`: letters, digits and - name its files")),
+    }
 }
 
 /// End view times length.
@@ -247,8 +262,8 @@ fn checked(
         let statement = parse_statement(says).map_err(|mistake| format!("{}; {}", mistake.message, mistake.right))?;
         let answer = super::answer(&layout()?, &statement, None);
         return Ok(Checked {
-            claim: format!("{at_words}{says}"),
-            engine,
+            claim: Untrusted::new(format!("{at_words}{says}")),
+            engine: Untrusted::new(engine),
             holds: answer.status.holds(),
             found: Found::Claim(Box::new((statement, answer))),
         });
@@ -258,8 +273,8 @@ fn checked(
         let form = Form::parse(expected).ok_or_else(|| format!("`{expected}` is no closed form"))?;
         let found = couple(&layout()?);
         return Ok(Checked {
-            claim: format!("{at_words}m_cw ρ b = {expected} m r a"),
-            engine,
+            claim: Untrusted::new(format!("{at_words}m_cw ρ b = {expected} m r a")),
+            engine: Untrusted::new(engine),
             holds: found.as_ref() == Some(&form),
             found: Found::Counterweight(found),
         });
@@ -275,8 +290,8 @@ fn checked(
         };
         let claim = format!("every volume is below {limit} times that in line");
         return Ok(Checked {
-            claim,
-            engine,
+            claim: Untrusted::new(claim),
+            engine: Untrusted::new(engine),
             holds: below.is_some_and(|below| part < below),
             found: Found::Volume(part),
         });
@@ -285,7 +300,12 @@ fn checked(
         let which = &which.get_ref().0;
         let (difference, at) = extreme(&of_family()?.sweep, which == "most").ok_or("the cycle is not given")?;
         let claim = format!("the {which} uneven firing of the grid is that {}", listed(&values()?));
-        return Ok(Checked { claim, engine, holds: at == values()?, found: Found::Firing { difference, at } });
+        return Ok(Checked {
+            claim: Untrusted::new(claim),
+            engine: Untrusted::new(engine),
+            holds: at == values()?,
+            found: Found::Firing { difference, at },
+        });
     }
     let family = of_family()?;
     let (words, constant) = match (&check.vanishes, &check.constant) {
@@ -314,7 +334,12 @@ fn checked(
         (false, false) => format!("{words} vanishes everywhere"),
     };
     let holds = if check.only_at.is_some() { at == wanted && !everywhere && complete } else { everywhere };
-    Ok(Checked { engine, claim, holds, found: Found::Values { at, everywhere, complete } })
+    Ok(Checked {
+        engine: Untrusted::new(engine),
+        claim: Untrusted::new(claim),
+        holds,
+        found: Found::Values { at, everywhere, complete },
+    })
 }
 
 fn listed(values: &[BigRational]) -> String {

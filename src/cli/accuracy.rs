@@ -11,13 +11,13 @@ use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
 
 use super::failure::Failure;
-use super::{layouts, print_json, terminal, write};
+use super::{folder, layouts, print_json, terminal, write};
 
 /// Arguments of `accuracy`.
 #[derive(clap::Args)]
 pub struct Accuracy {
     /// A name of the catalogue, or the path of a layout file
-    layout: String,
+    layout: PathBuf,
     /// Rod ratios λ, from 0 to below 1, in place of those of the layout
     #[arg(long, value_name = "RATIOS", value_delimiter = ',', value_parser = ratio)]
     rod_ratio: Vec<BigRational>,
@@ -53,7 +53,7 @@ impl Accuracy {
         let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, true));
         let cases = cases.collect::<Result<Vec<_>, _>>().map_err(Failure::new)?;
         if let Some(folder) = &self.output {
-            write::to_folder(folder, &report::accuracy_page(&layout, &cases))?;
+            folder::write(folder, &report::accuracy_page(&layout, &cases))?;
         }
         if self.json {
             return print_json(&report::accuracy_document(&layout, &cases));

@@ -7,7 +7,7 @@ use crankstar::report;
 use crankstar::search::{self, Options};
 
 use super::failure::Failure;
-use super::write;
+use super::{folder, layouts, write};
 
 /// Arguments of `atlas`.
 #[derive(clap::Args)]
@@ -29,8 +29,8 @@ impl Atlas {
             }
         }
         let files = report::atlas(&engines, &stars)?;
-        write::to_folder(&self.output, &files)?;
-        let names: Vec<String> = files.iter().map(|file| self.output.join(&file.name).display().to_string()).collect();
+        folder::write(&self.output, &files)?;
+        let names: Vec<String> = files.iter().map(|file| layouts::shown(&self.output.join(&file.name))).collect();
         write::to_stdout(&format!("Written: {}\n", names.join(", ")))
     }
 }

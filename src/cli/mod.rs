@@ -7,6 +7,7 @@ mod check;
 mod classify;
 mod compare;
 mod failure;
+mod folder;
 mod layouts;
 mod list;
 mod loads;
@@ -25,6 +26,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 
 use crankstar::layout::Engine;
+use crankstar::text;
 use failure::Failure;
 
 /// Decides exactly how a reciprocating engine balances, and writes the proof.
@@ -100,7 +102,7 @@ enum Command {
 #[derive(clap::Args)]
 struct Subject {
     /// A name of the catalogue, or the path of a layout file
-    layout: String,
+    layout: PathBuf,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
     orders: Vec<u32>,
@@ -142,7 +144,11 @@ enum Math {
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
-    let answer = match Arguments::parse().command {
+    let command = match Arguments::try_parse_from(loads::spelled_out(std::env::args_os())) {
+        Ok(arguments) => arguments.command,
+        Err(told) => return usage(&told),
+    };
+    let answer = match command {
         Command::List => list::run().map(done),
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
@@ -162,15 +168,31 @@ pub fn run() -> ExitCode {
     match answer {
         Ok(status) => status,
         Err(failure) => {
-            anstream::eprintln!("{failure}");
+            write::to_stderr(&failure.to_string());
             ExitCode::from(1)
         }
     }
 }
 
+/// Help, or what is wrong with the arguments, which may be repeated in it.
+fn usage(told: &clap::Error) -> ExitCode {
+    if !told.use_stderr() {
+        // Help and version; where nobody reads them there is nobody to tell.
+        let _ = told.print();
+        return ExitCode::SUCCESS;
+    }
+    write::to_stderr(text::harmless_lines(&told.render().to_string()).trim_end());
+    ExitCode::from(2)
+}
+
 fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    write::to_stdout(&json(document)?)
+}
+
+/// A document as a text that does nothing to a terminal.
+fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
     let json = serde_json::to_string_pretty(document).map_err(Failure::new)?;
-    write::to_stdout(&format!("{json}\n"))
+    Ok(text::json(&json) + "\n")
 }
 
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {

@@ -40,7 +40,7 @@ mod run {
     use crankstar::report;
     use num_traits::Signed;
 
-    use super::super::{print_json, terminal, write};
+    use super::super::{folder, print_json, terminal, write};
     use super::{Failure, Optimise};
 
     /// More points than this say nothing more.
@@ -66,8 +66,8 @@ mod run {
             let mut text = terminal::optimise(&layout, &front, &wish.couple);
             if let Some(folder) = &self.output {
                 let files = report::optimise_files(&layout, &front, &wish.couple);
-                write::to_folder(folder, &files)?;
-                text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+                folder::write(folder, &files)?;
+                text += &format!("\n{}", folder::written(folder, &files));
             }
             write::to_stdout(&text)
         }

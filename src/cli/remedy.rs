@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::failure::Failure;
-use super::{Subject, print_json, terminal, write};
+use super::{Subject, folder, print_json, terminal, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
@@ -48,8 +48,8 @@ impl Remedy {
         let summary = terminal::remedy(&layout, &remedy);
         let Some(folder) = &self.output else { return write::to_stdout(&summary) };
         let files = report::remedy_files(&remedy, Dialect::GithubMarkdown);
-        write::to_folder(folder, &files)?;
-        write::to_stdout(&format!("{summary}\nWritten: {}\n", folder.join(&files[0].name).display()))
+        folder::write(folder, &files)?;
+        write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
     }
 
     fn wish(&self, layout: &Layout, orders: Vec<u32>) -> Result<Wish, Failure> {

@@ -10,7 +10,7 @@ use crankstar::verdict;
 
 use super::failure::Failure;
 use super::loads::Auto;
-use super::{Format, Math, Subject, terminal, write};
+use super::{Format, Math, Subject, folder, terminal, write};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -73,8 +73,7 @@ impl Report {
         let Some(folder) = &self.output else {
             return write::to_stdout(&files[0].text);
         };
-        write::to_folder(folder, &files)?;
-        let written = format!("\nWritten: {}\n", folder.join(&files[0].name).display());
-        write::to_stdout(&format!("{summary}{written}"))
+        folder::write(folder, &files)?;
+        write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
     }
 }

@@ -10,11 +10,11 @@ use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crankstar::exact::Turn;
-use crankstar::layout::{self, parse_number};
+use crankstar::layout::{self, parse_angle};
 use crankstar::search::{self, Front, FrontDocument, MomentDocument, Options, Problem, Progress, StarDocument};
 
 use super::failure::Failure;
-use super::write;
+use super::{print_json, write};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -77,8 +77,7 @@ impl Search {
         let front = front.map_err(Failure::new)?;
         let document = search::document(&front);
         if self.json {
-            let json = serde_json::to_string_pretty(&document).map_err(Failure::new)?;
-            return write::to_stdout(&format!("{json}\n"));
+            return print_json(&document);
         }
         write::to_stdout(&table(&front, &document))
     }
@@ -92,8 +91,8 @@ impl Search {
         orders.sort_unstable();
         orders.dedup();
         let degrees = |text: &String| {
-            let number = parse_number(text).map_err(|error| Failure::new(format!("--bank-angle `{text}`: {error}")))?;
-            Ok::<_, Failure>(Turn::from_degrees(&number))
+            let turns = parse_angle(text).map_err(|right| Failure::new(format!("--bank-angle `{text}`: {right}")))?;
+            Ok::<_, Failure>(Turn::new(turns))
         };
         let bank_angle = self.bank_angle.as_ref().map(degrees).transpose()?;
         let (directions, grid, neighbours) = (self.directions, self.grid, self.neighbours);

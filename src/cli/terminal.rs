@@ -7,6 +7,7 @@ use crankstar::layout::{Family, Layout};
 use crankstar::loads::{BearingLoads, Loads, Needed};
 use crankstar::remedy::Remedy;
 use crankstar::report::{self, AccuracyCase, Compared};
+use crankstar::text::Format;
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -25,7 +26,7 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
         row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(torque), torque.vanishes())));
         table.add_row(row);
     }
-    format!("{}\n{table}\n{}\n", layout.title, report::LEGEND)
+    format!("{}\n{table}\n{}\n", layout.title.escaped(Format::Plain), report::LEGEND)
 }
 
 /// The title of a family and a table: for which angles each order vanishes.
@@ -41,7 +42,7 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
     let lines = evenly.map(|line| format!("{line}\n")).unwrap_or_default();
     format!(
         "{}\n{table}\n0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).\n{lines}",
-        family.title
+        family.title.escaped(Format::Plain)
     )
 }
 
@@ -49,7 +50,7 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
 pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String {
     let table = coloured(report::loads_rows(layout, loads));
     let lines = report::loads_lines(layout, loads, needed).join("\n");
-    format!("{}\n{table}\n{lines}\n", layout.title)
+    format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// The title, the peaks of every bearing, and the largest value of each order.
@@ -57,7 +58,7 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
     let peaks = coloured(report::bearings_rows(layout, continuous, determinate));
     let orders = coloured(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
-    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// Engines side by side: a column an engine.
@@ -73,7 +74,7 @@ pub fn compare(engines: &[Compared]) -> String {
 
 /// A table a rod ratio and load: a row a method.
 pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
-    let mut out = format!("{}\n", layout.title);
+    let mut out = format!("{}\n", layout.title.escaped(Format::Plain));
     for case in cases {
         for study in &case.studies {
             out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
@@ -97,14 +98,14 @@ pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
     let lines = report::remedy_lines(remedy).join("\n");
     let rows = report::remedy_rows(remedy);
     if rows.rows.is_empty() {
-        return format!("{}\n{lines}\n", layout.title);
+        return format!("{}\n{lines}\n", layout.title.escaped(Format::Plain));
     }
     let mut table = ruled();
     table.set_header(rows.header);
     for row in rows.rows {
         table.add_row(row);
     }
-    format!("{}\n{table}\n{lines}\n", layout.title)
+    format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// The title, the front, and what uniform balance factors reach.
@@ -116,7 +117,7 @@ pub fn optimise(layout: &Layout, front: &crankstar::optimise::Front, couple: &cr
         true => String::new(),
         false => format!("{}\n", coloured(report::optimise_compared(layout, front))),
     };
-    format!("{}\n{points}\n{compared}{lines}\n", layout.title)
+    format!("{}\n{points}\n{compared}{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// A table whose zeros are coloured as what is proved.

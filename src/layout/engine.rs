@@ -8,6 +8,7 @@ use super::firing::Firing;
 use super::mechanism::{Mechanism, Rod};
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
+use crate::text::Untrusted;
 
 /// One cylinder with its crank throw.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,9 +73,9 @@ pub enum Form {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
     /// Title of the report.
-    pub title: String,
+    pub title: Untrusted,
     /// Where the crank star is published, if the file says so.
-    pub source: Option<String>,
+    pub source: Option<Untrusted>,
     /// Which form the file used.
     pub form: Form,
     /// The cylinders, in the order of the file.
@@ -102,7 +103,7 @@ pub struct Layout {
     /// What stands in the title block of a calculation report.
     pub title_block: TitleBlock,
     /// The layout file itself.
-    pub file: String,
+    pub file: Untrusted,
 }
 
 /// What a layout file asks for beyond the forces and moments of its masses: `effects = ["torque", "remedy"]`.

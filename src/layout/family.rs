@@ -11,6 +11,7 @@ use super::linear::Linear;
 use super::mechanism::Mechanism;
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
+use crate::text::Untrusted;
 
 /// The unknown bank angle.
 pub const PHI: &str = "phi";
@@ -67,9 +68,9 @@ impl SymbolicCylinder {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Family {
     /// Title of the report.
-    pub title: String,
+    pub title: Untrusted,
     /// Where the crank star is published, if the file says so.
-    pub source: Option<String>,
+    pub source: Option<Untrusted>,
     /// Which form the file used.
     pub form: Form,
     /// The cylinders, in the order of the file.
@@ -94,7 +95,7 @@ pub struct Family {
     /// What stands in the title block of a calculation report.
     pub title_block: TitleBlock,
     /// The layout file itself.
-    pub file: String,
+    pub file: Untrusted,
 }
 
 impl Family {

@@ -21,6 +21,7 @@ use super::mechanism::{self, Mechanism};
 use super::quantities;
 use super::title_block;
 use super::written::{Table, Text, place, read, read_table};
+use crate::text::Untrusted;
 
 /// The highest order that is answered.
 pub(crate) const HIGHEST_ORDER: u32 = 1000;
@@ -122,8 +123,8 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
     let family = Family {
-        title: file.title.as_ref().map_or_else(|| name.to_owned(), |title| title.get_ref().0.clone()),
-        source: file.source.as_ref().map(|source| source.get_ref().0.clone()),
+        title: file.title.as_ref().map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
+        source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
         reference_plane: given_plane.clone().unwrap_or_else(|| middle(&expanded.cylinders)),
         length_unit,
@@ -135,7 +136,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         mechanism,
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
-        file: source.to_owned(),
+        file: Untrusted::new(source),
     };
     check_values(&file.values, &family)?;
     let turning = crankshaft_keys::Tables {

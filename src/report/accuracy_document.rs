@@ -53,7 +53,7 @@ pub fn accuracy_document(layout: &Layout, cases: &[AccuracyCase]) -> AccuracyDoc
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(layout, study)).collect(),
     };
-    AccuracyDocument { title: layout.title.clone(), cases: cases.iter().map(case).collect() }
+    AccuracyDocument { title: layout.title.written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
 fn load(layout: &Layout, study: &Study) -> Load {

@@ -12,6 +12,7 @@ use super::table::Table;
 use super::{render, svg};
 use crate::accuracy::{Method, Row, Study};
 use crate::layout::Layout;
+use crate::text::Format;
 
 /// Errors smaller than this stand at the lower edge of a plot.
 const LEAST: f64 = 1e-18;
@@ -221,7 +222,8 @@ pub fn accuracy_errors_page(engines: &[(Layout, Vec<AccuracyCase>)]) -> Vec<File
             }
             let name = accuracy_words::quantity(studies[0].1.quantity);
             let file = format!("engine-{}-{}.svg", number + 1, name.replace(' ', "-"));
-            let caption = format!("{}: what the orders leave of the peak {name}", layout.title);
+            let title = layout.title.escaped(Format::Plain);
+            let caption = format!("{title}: what the orders leave of the peak {name}");
             drawings.push(File { name: file.clone(), text: svg(&orders_plot(&caption, &studies).figure(), &caption) });
             figures.push(PageFigure { file, caption });
         }

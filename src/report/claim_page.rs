@@ -7,6 +7,7 @@ use super::dialect::Dialect;
 use super::folder::File;
 use super::render;
 use crate::claim::{Claim, Claims, Published};
+use crate::text::Untrusted;
 
 #[derive(Serialize)]
 struct Page {
@@ -60,7 +61,7 @@ fn count(all: &[bool], wanted: bool) -> usize {
 }
 
 fn statement(published: &Published, dialect: Dialect) -> Statement {
-    let quoted = |text: &Option<String>| text.as_ref().map(|text| dialect.quoted(text));
+    let quoted = |text: &Option<Untrusted>| text.as_ref().map(|text| dialect.quoted(text));
     let claims: Vec<Answered> = published.claims.iter().map(|claim| answered(claim, dialect)).collect();
     Statement {
         text: quoted(&published.text),

@@ -25,7 +25,7 @@ pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
     let shapes =
         orders.iter().flat_map(|order| [&order.force, &order.moment].map(|balance| shape_claim(balance, of(order))));
     Document {
-        title: layout.title.clone(),
+        title: layout.title.written().to_owned(),
         reference_plane: layout.reference_plane.clone(),
         cylinders: layout.cylinders.iter().map(cylinder).collect(),
         verdicts: verdicts.collect(),

@@ -149,7 +149,7 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
     };
     let (force, moment) = (loads.force.peak(), loads.moment.peak());
     LoadsDocument {
-        title: layout.title.clone(),
+        title: layout.title.written().to_owned(),
         reference_plane: layout.reference_plane.to_string(),
         amplitudes: "zero-to-peak",
         units: units(layout, loads.scale.as_ref()),

@@ -19,7 +19,7 @@ pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
         crank_radius: cylinder.crank_radius.clone(),
     };
     OpenDocument {
-        title: family.title.clone(),
+        title: family.title.written().to_owned(),
         reference_plane: linear(&family.reference_plane),
         cylinders: family.cylinders.iter().map(cylinder).collect(),
         open_verdicts: orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)).map(verdict).collect(),

@@ -203,8 +203,8 @@ impl Page {
                 Err(refused) => dialect.prose(&format!("No remedy: {refused}.")),
             }),
             accuracy: accuracy.map(|case| accuracy_section(dialect, std::slice::from_ref(case))),
-            file: layout.file.lines().map(|line| dialect.verbatim(line)).collect(),
-            fence: fence(&layout.file),
+            file: layout.file.written().lines().map(|line| dialect.verbatim(line)).collect(),
+            fence: fence(layout.file.written()),
         }
     }
 }

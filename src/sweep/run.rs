@@ -14,6 +14,7 @@ use super::range::MOST_POINTS;
 use super::{Refused, ZeroSet, zeros};
 use crate::layout::{Engine, Key, Layout, Template};
 use crate::loads::Arm;
+use crate::text::Untrusted;
 
 /// Curves between the points of a coarse grid are drawn from about this many points.
 const SMOOTH: usize = 180;
@@ -24,7 +25,7 @@ const MOST_OF_CURVE: usize = 2000;
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// Title of the layout.
-    pub title: String,
+    pub title: Untrusted,
     /// The parameters; the last one runs fastest.
     pub parameters: Vec<Parameter>,
     /// The orders, rising.

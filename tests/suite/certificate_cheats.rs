@@ -316,7 +316,7 @@ fn document() -> Document {
     let engine = layout::parse("twin.toml", V_TWIN).expect("reads");
     let orders = classify(&engine, &[1, 2, 3, 4], true);
     Document {
-        title: engine.title.clone(),
+        title: engine.title.written().to_owned(),
         reference_plane: engine.reference_plane.clone(),
         cylinders: cylinders(&engine),
         verdicts: orders.iter().flat_map(verdicts).collect(),

@@ -145,7 +145,7 @@ fn every_answer_to_a_published_claim_is_decided_and_its_certificates_hold() {
     assert!(all.len() >= 40);
     for claim in all {
         let answer = claim.answer();
-        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine, claim.says);
+        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine.written(), claim.says.written());
         for evidence in &answer.evidence {
             let vector = |term: &crankstar::exact::Term| Vector {
                 angle: term.angle.turns().clone(),

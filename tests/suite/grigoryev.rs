@@ -50,7 +50,7 @@ fn exactly_these_checks_fail_and_each_is_corrected_in_its_conclusion() {
         .iter()
         .flat_map(|said| &said.checks)
         .filter(|check| !check.holds)
-        .map(|check| (check.engine.as_str(), check.claim.as_str()))
+        .map(|check| (check.engine.written(), check.claim.written()))
         .collect();
     let right = [
         ("six-in-line.toml", "every order of the force vanishes"),
@@ -64,7 +64,7 @@ fn exactly_these_checks_fail_and_each_is_corrected_in_its_conclusion() {
     assert_eq!(failing, right);
     let words = ["but", "not", "is left", "second resultant", "False"];
     for said in read().statements.iter().filter(|said| said.checks.iter().any(|check| !check.holds)) {
-        assert!(words.iter().any(|word| said.conclusion.contains(word)), "{}", said.text);
+        assert!(words.iter().any(|word| said.conclusion.written().contains(word)), "{}", said.text.written());
     }
 }
 
@@ -72,7 +72,7 @@ fn exactly_these_checks_fail_and_each_is_corrected_in_its_conclusion() {
 fn every_list_of_angles_is_proved_to_be_complete() {
     for check in read().statements.iter().flat_map(|said| &said.checks) {
         if let Found::Values { everywhere, complete, .. } = &check.found {
-            assert!(*everywhere || *complete, "{}", check.claim);
+            assert!(*everywhere || *complete, "{}", check.claim.written());
         }
     }
 }

@@ -21,15 +21,18 @@ mod firmness;
 mod grigoryev;
 mod ground_truth;
 mod hard_cases;
+mod hostile_text;
 mod layout_files;
 mod layout_mistakes;
 mod layout_random;
 mod loads;
 mod mechanism_files;
 mod motion;
+mod odd_surroundings;
 mod open_certificate_cheats;
 #[cfg(feature = "optimise")]
 mod optimise;
+mod output_folder;
 mod plots;
 mod printed_lines;
 mod remedy;
@@ -48,6 +51,7 @@ mod support {
     pub mod oracle;
     pub mod piston;
     pub mod plain_search;
+    pub mod program;
     pub mod stiffness;
     pub mod written;
 }

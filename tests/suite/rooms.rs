@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 18] = [
-    "proof", "exact", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "accuracy", "remedy",
-    "optimise", "search", "family", "sweep", "claim", "report", "cli",
+const ROOMS: [&str; 19] = [
+    "proof", "exact", "text", "layout", "phasor", "verdict", "numbers", "motion", "beam", "loads", "accuracy",
+    "remedy", "optimise", "search", "family", "sweep", "claim", "report", "cli",
 ];
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {

@@ -39,7 +39,7 @@ fn text(layout: &Layout, dialect: Dialect) -> String {
 fn says(layout: &Layout, lines: &[&str]) {
     let text = text(layout, Dialect::DollarMarkdown);
     for line in lines {
-        assert!(text.lines().any(|found| found == *line), "{}: no line {line}", layout.title);
+        assert!(text.lines().any(|found| found == *line), "{}: no line {line}", layout.title.written());
     }
 }
 
@@ -147,7 +147,7 @@ fn agrees(layout: &Layout, theorem: &Theorem) {
         for order in std::iter::once(1).chain((2..=200).step_by(2)) {
             let left = [Sense::Direct, Sense::Reverse].map(|sense| !sum_vanishes(layout, quantity, order, sense));
             let said = [&direct, &reverse].map(|one| one.contains(order));
-            assert_eq!(said, left, "{}: {} {order}", layout.title, quantity.name());
+            assert_eq!(said, left, "{}: {} {order}", layout.title.written(), quantity.name());
             assert_eq!(both.contains(order), left[0] || left[1]);
             lowest = lowest.or((left[0] || left[1]).then_some(order));
         }
@@ -174,7 +174,7 @@ fn no_statement_on_the_catalogue_holds_with_a_smaller_modulus() {
                     assert!(
                         classes.any(|order| found.contains(order) != found.contains(order + smaller)),
                         "{}: {found:?} repeats after {smaller}",
-                        layout.title
+                        layout.title.written()
                     );
                 }
             }

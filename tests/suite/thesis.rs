@@ -47,9 +47,9 @@ fn what_the_thesis_says_holds_but_for_nine_claims() {
     let mut wrong = Vec::new();
     for claim in all {
         let answer = claim.answer();
-        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine, claim.says);
+        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine.written(), claim.says.written());
         if !answer.status.holds() {
-            wrong.push(format!("{} {}", claim.engine, claim.says));
+            wrong.push(format!("{} {}", claim.engine.written(), claim.says.written()));
         }
         for evidence in &answer.evidence {
             let vector = |term: &crankstar::exact::Term| Vector {

@@ -129,7 +129,7 @@ impl Results {
             words: dialect.prose(&words),
             lines: group.lines.iter().map(display).collect(),
         };
-        let prose = |lines: Vec<String>| lines.iter().map(|line| dialect.prose(line)).collect();
+        let prose = |lines: Vec<String>| lines.iter().map(|line| dialect.prose(line)).collect::<Vec<_>>();
         let peak = |quantity: Quantity, name: &str, waveform: &Waveform| {
             let words = format!(
                 "Largest {name} of all orders: {}.",
@@ -149,7 +149,10 @@ impl Results {
             inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
             turning: turning_table(layout, dialect),
             source: layout.mechanism.source.as_ref().map(|source| dialect.quoted(source)),
-            assumptions: prose(words::assumptions(layout, loads)),
+            assumptions: prose(words::assumptions(layout, loads))
+                .into_iter()
+                .chain(layout.title_block.assumptions.iter().map(|assumption| dialect.quoted(assumption)))
+                .collect(),
             nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
             equations: equations::equations(layout, loads).into_iter().map(equation).collect(),
             derived: inputs::lines(layout, loads).iter().map(display).collect(),

@@ -41,7 +41,6 @@ pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
                 .to_owned(),
         );
     }
-    lines.extend(layout.title_block.assumptions.iter().cloned());
     lines
 }
 

@@ -96,8 +96,8 @@ fn engine(engine: &Compared) -> Engine {
         intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
     });
     Engine {
-        name: engine.name.clone(),
-        title: engine.layout.title.clone(),
+        name: engine.name.written().to_owned(),
+        title: engine.layout.title.written().to_owned(),
         cylinders: engine.layout.cylinders.len(),
         position_unit: match engine.layout.length_unit {
             LengthUnit::Metre => "m",

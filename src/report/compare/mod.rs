@@ -12,13 +12,14 @@ use super::brief;
 use crate::layout::Layout;
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::remedy::{self, Refused, Remedy, Wish};
+use crate::text::Untrusted;
 use crate::verdict::{self, NoTheorem, OrderBalance, Theorem};
 
 /// An engine of a comparison, judged.
 #[derive(Clone, Debug)]
 pub struct Compared<'a> {
     /// What it is called in the comparison.
-    pub name: String,
+    pub name: Untrusted,
     /// The engine.
     pub layout: &'a Layout,
     /// The verdicts, rising by order; several an order where rods differ.
@@ -35,7 +36,7 @@ pub struct Compared<'a> {
 
 impl<'a> Compared<'a> {
     /// Judges an engine at these orders.
-    pub fn new(name: String, layout: &'a Layout, orders: &[u32]) -> Self {
+    pub fn new(name: Untrusted, layout: &'a Layout, orders: &[u32]) -> Self {
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Compared {
             name,

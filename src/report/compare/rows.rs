@@ -8,16 +8,18 @@ use super::{Compared, orders_of};
 use crate::layout::LengthUnit;
 use crate::loads::{Missing, OrderLoads};
 use crate::proof::Quantity;
+use crate::text::Format;
 use crate::verdict::OrderBalance;
 
 /// The table: a column an engine, a row each thing that is compared; cells in plain text.
 pub fn compare_rows(engines: &[Compared]) -> Rows {
-    let header = std::iter::once(String::new()).chain(engines.iter().map(|engine| engine.name.clone())).collect();
+    let header =
+        std::iter::once(String::new()).chain(engines.iter().map(|engine| engine.name.escaped(Format::Plain))).collect();
     let mut rows: Vec<Vec<String>> = Vec::new();
     let mut add = |name: String, cell: &dyn Fn(&Compared) -> String| {
         rows.push(std::iter::once(name).chain(engines.iter().map(cell)).collect());
     };
-    add("Title".to_owned(), &|engine| engine.layout.title.clone());
+    add("Title".to_owned(), &|engine| engine.layout.title.escaped(Format::Plain));
     add("Cylinders".to_owned(), &|engine| engine.layout.cylinders.len().to_string());
     add("Firing".to_owned(), &|engine| engine.firing());
     let orders = orders_of(engines);
@@ -88,8 +90,9 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
     if engines.iter().any(|engine| orders_of(engines).iter().any(|&order| !engine.has_order(order))) {
         lines.push("Odd orders above 1 exist only with a pin offset: with centric cranks their c_k is 0.".to_owned());
     }
-    let with: Vec<&str> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.as_str()).collect();
-    let without: Vec<&str> = engines.iter().filter(|e| !e.has_newtons()).map(|e| e.name.as_str()).collect();
+    let with: Vec<String> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.escaped(Format::Plain)).collect();
+    let without: Vec<String> =
+        engines.iter().filter(|e| !e.has_newtons()).map(|e| e.name.escaped(Format::Plain)).collect();
     if !with.is_empty() && !without.is_empty() {
         lines.push(format!(
             "No newtons: for these all engines have to give rods, mass, crank radius, speed and positions in metres. With them: {}; without: {}.",
@@ -102,8 +105,8 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
 
 /// What the positions, and with them the moments, are counted in.
 fn positions(engines: &[Compared]) -> String {
-    let of = |unit: LengthUnit| -> Vec<&str> {
-        engines.iter().filter(|e| e.layout.length_unit == unit).map(|e| e.name.as_str()).collect()
+    let of = |unit: LengthUnit| -> Vec<String> {
+        engines.iter().filter(|e| e.layout.length_unit == unit).map(|e| e.name.escaped(Format::Plain)).collect()
     };
     match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
         (_, spacings) if spacings.is_empty() => "Positions are in metres.".to_owned(),

@@ -127,7 +127,7 @@ fn proof(remedy: &Remedy) -> RemedyDocument {
         certificate: judged.certificate.clone(),
     });
     RemedyDocument {
-        title: layout.title.clone(),
+        title: layout.title.written().to_owned(),
         remedied_orders: remedy.orders.clone(),
         reference_plane: layout.reference_plane.clone(),
         rods_known: remedy.subject.rods_known(),

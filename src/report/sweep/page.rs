@@ -65,7 +65,7 @@ fn page(sweep: &Sweep, drawn: &[Drawn]) -> SweepPage {
     });
     let drawings = drawn
         .iter()
-        .map(|drawn| Drawing { file: format!("{}.svg", drawn.name), caption: dialect.quoted(&drawn.caption) });
+        .map(|drawn| Drawing { file: format!("{}.svg", drawn.name), caption: dialect.literal(&drawn.caption) });
     let few = sweep.points.len() <= MOST_ROWS;
     let zeros = sweep.zeros.as_deref().unwrap_or_default();
     SweepPage {

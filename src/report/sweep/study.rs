@@ -19,6 +19,7 @@ use crate::claim::{Checked, Found, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
 use crate::sweep::{Envelope, Point, Sweep, ZeroSet, Zeros};
+use crate::text::Format;
 
 #[derive(Serialize)]
 struct StudyPage {
@@ -68,7 +69,7 @@ pub fn study_page(study: &Study) -> Vec<File> {
         let drawings = plots.into_iter().map(|(kind, plot)| {
             let file = format!("{}-{kind}.svg", family.name);
             files.push(File { name: file.clone(), text: svg::svg(&plot.figure(), &plot.title) });
-            Drawing { file, caption: dialect.quoted(&plot.title) }
+            Drawing { file, caption: dialect.literal(&plot.title) }
         });
         Family {
             heading: dialect.quoted(&family.sweep.title),
@@ -93,7 +94,7 @@ pub fn study_page(study: &Study) -> Vec<File> {
                 text: dialect.quoted(&said.text),
                 place: dialect.quoted(&said.place),
                 conclusion: dialect.quoted(&said.conclusion),
-                checks: said.checks.iter().map(row).collect(),
+                checks: said.checks.iter().map(|check| row(check, dialect)).collect(),
             })
             .collect(),
         zeros_header: ["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)).collect(),
@@ -104,7 +105,7 @@ pub fn study_page(study: &Study) -> Vec<File> {
     files
 }
 
-fn row(check: &Checked) -> [String; 4] {
+fn row(check: &Checked, dialect: Dialect) -> [String; 4] {
     let answer = match &check.found {
         Found::Claim(pair) => claim_status(&pair.1),
         _ if check.holds => "true".to_owned(),
@@ -130,7 +131,7 @@ fn row(check: &Checked) -> [String; 4] {
         }
         Found::Counterweight(None) => "No closed form.".to_owned(),
     };
-    [check.engine.clone(), check.claim.clone(), answer, found]
+    [dialect.quoted(&check.engine), dialect.quoted(&check.claim), answer, found]
 }
 
 /// The sweep with the engine in line for the value 0.
@@ -182,7 +183,7 @@ fn plot(sweep: &Sweep, what: &str) -> Plot {
     let parameter = &sweep.parameters[0];
     let last = float(&parameter.range.last());
     let x = Axis::angle(axis(parameter, true), 0.0, last, 30);
-    Plot::new(format!("{}: {what}", sweep.title), x, Axis::linear(""))
+    Plot::new(format!("{}: {what}", sweep.title.escaped(Format::Plain)), x, Axis::linear(""))
 }
 
 /// Values over the grid: those of the family as a curve, that of the engine in line as a dot.
