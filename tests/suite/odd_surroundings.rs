@@ -117,7 +117,7 @@ fn no_output_holds_an_infinite_number() {
     let file = folder.join("large.toml");
     let path = file.to_str().expect("UTF-8");
     let mut answered = 0;
-    for size in ["1e40", "1e-40", "1e24", "1e-24", "1e99", "1e-99"] {
+    for size in ["1e40", "1e-40", "1e99"] {
         for keys in ["speed", "reciprocating_mass", "crank_radius", "spacing", "all"] {
             let of = |key: &str| if keys == key || keys == "all" { size } else { "1" };
             let text = format!(
