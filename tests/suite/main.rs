@@ -45,6 +45,7 @@ mod support {
     pub mod decimals;
     pub mod dice;
     pub mod hard;
+    pub mod imports;
     pub mod oracle;
     pub mod piston;
     pub mod plain_search;
