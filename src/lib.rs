@@ -32,6 +32,8 @@
 //!
 //! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
 //! do not compile in `proof`, `exact`, `beam`, `layout`, `phasor` and `verdict`.
+//!
+//! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 
 #![warn(missing_docs)]
 

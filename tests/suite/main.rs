@@ -39,6 +39,7 @@ mod rooms;
 mod search;
 mod sweep;
 mod theorems;
+mod theory;
 mod thesis;
 
 mod support {
