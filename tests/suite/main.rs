@@ -32,6 +32,7 @@ mod open_certificate_cheats;
 mod optimise;
 mod plots;
 mod printed_lines;
+mod random_engines;
 mod remedy;
 mod remedy_cheats;
 mod reports;
@@ -45,6 +46,7 @@ mod thesis;
 mod support {
     pub mod decimals;
     pub mod dice;
+    pub mod engines;
     pub mod hard;
     pub mod imports;
     pub mod oracle;
