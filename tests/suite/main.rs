@@ -18,6 +18,7 @@ mod crankshaft;
 mod decision_laws;
 mod families;
 mod firmness;
+mod fuzzed;
 mod grigoryev;
 mod ground_truth;
 mod hard_cases;
