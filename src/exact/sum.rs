@@ -19,10 +19,33 @@ pub struct Term {
 }
 
 /// The sum `Σ weight · e^{2πi·angle}`, with its terms as they were given.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// Two sums are equal (`==`) where they are the same number, however they are written. Collecting like directions is not
+/// enough to tell, since roots of unity are not independent (`1 + e^{2πi/3} = e^{2πi/6}`), so their difference is decided:
+///
+/// ```standalone_crate
+/// use crankstar::exact::{PhasorSum, Term, Turn};
+/// let unit = |numerator, denominator| {
+///     PhasorSum::new(vec![Term { angle: Turn::fraction(numerator, denominator), weight: num_traits::One::one() }])
+/// };
+/// assert_eq!(unit(0, 1).plus(&unit(1, 3)), unit(1, 6));
+/// assert_ne!(unit(0, 1).plus(&unit(1, 3)), unit(1, 7));
+/// ```
+///
+/// Where the way of writing matters, as in a document with one term per cylinder, compare [`PhasorSum::terms`].
+#[derive(Clone, Debug)]
 pub struct PhasorSum {
     terms: Vec<Term>,
 }
+
+impl PartialEq for PhasorSum {
+    fn eq(&self, other: &Self) -> bool {
+        self.minus(other).vanishes()
+    }
+}
+
+/// Equality of numbers, decided exactly, is reflexive, symmetric and transitive.
+impl Eq for PhasorSum {}
 
 impl PhasorSum {
     /// The sum of these terms, in this order.
