@@ -116,7 +116,8 @@ fn sums_are_equal_where_their_difference_vanishes_however_they_are_written() {
         assert_eq!(some == sum, verdict, "{some:?} and {added:?} added");
         assert_eq!(sum.minus(&some) == empty, verdict, "{some:?} and {added:?} added");
         for same in [shuffled(&sum, dice), collected, sum.plus(&empty), sum.minus(&added).plus(&added)] {
-            assert!(same == sum && sum == same && sum == sum.clone(), "{same:?} and {sum:?}");
+            assert_eq!(same, sum);
+            assert_eq!(sum, same);
             assert_eq!(same == some, verdict, "{same:?} and {some:?}");
         }
         verdict

@@ -75,7 +75,7 @@ fn without_fences(what: &str, text: &str) -> String {
 fn bare(text: &str, piece: &str) -> bool {
     text.match_indices(piece).any(|(at, _)| {
         let backslashes = text[..at].len() - text[..at].trim_end_matches('\\').len();
-        backslashes % 2 == 0
+        backslashes.is_multiple_of(2)
     })
 }
 
