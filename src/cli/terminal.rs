@@ -4,9 +4,9 @@ use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::family::{self, OpenOrder};
 use crankstar::layout::{Family, Layout};
-use crankstar::loads::{BearingLoads, Loads, Needed};
+use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
-use crankstar::report::{self, AccuracyCase, Compared};
+use crankstar::report::{self, AccuracyCase, Compared, Numbers};
 use crankstar::text::Format;
 use crankstar::verdict::OrderBalance;
 
@@ -47,9 +47,9 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
 }
 
 /// The title and a table of the largest values, a row an order, with the peaks of the sums.
-pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String {
-    let table = coloured(report::loads_rows(layout, loads));
-    let lines = report::loads_lines(layout, loads, needed).join("\n");
+pub fn loads(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> String {
+    let table = coloured(report::loads_rows(layout, &numbers.loads));
+    let lines = report::loads_lines(layout, numbers, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 

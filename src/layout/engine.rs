@@ -88,8 +88,10 @@ pub struct Layout {
     pub length_unit: LengthUnit,
     /// Whether the file says where the cylinders stand; else they stand one spacing apart.
     pub positions_given: bool,
-    /// The orders that the file asks for, rising.
+    /// The orders that the file asks for, rising; the usual ones where it asks for none.
     pub orders: Vec<u32>,
+    /// Whether the file asks for them.
+    pub orders_given: bool,
     /// When the cylinders fire, where the file says enough.
     pub firing: Option<Firing>,
     /// Positions of the main bearings, in the order of the file; none where the file says nothing of them.

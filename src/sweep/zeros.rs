@@ -139,9 +139,8 @@ fn find(open: &layout::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
 
 /// Whether an order has the coefficient 0: the odd ones of centric rods.
 fn is_gone(layout: &Layout, order: u32) -> bool {
-    let rods = &layout.mechanism.rods;
     let balanced = layout.crankshaft.balancers.iter().all(|shaft| shaft.order != order);
-    order > 1 && order % 2 == 1 && balanced && !rods.is_empty() && rods.iter().all(|rod| rod.offset.is_zero())
+    balanced && !layout.mechanism.has_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.

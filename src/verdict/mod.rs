@@ -123,7 +123,7 @@ impl OrderBalance {
     }
 }
 
-/// Judges the given orders of an engine; the inertia torque only where it is asked for.
+/// Judges the given orders of an engine; the inertia torque only where it is asked for. There is no order 0: it gets no verdict.
 ///
 /// Where rods differ, each class of equal ones is judged by itself: the sum of an order vanishes, whatever the
 /// coefficients, where each class does. All centric cranks have `c_1 = 1` in common.
@@ -136,13 +136,13 @@ pub fn classify(layout: &Layout, orders: &[u32], with_torque: bool) -> Vec<Order
         moment: Balance::new(layout, Quantity::Moment, order),
         torque: with_torque.then(|| Verdict::new(layout, Quantity::Torque, order, None)),
     };
-    let by_class = |&order: &u32| match rods.as_slice() {
+    let by_class = |order: u32| match rods.as_slice() {
         rods if rods.len() > 1 && (order > 1 || layout.has_offset() || with_torque) => {
             rods.iter().map(|rod| judge(&layout.only_with(rod), order, Some(Class::new(layout, rod)))).collect()
         }
         _ => vec![judge(layout, order, None)],
     };
-    orders.iter().flat_map(by_class).collect()
+    judged(orders).flat_map(by_class).collect()
 }
 
 /// The orders that the inertia torque is judged at: the first four, and those of force and moment.
@@ -153,9 +153,14 @@ pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
     all
 }
 
-/// Judges the inertia torque of an engine with equal rods at [`torque_orders`].
+/// Judges the inertia torque of an engine with equal rods at these orders; 0 is no order and is not judged.
 pub fn torque(layout: &Layout, orders: &[u32]) -> Vec<Verdict> {
-    torque_orders(orders).into_iter().map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
+    judged(orders).map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
+}
+
+/// The numbers of a list that are orders.
+fn judged(orders: &[u32]) -> impl Iterator<Item = u32> {
+    orders.iter().copied().filter(|order| *order > 0)
 }
 
 impl Class {
