@@ -43,6 +43,8 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
     };
     let arm = |position: &BigRational| position - &layout.reference_plane;
     Ok(OrderBalance {
+        exists: true,
+        torque_exists: true,
         order,
         class: None,
         force: of(Quantity::Force, &|_| BigRational::one())?,

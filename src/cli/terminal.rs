@@ -3,7 +3,7 @@
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::family::{self, OpenOrder};
-use crankstar::layout::{Family, Layout};
+use crankstar::layout::{Family, Layout, WHY_NOT};
 use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
 use crankstar::report::{self, AccuracyCase, Compared, Numbers};
@@ -23,10 +23,12 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
-        row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(torque), torque.vanishes())));
+        row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(order, torque), torque.vanishes())));
         table.add_row(row);
     }
-    format!("{}\n{table}\n{}\n", layout.title.escaped(Format::Plain), report::LEGEND)
+    let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));
+    let why = if missing { format!("{WHY_NOT}\n") } else { String::new() };
+    format!("{}\n{table}\n{}\n{why}", layout.title.escaped(Format::Plain), report::LEGEND)
 }
 
 /// The title of a family and a table: for which angles each order vanishes.

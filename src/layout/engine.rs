@@ -142,8 +142,8 @@ impl Layout {
     /// The same engine with only the masses that work on this rod; the others are 0.
     pub fn only_with(&self, rod: &Rod) -> Layout {
         let mut part = self.clone();
-        for (cylinder, of) in part.cylinders.iter_mut().zip(&self.mechanism.rods) {
-            if of != rod {
+        for (index, cylinder) in part.cylinders.iter_mut().enumerate() {
+            if self.mechanism.rods.get(index) != Some(rod) {
                 cylinder.reciprocating_mass = BigRational::zero();
             }
         }

@@ -267,7 +267,10 @@ pub fn loads_at(layout: &Layout, orders: &[u32], torque_orders: &[u32]) -> Resul
 }
 
 /// Whether every number of a list is an order.
-fn are_orders(orders: &[u32]) -> Result<(), Missing> {
+///
+/// # Errors
+/// The first that is none.
+pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
     match orders.iter().find(|order| !layout::ORDERS.contains(order)) {
         None => Ok(()),
         Some(&other) => Err(Missing::Order(other)),

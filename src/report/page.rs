@@ -17,7 +17,7 @@ use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
 use super::{argument, firmness, left, tikz, typeset};
 use crate::family::OpenOrder;
-use crate::layout::{Cycle, Family, Firing, Layout};
+use crate::layout::{Cycle, DOES_NOT_EXIST, Family, Firing, Layout, WHY_NOT};
 use crate::loads::{Missing, Needed};
 use crate::proof::Sense;
 use crate::remedy::{self, Refused, Remedy, Wish};
@@ -278,11 +278,22 @@ impl Section {
             table: table::vector_star(dialect, layout, order),
             stars,
             force: paragraphs(&order.force, "P"),
-            force_left: dialect.prose(&left::sentence(&order.force)),
+            force_left: dialect.prose(&match order.exists {
+                true => left::sentence(&order.force),
+                false => missing(order),
+            }),
             moment: paragraphs(&order.moment, "C"),
-            moment_left: dialect.prose(&moment_left(layout, order)),
+            moment_left: dialect.prose(&match order.exists {
+                true => moment_left(layout, order),
+                false => missing(order),
+            }),
         }
     }
+}
+
+/// Of a star without an order.
+fn missing(order: &OrderBalance) -> String {
+    format!("Whatever the sums are, order {} {DOES_NOT_EXIST}. {WHY_NOT}", order.order)
 }
 
 fn moment_left(layout: &Layout, order: &OrderBalance) -> String {
@@ -350,6 +361,14 @@ pub(super) fn capital(word: &str) -> String {
 /// What a designer reads first: which orders are balanced, which are left, and which of all orders is the first left.
 fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
     let by_class = orders.iter().any(|order| order.class.is_some());
+    let mut missing: Vec<String> =
+        orders.iter().filter(|order| !order.exists).map(|order| order.order.to_string()).collect();
+    missing.dedup();
+    let orders: Vec<&OrderBalance> = orders.iter().filter(|order| order.exists).collect();
+    let missing = (!missing.is_empty()).then(|| {
+        let verb = if missing.len() == 1 { DOES_NOT_EXIST } else { "do not exist" };
+        format!("{} of force and moment {verb}. {WHY_NOT}", capital(&plural(&missing)))
+    });
     let line = |name: &str, balance: fn(&OrderBalance) -> &Balance| {
         let is_left = |order: u32| orders.iter().any(|other| other.order == order && !balance(other).is_balanced());
         let list = |left: bool| {
@@ -372,8 +391,11 @@ fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
             (zero, rest) => format!("The {name} vanishes at {}, and not at {}.", plural(zero), plural(rest)),
         }
     };
-    let judged = [line("force", |order| &order.force), line("moment", |order| &order.moment)];
-    judged.into_iter().chain(theorem.map(first_survivors)).collect()
+    let judged = match orders.is_empty() {
+        true => Vec::new(),
+        false => vec![line("force", |order| &order.force), line("moment", |order| &order.moment)],
+    };
+    judged.into_iter().chain(missing).chain(theorem.map(first_survivors)).collect()
 }
 
 fn plural(orders: &[String]) -> String {

@@ -106,6 +106,10 @@ pub struct Class {
 pub struct OrderBalance {
     /// The order k.
     pub order: u32,
+    /// Whether some of these pistons have the order; else its force and moment are 0 whatever the sums are.
+    pub exists: bool,
+    /// The same of the torque.
+    pub torque_exists: bool,
     /// Which cylinders it is about, where the engine has rods that differ; none where it is about all.
     pub class: Option<Class>,
     /// The shaking force.
@@ -131,6 +135,8 @@ pub fn classify(layout: &Layout, orders: &[u32], with_torque: bool) -> Vec<Order
     let rods = layout.rods();
     let judge = |layout: &Layout, order: u32, class: Option<Class>| OrderBalance {
         order,
+        exists: has_order(layout, class.as_ref(), Quantity::Force, order),
+        torque_exists: has_order(layout, class.as_ref(), Quantity::Torque, order),
         class,
         force: Balance::new(layout, Quantity::Force, order),
         moment: Balance::new(layout, Quantity::Moment, order),
@@ -156,6 +162,13 @@ pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
 /// Judges the inertia torque of an engine with equal rods at these orders; 0 is no order and is not judged.
 pub fn torque(layout: &Layout, orders: &[u32]) -> Vec<Verdict> {
     judged(orders).map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
+}
+
+fn has_order(layout: &Layout, class: Option<&Class>, quantity: Quantity, order: u32) -> bool {
+    match class {
+        Some(class) => class.rod.has_order(quantity, order),
+        None => layout.mechanism.has_order(quantity, order),
+    }
 }
 
 /// The numbers of a list that are orders.
