@@ -23,7 +23,9 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
-        row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(order, torque), torque.vanishes())));
+        row.extend(
+            order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(order, torque), torque.vanishes())),
+        );
         table.add_row(row);
     }
     let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));

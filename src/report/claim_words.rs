@@ -8,8 +8,8 @@ use super::typeset::{self, Amount};
 use crate::claim::{
     Absolute, Answer, Condition, Evidence, Finding, Masses, StarTable, Statement, Status, Subject, TableVerdict,
 };
-use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
 use crate::layout::Layout;
+use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance, Verdict};

@@ -79,7 +79,11 @@ pub fn moment_summary(order: &OrderBalance) -> String {
 pub fn torque_summary(order: &OrderBalance, torque: &Verdict) -> String {
     if !order.torque_exists {
         DOES_NOT_EXIST.to_owned()
-    } else if torque.vanishes() { "0".to_owned() } else { modulus(torque).plain() }
+    } else if torque.vanishes() {
+        "0".to_owned()
+    } else {
+        modulus(torque).plain()
+    }
 }
 
 /// The same two cells as prose, with formulas.

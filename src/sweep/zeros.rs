@@ -133,9 +133,9 @@ fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSize
     let widest = steps.map(|step| step.abs()).max().unwrap_or_else(BigRational::zero);
     let degree = widest * BigRational::from_integer(&divisor * BigInt::from(2 * order + 1));
     let count = (degree.ceil().to_integer() * 2_i32 + 1_i32).to_i64().filter(|count| *count <= MOST_TRIED).unwrap_or(0);
-    // One turn of φ/d, in equal parts.
-    let step = BigRational::from_integer(divisor) / per_unit / BigRational::from_integer(count.max(1).into());
-    (0..count as i32).map(move |place| &step * BigRational::from_integer(place.into()))
+    // Inside one turn, so that no two of them are alike and every layout file reads them.
+    let step = BigRational::one() / per_unit / BigRational::from_integer((count + 1).into());
+    (0..count as i32).map(move |place| &step * BigRational::from_integer((place + 1).into()))
 }
 
 enum Found {
