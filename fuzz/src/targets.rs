@@ -15,7 +15,7 @@ use crankstar::proof::{
 use crankstar::report::{self, Dialect};
 use crankstar::search::{Options, Problem, search};
 use crankstar::sweep::{Geometry, Parameter, Range, sweep};
-use crankstar::{family, loads, verdict};
+use crankstar::{family, verdict};
 
 /// Longer texts only take longer.
 const LONGEST: usize = 16 << 10;
@@ -48,8 +48,8 @@ fn known(layout: &Layout) {
     let balances = verdict::classify(layout, &orders, true);
     let document = report::document(layout, &balances);
     assert!(serde_json::to_string(&document).is_ok());
-    if let Ok(loads) = loads::loads(layout, &orders) {
-        assert!(serde_json::to_string(&report::loads_document(layout, &loads, None)).is_ok());
+    if let Ok(numbers) = report::Numbers::new(layout, &orders, None) {
+        assert!(serde_json::to_string(&report::loads_document(layout, &numbers, None)).is_ok());
     }
     if layout.cylinders.len() <= MOST_REPORTED {
         let balances = verdict::classify(layout, &orders, false);

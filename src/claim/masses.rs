@@ -43,6 +43,8 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
     };
     let arm = |position: &BigRational| position - &layout.reference_plane;
     Ok(OrderBalance {
+        exists: true,
+        torque_exists: true,
         order,
         class: None,
         force: of(Quantity::Force, &|_| BigRational::one())?,
@@ -102,7 +104,7 @@ pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
 
 /// Solves the main bearings at the orders of the layout file, and judges.
 fn of_bearings(layout: &Layout, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
-    let loads = loads::bearing_loads(layout, &layout.orders, Method::Continuous);
+    let loads = loads::bearing_loads(layout, &loads::usual_orders(layout), Method::Continuous);
     match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
         Err(reason) => Answer::nothing(&reason),
         Ok((status, loads)) => Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() },

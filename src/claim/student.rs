@@ -94,7 +94,9 @@ struct Sums {
 pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError> {
     let layout = engine(&table.layout, find)?;
     let order = table.order.get_ref().0.parse().ok().filter(|order| (1..=crate::layout::HIGHEST_ORDER).contains(order));
-    let order = order.ok_or_else(|| misread("order", &table.order, "a whole number from 1 to 1000"))?;
+    let order = order.ok_or_else(|| {
+        misread("order", &table.order, &format!("a whole number from 1 to {}", crate::layout::HIGHEST_ORDER))
+    })?;
     let mut phases = Vec::new();
     for row in table.rows.iter().flatten().map(|row| &row.get_ref().0) {
         let name = &row.cylinder.get_ref().0;

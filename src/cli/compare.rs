@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crankstar::layout::{Engine, Layout};
+use crankstar::loads::usual_orders;
 use crankstar::report::{self, Compared};
 use crankstar::text::Untrusted;
 
@@ -16,7 +17,7 @@ pub struct Compare {
     #[arg(required = true)]
     layouts: Vec<PathBuf>,
     /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// Print the comparison as JSON
     #[arg(long, conflicts_with = "output")]
@@ -34,7 +35,7 @@ impl Compare {
     pub fn run(&self) -> Result<(), Failure> {
         let engines = self.read()?;
         let mut orders = match self.orders.as_slice() {
-            [] => engines.iter().flat_map(|(_, layout)| layout.orders.clone()).collect(),
+            [] => engines.iter().flat_map(|(_, layout)| usual_orders(layout)).collect(),
             asked => asked.to_vec(),
         };
         orders.sort_unstable();

@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 
 use crankstar::layout::{Engine, Layout};
 use crankstar::loads::{self, Needed};
-use crankstar::report;
+use crankstar::report::{self, Numbers};
 
 use super::failure::Failure;
 use super::{Subject, print_json, terminal, write};
@@ -66,18 +66,15 @@ impl Auto {
 impl Loads {
     /// Prints the loads.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, mut orders) = self.subject.read()?;
+        let (engine, orders) = self.subject.read()?;
         let Engine::Known(layout, _) = engine else {
             return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
         };
         let needed = self.auto.needed(&layout)?;
-        if let Some(needed) = &needed {
-            orders.clone_from(&needed.kept);
-        }
-        let loads = loads::loads(&layout, &orders).map_err(Failure::new)?;
+        let numbers = Numbers::new(&layout, &orders, needed.as_ref()).map_err(Failure::new)?;
         match self.json {
-            true => print_json(&report::loads_document(&layout, &loads, needed.as_ref())),
-            false => write::to_stdout(&terminal::loads(&layout, &loads, needed.as_ref())),
+            true => print_json(&report::loads_document(&layout, &numbers, needed.as_ref())),
+            false => write::to_stdout(&terminal::loads(&layout, &numbers, needed.as_ref())),
         }
     }
 }

@@ -38,7 +38,7 @@ pub struct Sweep {
     #[arg(long, value_name = "KEY=RANGE")]
     set: Vec<String>,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// What is printed
     #[arg(long, value_enum, default_value = "markdown")]

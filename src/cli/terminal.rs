@@ -3,10 +3,10 @@
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::family::{self, OpenOrder};
-use crankstar::layout::{Family, Layout};
-use crankstar::loads::{BearingLoads, Loads, Needed};
+use crankstar::layout::{Family, Layout, WHY_NOT};
+use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
-use crankstar::report::{self, AccuracyCase, Compared};
+use crankstar::report::{self, AccuracyCase, Compared, Numbers};
 use crankstar::text::Format;
 use crankstar::verdict::OrderBalance;
 
@@ -23,10 +23,14 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
-        row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(torque), torque.vanishes())));
+        row.extend(
+            order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(order, torque), torque.vanishes())),
+        );
         table.add_row(row);
     }
-    format!("{}\n{table}\n{}\n", layout.title.escaped(Format::Plain), report::LEGEND)
+    let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));
+    let why = if missing { format!("{WHY_NOT}\n") } else { String::new() };
+    format!("{}\n{table}\n{}\n{why}", layout.title.escaped(Format::Plain), report::LEGEND)
 }
 
 /// The title of a family and a table: for which angles each order vanishes.
@@ -47,9 +51,9 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
 }
 
 /// The title and a table of the largest values, a row an order, with the peaks of the sums.
-pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String {
-    let table = coloured(report::loads_rows(layout, loads));
-    let lines = report::loads_lines(layout, loads, needed).join("\n");
+pub fn loads(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> String {
+    let table = coloured(report::loads_rows(layout, &numbers.loads));
+    let lines = report::loads_lines(layout, numbers, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 

@@ -113,7 +113,8 @@ pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
         force: judge(Quantity::Force, order),
         moment: judge(Quantity::Moment, order),
     };
-    orders.iter().map(order).collect()
+    // There is no order 0.
+    orders.iter().filter(|order| **order > 0).map(order).collect()
 }
 
 fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {

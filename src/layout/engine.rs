@@ -88,8 +88,10 @@ pub struct Layout {
     pub length_unit: LengthUnit,
     /// Whether the file says where the cylinders stand; else they stand one spacing apart.
     pub positions_given: bool,
-    /// The orders that the file asks for, rising.
+    /// The orders that the file asks for, rising; the usual ones where it asks for none.
     pub orders: Vec<u32>,
+    /// Whether the file asks for them.
+    pub orders_given: bool,
     /// When the cylinders fire, where the file says enough.
     pub firing: Option<Firing>,
     /// Positions of the main bearings, in the order of the file; none where the file says nothing of them.
@@ -140,8 +142,8 @@ impl Layout {
     /// The same engine with only the masses that work on this rod; the others are 0.
     pub fn only_with(&self, rod: &Rod) -> Layout {
         let mut part = self.clone();
-        for (cylinder, of) in part.cylinders.iter_mut().zip(&self.mechanism.rods) {
-            if of != rod {
+        for (index, cylinder) in part.cylinders.iter_mut().enumerate() {
+            if self.mechanism.rods.get(index) != Some(rod) {
                 cylinder.reciprocating_mass = BigRational::zero();
             }
         }

@@ -80,8 +80,10 @@ pub struct Family {
     pub reference_plane: Linear,
     /// What positions without a symbol are counted in.
     pub length_unit: LengthUnit,
-    /// The orders that the file asks for, rising.
+    /// The orders that the file asks for, rising; the usual ones where it asks for none.
     pub orders: Vec<u32>,
+    /// Whether the file asks for them.
+    pub orders_given: bool,
     /// Two-stroke or four-stroke, if the file says so.
     pub cycle: Option<Cycle>,
     /// Whether the file says where the cylinders stand.
@@ -135,6 +137,7 @@ impl Family {
             reference_plane_given: true,
             length_unit: self.length_unit,
             orders: self.orders.clone(),
+            orders_given: self.orders_given,
             positions_given: self.positions_given,
             bearings: self.bearings.clone(),
             mechanism: self.mechanism.clone(),

@@ -11,7 +11,7 @@ use num_traits::{Signed, Zero};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::layout::{self, Balancer, Cylinder, Layout, Rod};
 use crate::phasor;
-use crate::proof::Sense;
+use crate::proof::{Quantity, Sense};
 
 /// What in the engine a force comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,7 +71,7 @@ pub(super) fn factor(rod: &Rod, order: u32) -> Option<(Factor, BigRational)> {
     match order {
         1 if centric => Some((None, one)),
         1 => Some((Some(rod.clone()), one)),
-        _ if rod.ratio.is_zero() || (centric && order % 2 == 1) => None,
+        _ if !rod.has_order(Quantity::Force, order) => None,
         _ => {
             let flips = rod.offset.is_negative() && order % 2 == 1;
             let rod = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };

@@ -2,12 +2,15 @@
 //!
 //! The exact sums of a layout times the coefficients of its motion. Only what the layout file asks for is computed.
 
+mod always;
 mod bearing;
 mod contribution;
 mod needed;
 mod roll;
 mod shares;
+mod spectrum;
 mod swing;
+mod tails;
 mod vector;
 mod waveform;
 
@@ -16,22 +19,24 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fmt;
 
-use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+pub use always::vanishes_at_every_order;
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
 pub use contribution::{Effect, Factor, Parts, TurningMass, Weighing, all_turning_masses, mass_radius, unit_mass};
-pub use needed::{Needed, needed_orders};
+use needed::usual_torque_orders;
+pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
+pub use spectrum::Spectrum;
 pub use swing::Swing;
+pub use tails::Tails;
 pub use vector::{Outcome, Vector};
 pub use waveform::{Circle, Harmonic, Peak, Waveform};
 
 use crate::beam::Mistake;
-use crate::layout::{Layout, LengthUnit, Rod};
+use crate::layout::{self, Layout, LengthUnit, Rod};
 use crate::motion::{Coefficient, Enclosure, SliderCrank};
-use crate::proof::Sense;
-use crate::verdict;
+use crate::proof::{Quantity, Sense};
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -162,6 +167,17 @@ pub enum Missing {
     BalancerShafts,
     /// A crank that cannot turn round.
     Motion(String),
+    /// A number that is no order.
+    Order(u32),
+    /// A list of the mechanism that has not one value a cylinder.
+    Lists {
+        /// What the list holds.
+        of: &'static str,
+        /// How many.
+        values: usize,
+        /// For so many cylinders.
+        cylinders: usize,
+    },
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -187,6 +203,12 @@ impl fmt::Display for Missing {
                 f.write_str("the methods are compared for engines without balancer shafts; leave out [[balancer]]")
             }
             Missing::Motion(reason) => f.write_str(reason),
+            Missing::Order(number) => {
+                write!(f, "{number} is no order; an order is a whole number from 1 to {}", layout::ORDERS.end())
+            }
+            Missing::Lists { of, values, cylinders } => {
+                write!(f, "the layout has {values} {of} for {cylinders} cylinders; give one to each")
+            }
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),
@@ -197,61 +219,42 @@ impl fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
-/// Computes the loads of an engine at these orders.
+/// Computes the loads of an engine at these orders, and the torque at those that it needs besides.
 ///
 /// # Errors
 /// What the layout lacks.
 pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
+    let torque = if layout.effects.torque { usual_torque_orders(layout, orders)? } else { Vec::new() };
+    loads_at(layout, orders, &torque)
+}
+
+/// Computes the loads of an engine at these orders, and the torque, where the file asks for it, at orders of its own.
+///
+/// # Errors
+/// What the layout lacks, and orders that are none.
+pub fn loads_at(layout: &Layout, orders: &[u32], torque_orders: &[u32]) -> Result<Loads, Missing> {
+    are_orders(orders)?;
+    are_orders(torque_orders)?;
     let motion = Motion::new(layout)?;
     let scene = contribution::effects_of(layout);
-    let mut total = Vec::new();
-    let mut by_effect: Vec<[Vec<Harmonic>; 2]> = scene.iter().map(|_| Default::default()).collect();
-    let whole = |_: &BigRational| BigRational::from_integer(1.into());
-    let arm = |position: &BigRational| position - &layout.reference_plane;
-    let weighings: [Weighing; 2] = [&whole, &arm];
-    for &order in orders {
-        let swings = [0, 1].map(|quantity| {
-            let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| {
-                let parts: Vec<Parts> = scene
-                    .iter()
-                    .map(|&effect| contribution::parts(layout, effect, weighings[quantity], order, sense))
-                    .collect();
-                let all = merged(&parts);
-                (motion.vector(&all, order, sense), all, parts)
-            });
-            if scene.len() > 1 {
-                for (place, harmonics) in by_effect.iter_mut().enumerate() {
-                    let direct = motion.vector(&direct.2[place], order, Sense::Direct).value / 2.0;
-                    let reverse = motion.vector(&reverse.2[place], order, Sense::Reverse).value / 2.0;
-                    harmonics[quantity].push(Harmonic { order, direct, reverse });
-                }
-            }
-            Swing::new([direct.0, reverse.0], [&direct.1, &reverse.1])
-        });
-        let [force, moment] = swings;
-        total.push(OrderLoads { order, coefficient: motion.common(order), force, moment });
-    }
+    let total: Vec<OrderLoads> = orders.iter().map(|&order| OrderLoads::new(layout, &motion, &scene, order)).collect();
     let waveform =
         |swing: fn(&OrderLoads) -> &Swing| Waveform::new(total.iter().map(|loads| harmonic(loads.order, swing(loads))));
     let (force, moment) = (waveform(|loads| &loads.force), waveform(|loads| &loads.moment));
-    if let [only] = by_effect.as_mut_slice() {
-        *only = [force.harmonics().to_vec(), moment.harmonics().to_vec()];
-    }
-    let effects = scene.iter().zip(by_effect).map(|(&effect, [force, moment])| EffectLoads {
-        effect,
-        force: Waveform::new(force),
-        moment: Waveform::new(moment),
-    });
+    let effects = match scene.as_slice() {
+        &[effect] => vec![EffectLoads { effect, force: force.clone(), moment: moment.clone() }],
+        several => several.iter().map(|&effect| EffectLoads::new(layout, &motion, effect, orders)).collect(),
+    };
     let solve = |method| bearing_loads(layout, orders, method);
     let bearings = match layout.bearings.is_empty() {
         true => None,
         false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
     };
-    let torque = layout.effects.torque.then(|| torque(layout, &motion, orders));
+    let torque = layout.effects.torque.then(|| torque(layout, &motion, torque_orders));
     let has_shafts = !layout.crankshaft.balancers.is_empty();
-    let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, orders));
+    let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, torque_orders));
     Ok(Loads {
-        effects: effects.collect(),
+        effects,
         force,
         moment,
         torque,
@@ -263,11 +266,69 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
     })
 }
 
+/// Whether every number of a list is an order.
+///
+/// # Errors
+/// The first that is none.
+pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
+    match orders.iter().find(|order| !layout::ORDERS.contains(order)) {
+        None => Ok(()),
+        Some(&other) => Err(Missing::Order(other)),
+    }
+}
+
+/// The two vectors of an order of these effects, each force weighed by its position.
+fn swing(layout: &Layout, motion: &Motion, effects: &[Effect], weighing: Weighing, order: u32) -> Swing {
+    let [direct, reverse] =
+        [Sense::Direct, Sense::Reverse].map(|sense| sums_of(layout, effects, weighing, order, sense));
+    let vectors = [motion.vector(&direct, order, Sense::Direct), motion.vector(&reverse, order, Sense::Reverse)];
+    Swing::new(vectors, [&direct, &reverse])
+}
+
+/// Force and moment of an order.
+fn swings(layout: &Layout, motion: &Motion, effects: &[Effect], order: u32) -> [Swing; 2] {
+    let whole = |_: &BigRational| BigRational::from_integer(1.into());
+    let arm = |position: &BigRational| position - &layout.reference_plane;
+    let weighings: [Weighing; 2] = [&whole, &arm];
+    weighings.map(|weighing| swing(layout, motion, effects, weighing, order))
+}
+
+impl OrderLoads {
+    fn new(layout: &Layout, motion: &Motion, scene: &[Effect], order: u32) -> Self {
+        let [force, moment] = swings(layout, motion, scene, order);
+        OrderLoads { order, coefficient: motion.common(order), force, moment }
+    }
+
+    /// Whether there is nothing to judge: no piston has the order, and no shaft turns so.
+    pub fn exists(&self, layout: &Layout) -> bool {
+        layout.mechanism.has_order(Quantity::Force, self.order)
+            || layout.crankshaft.balancers.iter().any(|shaft| shaft.order == self.order)
+    }
+}
+
+impl EffectLoads {
+    fn new(layout: &Layout, motion: &Motion, effect: Effect, orders: &[u32]) -> Self {
+        let by_order: Vec<(u32, [Swing; 2])> =
+            orders.iter().map(|&order| (order, swings(layout, motion, &[effect], order))).collect();
+        let waveform =
+            |place: usize| Waveform::new(by_order.iter().map(|(order, swings)| harmonic(*order, &swings[place])));
+        EffectLoads { effect, force: waveform(0), moment: waveform(1) }
+    }
+}
+
 /// Whether the masses that turn can be compared with the reciprocating ones.
 ///
 /// # Errors
-/// What the layout lacks for that.
+/// What the layout lacks for that, and lists without one value a cylinder.
 pub fn comparable(layout: &Layout) -> Result<(), Missing> {
+    let cylinders = layout.cylinders.len();
+    for (of, values) in
+        [("rods", layout.mechanism.rods.len()), ("rotating masses", layout.mechanism.rotating_masses.len())]
+    {
+        if values != 0 && values != cylinders {
+            return Err(Missing::Lists { of, values, cylinders });
+        }
+    }
     let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
     let in_metres =
         !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
@@ -316,20 +377,23 @@ fn merged<'a>(effects: impl IntoIterator<Item = &'a Parts>) -> Parts {
 }
 
 fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
-    let order = |order: u32| {
-        let parts = contribution::torque_parts(layout, order);
+    let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(layout, motion, order)).collect();
+    Torque { waveform: Waveform::new(orders.iter().map(TorqueOrder::harmonic)), orders }
+}
+
+impl TorqueOrder {
+    fn new(layout: &Layout, motion: &Motion, order: u32) -> Self {
+        let mut parts = contribution::torque_parts(layout, order);
+        parts.retain(|rod, _| rod.has_order(Quantity::Torque, order));
         let left: Vec<_> = parts.iter().filter(|(_, sum)| !sum.vanishes()).collect();
         let pairs: Vec<_> = left.iter().map(|(rod, sum)| (motion.torque(rod, order), *sum)).collect();
         let coefficient = match (parts.len(), pairs.as_slice()) {
             (1, [(coefficient, _)]) => Some(coefficient.clone()),
             _ => None,
         };
-        TorqueOrder { order, coefficient, vector: Vector::of(&pairs, false) }
-    };
-    let orders: Vec<TorqueOrder> = verdict::torque_orders(orders).into_iter().map(order).collect();
-    let zero = Complex::new(0.0, 0.0);
-    let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
-    Torque { waveform: Waveform::new(harmonics), orders }
+        // No coefficient of an order that exists is zero.
+        TorqueOrder { order, coefficient, vector: Vector::of(&pairs, true) }
+    }
 }
 
 /// Forces from here on are refused: their sums and squares would leave the range of decimals.

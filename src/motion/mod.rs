@@ -26,6 +26,7 @@ mod error;
 mod fast;
 mod offset;
 mod series;
+mod tail;
 mod torque;
 
 pub use crank::SliderCrank;
@@ -33,3 +34,4 @@ pub use enclosure::{Coefficient, Enclosure};
 pub use error::NoFullTurn;
 pub use fast::coefficients_fast;
 pub use series::{Series, series};
+pub use tail::Tail;

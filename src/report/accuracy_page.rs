@@ -1,6 +1,6 @@
 //! What stands on a page about accuracy? Per load a table of methods and a plot of error against time, or errors alone.
 
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 use serde::Serialize;
 
 use super::accuracy_words::{self, AccuracyCase, HEADER};
@@ -21,7 +21,7 @@ const LEAST: f64 = 1e-18;
 const EXPLAINED: &str = "Each method looks for the same peak. Orders are summed in doubles; what the higher orders can add is bounded \
 by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound. The closed form is the acceleration of each piston without any series, at equal \
 steps of the crank angle. Intervals enclose load and slope over spans of the crank angle and cut the highest span in two; they are stopped at 4000 spans. \
-Intervals of fractions carry some fifty digits, fewer where the load is nearly constant, and are what the others are compared with; the searches in intervals miss their aim there, and their bound says by how much. Errors are parts of the peak.";
+Intervals of fractions carry some fifty digits, fewer where the load is nearly constant; narrowed by whatever else is guaranteed, they are the reference of the others, and an error that is smaller than its own is said to be below it; the searches in intervals miss their aim there, and their bound says by how much. Errors are parts of the peak.";
 
 /// A part of a report: the errors of all methods, by load and rod ratio; no times, so that it is the same on every machine.
 #[derive(Clone, Debug, Serialize)]
@@ -90,6 +90,10 @@ fn guaranteed(row: &Row) -> String {
 }
 
 fn vanishing_words(study: &Study) -> String {
+    if study.peak.high.is_zero() {
+        let name = accuracy_words::quantity(study.quantity);
+        return format!("The {name} vanishes at every order, proved: there is no peak to compare.");
+    }
     let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
     format!(
         "The {} vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare.",

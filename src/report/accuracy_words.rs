@@ -87,7 +87,7 @@ pub(super) fn shown_error(study: &Study, row: &Row) -> f64 {
     match row.method {
         Method::Intervals(_) | Method::Fractions => row.bound.unwrap_or(row.error),
         Method::Orders(_) | Method::Doubles(_) => row.error.max(study.rounding),
-        Method::Singles(_) => row.error,
+        Method::Singles(_) => row.error.max(study.doubt),
     }
 }
 
@@ -115,6 +115,7 @@ pub(super) fn quantity(quantity: Quantity) -> &'static str {
 pub(super) fn measured(study: &Study, row: &Row) -> String {
     match row.method {
         Method::Fractions => String::new(),
+        _ if study.is_below_reference(row) => "below the reference's own error".to_owned(),
         Method::Singles(_) => power(row.error),
         _ if study.rounding.is_infinite() => "not known".to_owned(),
         _ if row.error < study.rounding => format!("below {}", power_of_ten(study.rounding.log10().round() as i64)),

@@ -9,6 +9,7 @@ use crate::claim::{
     Absolute, Answer, Condition, Evidence, Finding, Masses, StarTable, Statement, Status, Subject, TableVerdict,
 };
 use crate::layout::Layout;
+use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
 use crate::phasor;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance, Verdict};
@@ -63,9 +64,17 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
 }
 
 fn about_order(subject: Subject, order: &OrderBalance) -> String {
+    let (exists, name) = match subject.quantity {
+        Quantity::Force => (order.exists, "force"),
+        Quantity::Moment => (order.exists, "moment"),
+        Quantity::Torque => (order.torque_exists, "torque"),
+    };
+    if !exists {
+        return format!("Order {} of the {name} {DOES_NOT_EXIST}. {WHY_NOT}", subject.order);
+    }
     if subject.quantity == Quantity::Torque {
         return order.torque.as_ref().map_or_else(String::new, |torque| {
-            format!("Order {} of the torque is {}.", subject.order, left::torque_summary(torque))
+            format!("Order {} of the torque is {}.", subject.order, left::torque_summary(order, torque))
         });
     }
     let is_force = subject.quantity == Quantity::Force;

@@ -47,7 +47,7 @@ pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{
     BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
 };
-pub use calculation::{Rows, loads_lines, loads_rows};
+pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};

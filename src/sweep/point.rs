@@ -121,6 +121,7 @@ pub(super) fn judge_with(
     motions: &mut Motions,
 ) -> Result<Point, Missing> {
     loads::comparable(layout)?;
+    loads::are_orders(orders)?;
     let whole = Whole::new(layout);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {

@@ -23,6 +23,7 @@ mod grigoryev;
 mod ground_truth;
 mod hard_cases;
 mod hostile_text;
+mod largest;
 mod layout_files;
 mod layout_mistakes;
 mod layout_random;

@@ -104,7 +104,7 @@ fn engine(engine: &Compared) -> Engine {
             LengthUnit::Spacing => "spacing",
         },
         firing,
-        orders: engine.orders.iter().map(|judged| order(engine, judged)).collect(),
+        orders: engine.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
         remedy: brief::remedy(&engine.remedy),
@@ -113,10 +113,10 @@ fn engine(engine: &Compared) -> Engine {
     }
 }
 
-fn order(engine: &Compared, order: &OrderBalance) -> Order {
+fn order(order: &OrderBalance) -> Order {
     Order {
         order: order.order,
-        exists: engine.has_order(order.order),
+        exists: order.exists,
         cylinders: order.class.as_ref().map(|class| class.cylinders.clone()),
         force: amount(&order.force),
         moment: amount(&order.moment),

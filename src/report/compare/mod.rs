@@ -54,11 +54,6 @@ impl<'a> Compared<'a> {
         self.orders.iter().filter(|judged| judged.order == order).collect()
     }
 
-    /// Whether the motion has this order: centric cranks have order 1 and the even ones.
-    fn has_order(&self, order: u32) -> bool {
-        order == 1 || order.is_multiple_of(2) || self.layout.has_offset()
-    }
-
     /// Whether force and moment come out in N and N·m.
     fn has_newtons(&self) -> bool {
         let scaled = self.loads.as_ref().is_ok_and(|loads| loads.scale.is_some());

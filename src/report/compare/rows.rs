@@ -6,6 +6,7 @@ use super::super::calculation::{self, Rows, Unit};
 use super::super::{bearings, brief, left, typeset};
 use super::{Compared, orders_of};
 use crate::layout::LengthUnit;
+use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
 use crate::loads::{Missing, OrderLoads};
 use crate::proof::Quantity;
 use crate::text::Format;
@@ -44,12 +45,9 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     Rows { header, rows }
 }
 
-/// What is left of an order; nothing is where the engine has no such order, whatever its star is.
+/// What is left of an order.
 fn words(engine: &Compared, order: u32, summary: fn(&OrderBalance) -> String) -> String {
-    match brief::by_class(&engine.at(order), summary) {
-        left if left == "0" || engine.has_order(order) => left,
-        _ => format!("0, as c_{order} = 0"),
-    }
+    brief::by_class(&engine.at(order), summary)
 }
 
 fn speed(engine: &Compared) -> String {
@@ -60,6 +58,7 @@ fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> String {
     let Ok(loads) = &engine.loads else { return String::new() };
     let unit = Unit::of(engine.layout, loads, quantity);
     let swing = |loads: &OrderLoads| match quantity {
+        _ if !loads.exists(engine.layout) => DOES_NOT_EXIST.to_owned(),
         Quantity::Force => calculation::largest(&loads.force, unit),
         _ => calculation::largest(&loads.moment, unit),
     };
@@ -87,8 +86,8 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if engines.iter().any(|engine| orders_of(engines).iter().any(|&order| !engine.has_order(order))) {
-        lines.push("Odd orders above 1 exist only with a pin offset: with centric cranks their c_k is 0.".to_owned());
+    if engines.iter().any(|engine| engine.orders.iter().any(|order| !order.exists)) {
+        lines.push(WHY_NOT.to_owned());
     }
     let with: Vec<String> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.escaped(Format::Plain)).collect();
     let without: Vec<String> =
