@@ -6,6 +6,7 @@
 #![allow(clippy::disallowed_types)]
 
 use std::fs;
+use std::ops::ControlFlow;
 
 use crankstar::claim::{parse_claims, parse_statement};
 use crankstar::layout::{self, Cycle, Engine, Family, Key, Layout, Template};
@@ -24,7 +25,7 @@ const MOST_CYLINDERS: usize = 12;
 /// Reports are made of engines up to this size.
 const MOST_REPORTED: usize = 3;
 /// Ranges of more points are read, and not swept.
-const MOST_POINTS: usize = 8;
+const MOST_POINTS: usize = 4;
 
 fn text(bytes: &[u8]) -> Option<&str> {
     std::str::from_utf8(bytes).ok().filter(|text| text.len() <= LONGEST)
@@ -112,7 +113,8 @@ pub fn resume(bytes: &[u8]) {
     let thread = format!("{:?}", std::thread::current().id()).replace(['(', ')'], "");
     let path = std::env::temp_dir().join(format!("crankstar-{}-{thread}.json", std::process::id()));
     fs::write(&path, bytes).expect("a folder for passing files");
-    let options = Options { threads: 1, resume: Some(path.clone()), ..Options::default() };
+    // What the state holds is taken; the first piece that it lacks ends the search.
+    let options = Options { threads: 1, resume: Some(path.clone()), progress: &|_| ControlFlow::Break(()) };
     if let Err(error) = search(&problem(), &options) {
         assert!(!error.to_string().is_empty());
     }
@@ -138,7 +140,7 @@ pub fn values(bytes: &[u8]) {
     assert!(!parameter.column().is_empty());
     let template = Template::new("v.toml", V_TWIN).expect("a layout file");
     if parameter.range.count() <= MOST_POINTS
-        && let Ok(swept) = sweep(&template, &[parameter], &[1, 2], &Geometry::default())
+        && let Ok(swept) = sweep(&template, &[parameter], &[1], &Geometry::default())
     {
         assert!(!report::sweep_csv(&swept).text.is_empty());
     }
