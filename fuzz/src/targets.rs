@@ -7,6 +7,7 @@
 
 use std::fs;
 use std::ops::ControlFlow;
+use std::sync::LazyLock;
 
 use crankstar::claim::{parse_claims, parse_statement};
 use crankstar::layout::{self, Cycle, Engine, Family, Key, Layout, Template};
@@ -14,7 +15,7 @@ use crankstar::proof::{
     Document, OpenDocument, RemedyDocument, check_document, check_open_document, check_remedy_document,
 };
 use crankstar::report::{self, Dialect};
-use crankstar::search::{Options, Problem, search};
+use crankstar::search::{self, Front, Options, Problem, search};
 use crankstar::sweep::{Geometry, Parameter, Range, sweep};
 use crankstar::{family, verdict};
 
@@ -108,17 +109,28 @@ pub fn problem() -> Problem {
     Problem::inline(5, Cycle::TwoStroke, &[1, 2])
 }
 
-/// The state of a search, as a file that is resumed.
+/// The state of a search, as a file that is resumed: it is refused, or changes nothing in the answer.
 pub fn resume(bytes: &[u8]) {
     let thread = format!("{:?}", std::thread::current().id()).replace(['(', ')'], "");
     let path = std::env::temp_dir().join(format!("crankstar-{}-{thread}.json", std::process::id()));
     fs::write(&path, bytes).expect("a folder for passing files");
-    // What the state holds is taken; the first piece that it lacks ends the search.
+    // The first piece that the state lacks ends the search.
     let options = Options { threads: 1, resume: Some(path.clone()), progress: &|_| ControlFlow::Break(()) };
-    if let Err(error) = search(&problem(), &options) {
-        assert!(!error.to_string().is_empty());
+    match search(&problem(), &options) {
+        Ok(front) => assert_eq!(answer(&front), *AFRESH),
+        Err(error) => assert!(!error.to_string().is_empty()),
     }
     fs::remove_file(&path).expect("the file of this search");
+}
+
+/// What the search answers without any state.
+static AFRESH: LazyLock<String> = LazyLock::new(|| match search(&problem(), &Options::default()) {
+    Ok(front) => answer(&front),
+    Err(error) => panic!("{error}"),
+});
+
+fn answer(front: &Front) -> String {
+    serde_json::to_string(&search::document(front)).expect("a document")
 }
 
 /// Values of the command line: numbers, angles, lengths, keys, ranges, statements, and a small sweep.
