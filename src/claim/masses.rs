@@ -13,6 +13,9 @@ use crate::loads::{self, BearingLoads, Effect, Method, Weighing};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance};
 
+/// Peaks that differ by less than this part are alike: the roundings of their decimals could not tell them apart.
+const ALIKE: f64 = 1e-12;
+
 /// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
 pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<OrderBalance, String> {
     loads::comparable(layout).map_err(|missing| missing.to_string())?;
@@ -70,11 +73,19 @@ pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
     Answer { status, finding: Finding::Mass(mass), evidence: Vec::new() }
 }
 
-/// Answers a claim about which main bearings feel the largest force.
+/// Answers a claim about which main bearings feel the most: each of them more than any that is not named. Whether those
+/// named feel alike is not claimed.
 pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
     of_bearings(layout, |loads| {
-        let is_so = loads.worst.iter().map(|index| index + 1).eq(claimed.iter().copied());
-        Ok(if is_so { Status::True } else { Status::False })
+        if let Some(none) = claimed.iter().find(|number| **number > loads.bearings.len()) {
+            return Err(format!("there is no main bearing {none}"));
+        }
+        let is_named = |index: &usize| claimed.contains(&(index + 1));
+        let (named, others): (Vec<usize>, Vec<usize>) = (0..loads.bearings.len()).partition(is_named);
+        let peaks = |of: Vec<usize>| of.into_iter().map(|index| loads.bearings[index].peak.value);
+        let least = peaks(named).fold(f64::INFINITY, f64::min);
+        let most = peaks(others).fold(0.0, f64::max);
+        Ok(if least > most * (1.0 + ALIKE) { Status::True } else { Status::False })
     })
 }
 
