@@ -6,6 +6,7 @@
 
 mod absolute;
 mod answer;
+mod check;
 mod compare;
 mod condition;
 mod every;

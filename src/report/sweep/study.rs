@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use serde::Serialize;
 
-use super::super::claim_words::{claim_finding, claim_status};
+use super::super::claim_words::{claim_finding, claim_status, said};
 use super::super::dialect::Dialect;
 use super::super::folder::File;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
@@ -35,9 +35,11 @@ struct StudyPage {
 #[derive(Serialize)]
 struct Statement {
     text: String,
-    place: String,
     conclusion: String,
-    checks: Vec<[String; 4]>,
+    /// What the paper says, with the place.
+    claimed: Vec<[String; 5]>,
+    /// What is reckoned beside it.
+    own: Vec<[String; 4]>,
 }
 
 #[derive(Serialize)]
@@ -81,20 +83,35 @@ pub fn study_page(study: &Study) -> Vec<File> {
         }
     });
     let families = families.collect();
-    let checks = study.statements.iter().flat_map(|said| &said.checks);
-    let (all, hold) = (checks.clone().count(), checks.filter(|check| check.holds).count());
+    let checks = || study.statements.iter().flat_map(|said| &said.checks);
+    let count = |claimed: bool, holds: bool| {
+        checks().filter(|check| check.provenance.is_claimed() == claimed && check.holds == holds).count()
+    };
+    let summary = format!(
+        "{} checks of what it says: {} hold, {} do not. Reckoned here, and not said there: {}, of which {} hold.",
+        count(true, true) + count(true, false),
+        count(true, true),
+        count(true, false),
+        count(false, true) + count(false, false),
+        count(false, true)
+    );
     let page = StudyPage {
         title: dialect.quoted(&study.title),
         source: dialect.quoted(&study.source),
-        summary: format!("{} statements, {all} checks: {hold} hold, {} do not.", study.statements.len(), all - hold),
+        summary,
         statements: study
             .statements
             .iter()
             .map(|said| Statement {
                 text: dialect.quoted(&said.text),
-                place: dialect.quoted(&said.place),
                 conclusion: dialect.quoted(&said.conclusion),
-                checks: said.checks.iter().map(|check| row(check, dialect)).collect(),
+                claimed: said.checks.iter().filter_map(|check| claimed(check, dialect)).collect(),
+                own: said
+                    .checks
+                    .iter()
+                    .filter(|check| !check.provenance.is_claimed())
+                    .map(|check| row(check, dialect))
+                    .collect(),
             })
             .collect(),
         zeros_header: ["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)).collect(),
@@ -103,6 +120,13 @@ pub fn study_page(study: &Study) -> Vec<File> {
     };
     files.insert(0, File { name: "README.md".into(), text: render::study(&page) });
     files
+}
+
+/// A row of what the paper says.
+fn claimed(check: &Checked, dialect: Dialect) -> Option<[String; 5]> {
+    let said = dialect.quoted(&said(&check.provenance)?);
+    let [engine, claim, answer, found] = row(check, dialect);
+    Some([engine, said, claim, answer, found])
 }
 
 fn row(check: &Checked, dialect: Dialect) -> [String; 4] {
@@ -122,8 +146,14 @@ fn row(check: &Checked, dialect: Dialect) -> [String; 4] {
             format!("{at}{all}.")
         }
         Found::Firing { difference, at } => {
-            let difference = exact(&(difference * BigRational::from_integer(360.into())));
-            format!("The longest and the shortest interval differ by {difference}°, at {}.", degrees(at))
+            let place = if at.is_empty() { "Nowhere on the grid".to_owned() } else { format!("At {}", degrees(at)) };
+            match difference {
+                Some(turns) => {
+                    let difference = exact(&(turns * BigRational::from_integer(360.into())));
+                    format!("{place}: the longest and the shortest interval differ by {difference}°.")
+                }
+                None => format!("{place}."),
+            }
         }
         Found::Counterweight(Some(form)) => format!("m_cw ρ b = {form} m r a, in closed form."),
         Found::Volume(part) => {
