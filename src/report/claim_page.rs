@@ -51,10 +51,6 @@ impl Count {
         self.all += 1;
         self.hold += usize::from(holds);
     }
-
-    fn words(&self) -> String {
-        format!("{} hold, {} do not", self.hold, self.all - self.hold)
-    }
 }
 
 /// The page that answers a claims file, in Markdown.
@@ -79,18 +75,14 @@ fn summary(claims: &Claims) -> String {
             Provenance::Own => own.add(holds),
         }
     }
-    let mut sentences = Vec::new();
-    if quoted.all > 0 {
-        sentences.push(format!("{} claims quoted from their sources: {}.", quoted.all, quoted.words()));
-    }
-    if folklore.all > 0 {
-        let all = folklore.all;
-        sentences.push(format!("{all} of folklore, for which no source was found: {}.", folklore.words()));
-    }
-    if own.all > 0 {
-        let all = own.all;
-        sentences.push(format!("Reckoned here, and claimed by no source: {all} statements, of which {}.", own.words()));
-    }
+    let kinds = [
+        (quoted, "claims quoted from their sources"),
+        (folklore, "claims of folklore, for which no source was found,"),
+        (own, "statements that are reckoned here, and claimed by no source,"),
+    ];
+    let counted = kinds.iter().filter(|(count, _)| count.all > 0);
+    let sentences: Vec<String> =
+        counted.map(|(count, what)| format!("Of {} {what} {} hold.", count.all, count.hold)).collect();
     sentences.join(" ")
 }
 

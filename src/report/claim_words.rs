@@ -119,10 +119,10 @@ fn witness(found: &Witness) -> String {
         let bearing = weight.vector.only().map(|(_, sum)| format!(", angle {}", left::bearing(sum).plain()));
         let size = match (masses.and_then(|masses| masses.get(index)), weight.vector.only()) {
             (Some(mass), _) => format!("≈ {} kg at the crank radius", typeset::decimal(*mass)),
-            (None, Some((_, sum))) => format!("{} in multiples of m r", left::modulus_of(sum).plain()),
+            (None, Some((_, sum))) => format!("mass-radius {} in multiples of m r", left::modulus_of(sum).plain()),
             (None, None) => "none".to_owned(),
         };
-        format!("at z = {position} {size}{}", bearing.unwrap_or_default())
+        format!("at z = {position}, {size}{}", bearing.unwrap_or_default())
     });
     let each: Vec<String> = each.collect();
     let shaft =
