@@ -31,7 +31,7 @@ pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
 pub use possible::Witness;
-pub use provenance::Provenance;
+pub use provenance::{Provenance, Quote};
 pub use statement::{
     Angle, Balanced, Bearing, Masses, Orders, Possible, Predicate, Statement, Subject, Tolerance, Unit, Value,
 };

@@ -8,25 +8,29 @@ use crate::text::Untrusted;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Provenance {
     /// A source says it.
-    Quoted {
-        /// The source.
-        source: Untrusted,
-        /// Section, page, equation or figure.
-        place: Untrusted,
-        /// A few of its words, as they stand there.
-        words: Untrusted,
-    },
+    Quoted(Quote),
     /// It is often said, and no source was found for it.
     Folklore,
     /// The file's own: reckoned beside what others say, and claimed by none of them.
     Own,
 }
 
+/// Where a source says it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Quote {
+    /// The source.
+    pub source: Untrusted,
+    /// Section, page, equation or figure.
+    pub place: Untrusted,
+    /// A few of its words, as they stand there.
+    pub words: Untrusted,
+}
+
 impl Provenance {
     /// Whether it is claimed by somebody, so that it counts among the claims that hold or do not.
     pub fn is_claimed(&self) -> bool {
         match self {
-            Provenance::Quoted { .. } | Provenance::Folklore => true,
+            Provenance::Quoted(_) | Provenance::Folklore => true,
             Provenance::Own => false,
         }
     }
@@ -69,7 +73,7 @@ impl<'a> Keys<'a> {
                     return wrong(place, "a place in no source", "name the `source` of the statement or of the file");
                 };
                 let text = |text: &Text| text.get_ref().untrusted();
-                Ok(Provenance::Quoted { source: text(source), place: text(place), words: text(words) })
+                Ok(Provenance::Quoted(Quote { source: text(source), place: text(place), words: text(words) }))
             }
             (Some((_, "folklore")), None, None) => Ok(Provenance::Folklore),
             (None | Some((_, "own")), None, None) => Ok(Provenance::Own),

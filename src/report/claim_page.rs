@@ -70,7 +70,7 @@ fn summary(claims: &Claims) -> String {
     for claim in claims.statements.iter().flat_map(|statement| &statement.claims) {
         let holds = claim.answer().status.holds();
         match claim.provenance {
-            Provenance::Quoted { .. } => quoted.add(holds),
+            Provenance::Quoted(_) => quoted.add(holds),
             Provenance::Folklore => folklore.add(holds),
             Provenance::Own => own.add(holds),
         }
@@ -90,14 +90,14 @@ fn statement(published: &Published, dialect: Dialect) -> Statement {
     let quoted = |text: &Option<Untrusted>| text.as_ref().map(|text| dialect.quoted(text));
     let (claimed, own): (Vec<&Claim>, Vec<&Claim>) =
         published.claims.iter().partition(|claim| claim.provenance.is_claimed());
-    let answers = |claims: Vec<&Claim>| claims.into_iter().map(|claim| answered(claim, dialect)).collect();
+    let answers = |claims: Vec<&Claim>| {
+        claims.into_iter().map(|claim| answered(claim, published.source.as_ref(), dialect)).collect()
+    };
     let [claimed, own]: [Vec<Answered>; 2] = [claimed, own].map(answers);
-    let first = published
-        .claims
-        .first()
-        .map(|claim| Untrusted::new(format!("{}: {}", claim.engine.written(), claim.says.written())));
+    let first = published.claims.first();
+    let first = first.map(|claim| format!("{}: {}", dialect.quoted(&claim.engine), dialect.quoted(&claim.says)));
     Statement {
-        heading: published.text.as_ref().or(first.as_ref()).map(|text| dialect.quoted(text)).unwrap_or_default(),
+        heading: quoted(&published.text).or(first).unwrap_or_default(),
         source: quoted(&published.source),
         conclusion: quoted(&published.conclusion),
         proved: claimed.iter().chain(&own).any(|claim| !claim.evidence.is_empty()),
@@ -106,11 +106,11 @@ fn statement(published: &Published, dialect: Dialect) -> Statement {
     }
 }
 
-fn answered(claim: &Claim, dialect: Dialect) -> Answered {
+fn answered(claim: &Claim, above: Option<&Untrusted>, dialect: Dialect) -> Answered {
     let answer = claim.answer();
     Answered {
         engine: dialect.quoted(&claim.engine),
-        said: claim_words::said(&claim.provenance).map(|said| dialect.quoted(&said)).unwrap_or_default(),
+        said: claim_words::said(&claim.provenance, above, dialect).unwrap_or_default(),
         says: dialect.quoted(&claim.says),
         status: claim_words::claim_status(&answer),
         finding: dialect.prose(&claim_words::claim_finding(&claim.statement, &answer)),

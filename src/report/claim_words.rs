@@ -3,10 +3,11 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::dialect::Dialect;
 use super::left;
 use super::typeset::{self, Amount};
 use crate::claim::{
-    Absolute, Answer, Condition, Evidence, Finding, Masses, Provenance, StarTable, Statement, Status, Subject,
+    Absolute, Answer, Condition, Evidence, Finding, Masses, Provenance, Quote, StarTable, Statement, Status, Subject,
     TableVerdict, Witness,
 };
 use crate::layout::Layout;
@@ -133,13 +134,16 @@ fn witness(found: &Witness) -> String {
     }
 }
 
-/// Where a claim is said, in one cell of a table; nothing of the file's own.
-pub(super) fn said(provenance: &Provenance) -> Option<Untrusted> {
+/// Where a claim is said, in one cell of a table, with its source where that is not the one that stands above; nothing of
+/// the file's own.
+pub(super) fn said(provenance: &Provenance, above: Option<&Untrusted>, dialect: Dialect) -> Option<String> {
     match provenance {
-        Provenance::Quoted { place, words, .. } => {
-            Some(Untrusted::new(format!("{}: “{}”", place.written(), words.written())))
+        Provenance::Quoted(Quote { source, place, words }) => {
+            let [shown, place, words] = [source, place, words].map(|text| dialect.quoted(text));
+            let source = if above == Some(source) { String::new() } else { format!("{shown}, ") };
+            Some(format!("{source}{place}: “{words}”"))
         }
-        Provenance::Folklore => Some(Untrusted::new("folklore: no source found")),
+        Provenance::Folklore => Some("folklore: no source found".to_owned()),
         Provenance::Own => None,
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crankstar::claim::{Claims, Provenance, Status, TableVerdict, parse_claims};
+use crankstar::claim::{Claims, Provenance, Quote, Status, TableVerdict, parse_claims};
 use crankstar::layout::{self, LayoutError};
 use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
@@ -175,8 +175,9 @@ fn only_a_claim_with_a_place_and_words_counts_as_that_of_its_source() {
     let place = "place = \"section 4.1\"\nwords = \"is balanced\"\n";
     let row = |rest: &str| format!("[[statement.claim]]\nlayout = \"I4\"\nsays = \"fires evenly\"\n{rest}");
     let statement = |rest: &str| format!("[[statement]]\ntext = \"x\"\n{rest}");
+    let of = |text: &str| Untrusted::new(text);
     let quoted =
-        |place: &str| Provenance::Quoted { source: "a book".into(), place: place.into(), words: "is balanced".into() };
+        |place: &str| Provenance::Quoted(Quote { source: of("a book"), place: of(place), words: of("is balanced") });
     let source = "source = \"a book\"\n";
     let text = [statement(&format!("{source}{place}")), row(""), row("kind = \"own\"\n"), row("place = \"page 7\"\n")]
         .concat();
@@ -216,7 +217,7 @@ fn a_page_counts_what_is_quoted_what_is_folklore_and_what_is_its_own_apart() {
         "Of 2 claims quoted from their sources 1 hold.",
         "Of 1 claims of folklore, for which no source was found, 0 hold.",
         "Of 1 statements that are reckoned here, and claimed by no source, 1 hold.",
-        "page 7: “fires as it should”",
+        "a book, page 7: “fires as it should”",
     ] {
         assert!(page.contains(words), "{words}\n{page}");
     }
@@ -242,7 +243,7 @@ fn every_row_that_is_counted_as_a_source_s_claim_names_its_place_in_few_words() 
         };
         let claims = parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}"));
         for claim in claims.statements.iter().flat_map(|statement| &statement.claims) {
-            let Provenance::Quoted { source, place, words } = &claim.provenance else { continue };
+            let Provenance::Quoted(Quote { source, place, words }) = &claim.provenance else { continue };
             let names_a_place =
                 ["section ", "eq. ", "example", "solution"].iter().any(|word| place.written().contains(word));
             assert!(

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::{env, fs};
 
-use crankstar::claim::{Found, Provenance, Study, study};
+use crankstar::claim::{Found, Provenance, Quote, Study, study};
 use crankstar::report;
 
 fn folder() -> PathBuf {
@@ -68,7 +68,7 @@ fn every_check_counted_as_the_paper_s_names_its_place_and_all_that_is_reckoned_b
     let mut quoted = 0;
     for check in read().statements.iter().flat_map(|said| &said.checks) {
         match &check.provenance {
-            Provenance::Quoted { place, words, .. } => {
+            Provenance::Quoted(Quote { place, words, .. }) => {
                 assert!(
                     place.written().starts_with("section ") && words.written().split_whitespace().count() <= 20,
                     "{}",

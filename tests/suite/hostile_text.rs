@@ -197,11 +197,13 @@ fn no_text_of_a_claims_file_acts() {
     fs::write(folder.join("i3.toml"), layout_text()).expect("a file");
     let says = quoted("first-order force vanishes");
     let text = format!(
-        "title = {}\n[[claim]]\nlayout = \"i3.toml\"\nsays = {says}\nsource = {}\n\
+        "title = {}\n[[claim]]\nlayout = \"i3.toml\"\nsays = {says}\nsource = {}\nplace = {}\nwords = {}\n\
          [[statement]]\ntext = {}\nsource = {}\nconclusion = {}\n[[statement.claim]]\nlayout = \"i3.toml\"\nsays = {says}\nsource = {}\n\
          [[table]]\nlayout = \"i3.toml\"\norder = 1\nsums = {{ force_direct = \" 0 \" }}\n",
         harm("of-title"),
         harm("of-claim-source"),
+        harm("of-place"),
+        harm("of-words"),
         harm("of-text"),
         harm("of-statement-source"),
         harm("of-conclusion"),
@@ -216,7 +218,7 @@ fn no_text_of_a_claims_file_acts() {
     nothing_acts("the page of claims", &page.text);
     // What the page folds away is markup of its own.
     markdown_is_whole("the page of claims", &page.text);
-    for word in ["title", "text", "statement-source", "claim-source", "conclusion"] {
+    for word in ["title", "text", "statement-source", "claim-source", "conclusion", "place", "words"] {
         assert!(page.text.contains(&format!("of-{word}")), "the text of {word} is not shown");
     }
 }
@@ -310,7 +312,7 @@ fn every_field_of_a_persons_text_is_tried_here() {
         "claim/file.rs: title", "claim/file.rs: text", "claim/file.rs: source", "claim/file.rs: conclusion",
         "claim/file.rs: engine", "claim/file.rs: says", "claim/student.rs: engine",
         "claim/study.rs: title", "claim/study.rs: source", "claim/study.rs: in_line", "claim/study.rs: text",
-        "claim/study.rs: place", "claim/study.rs: conclusion", "claim/study.rs: engine", "claim/study.rs: claim",
+        "claim/provenance.rs: source", "claim/provenance.rs: place", "claim/provenance.rs: words", "claim/study.rs: conclusion", "claim/study.rs: engine", "claim/study.rs: claim",
         "sweep/run.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title",
     ]);
     assert_eq!(found_in_source(field), known);

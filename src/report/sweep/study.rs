@@ -19,7 +19,7 @@ use crate::claim::{Checked, Found, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
 use crate::sweep::{Envelope, Point, Sweep, ZeroSet, Zeros};
-use crate::text::Format;
+use crate::text::{Format, Untrusted};
 
 #[derive(Serialize)]
 struct StudyPage {
@@ -105,7 +105,7 @@ pub fn study_page(study: &Study) -> Vec<File> {
             .map(|said| Statement {
                 text: dialect.quoted(&said.text),
                 conclusion: dialect.quoted(&said.conclusion),
-                claimed: said.checks.iter().filter_map(|check| claimed(check, dialect)).collect(),
+                claimed: said.checks.iter().filter_map(|check| claimed(check, &study.source, dialect)).collect(),
                 own: said
                     .checks
                     .iter()
@@ -123,8 +123,8 @@ pub fn study_page(study: &Study) -> Vec<File> {
 }
 
 /// A row of what the paper says.
-fn claimed(check: &Checked, dialect: Dialect) -> Option<[String; 5]> {
-    let said = dialect.quoted(&said(&check.provenance)?);
+fn claimed(check: &Checked, above: &Untrusted, dialect: Dialect) -> Option<[String; 5]> {
+    let said = said(&check.provenance, Some(above), dialect)?;
     let [engine, claim, answer, found] = row(check, dialect);
     Some([engine, said, claim, answer, found])
 }
