@@ -19,7 +19,7 @@ pub struct Verify {
     file: PathBuf,
     /// Compare the document's engine with this layout: a name of the catalogue, or the path of a layout file
     #[arg(long, value_name = "LAYOUT")]
-    engine: Option<String>,
+    engine: Option<PathBuf>,
 }
 
 impl Verify {
@@ -36,7 +36,7 @@ impl Verify {
             None => "the engine: the document's own; --engine LAYOUT compares it with one that you trust".to_owned(),
             Some(layout) => {
                 compare(&name, &document, layout)?;
-                format!("the engine: that of {layout}")
+                format!("the engine: that of {}", layouts::shown(layout))
             }
         };
         write::to_stdout(&summary(document.title(), &checked, &engine))
@@ -62,8 +62,9 @@ fn unreadable(name: &str, error: &Unreadable) -> Failure {
 }
 
 /// Refuses a document whose engine is not that of the layout.
-fn compare(name: &str, document: &AnyDocument, layout: &str) -> Result<(), Failure> {
-    let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {layout} is not"));
+fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Failure> {
+    let shown = layouts::shown(layout);
+    let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {shown} is not"));
     let right = match (document, layouts::read(layout)?) {
         (AnyDocument::Classify(own), Engine::Known(layout, _)) => {
             AnyDocument::Classify(report::document(&layout, &[], &own.quantities, None))
@@ -81,8 +82,8 @@ fn compare(name: &str, document: &AnyDocument, layout: &str) -> Result<(), Failu
         None => Ok(()),
         Some(Difference { place, found, right }) => {
             let said = |value: Option<Value>| value.map_or("nothing".to_owned(), |value| value.to_string());
-            let words = format!("{place} is {}, in {layout} it is {}", said(found), said(right));
-            Err(Failure::new(format!("{name}: the engine is not that of {layout}: {words}")))
+            let words = format!("{place} is {}, in {shown} it is {}", said(found), said(right));
+            Err(Failure::new(format!("{name}: the engine is not that of {shown}: {words}")))
         }
     }
 }
@@ -90,7 +91,7 @@ fn compare(name: &str, document: &AnyDocument, layout: &str) -> Result<(), Failu
 /// What holds, what it is about, and what is not covered.
 fn summary(title: &str, checked: &Checked, engine: &str) -> String {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
-    let title: String = title.chars().filter(|letter| !letter.is_control()).collect();
+    let title = crankstar::text::harmless(title);
     let orders: Vec<String> = checked.orders.iter().map(u32::to_string).collect();
     let quantities: Vec<&str> = checked.quantities.iter().map(|quantity| quantity.name()).collect();
     let masses = match checked.masses {
@@ -102,7 +103,10 @@ fn summary(title: &str, checked: &Checked, engine: &str) -> String {
         format!("  about: {} of {masses}", quantities.join(", ")),
         format!("  orders: {}, each with all its verdicts", orders.join(", ")),
         format!("  zero: {polygons}, by polygons; not zero: {residues} by a residue, {splittings} by a splitting"),
-        format!("  besides: {decimals} decimals, {} shapes, {} statements on every order", checked.shapes, checked.theorems),
+        format!(
+            "  besides: {decimals} decimals, {} shapes, {} statements on every order",
+            checked.shapes, checked.theorems
+        ),
         format!("  {engine}"),
     ];
     lines.extend(checked.not_covered.iter().map(|what| format!("  not covered: {what}")));
@@ -116,14 +120,20 @@ fn summary(title: &str, checked: &Checked, engine: &str) -> String {
 pub fn proved(document: &impl serde::Serialize) -> Result<String, Failure> {
     let tree = serde_json::to_value(document).map_err(Failure::new)?;
     if is_beyond_decimals(&tree) {
-        return Err(Failure::new("a length is beyond the range of decimals; write the masses and lengths in other units"));
+        return Err(Failure::new(
+            "a length is beyond the range of decimals; write the masses and lengths in other units",
+        ));
     }
-    let json = serde_json::to_string_pretty(document).map_err(Failure::new)? + "\n";
+    let json = super::json(document)?;
     let too_large = |why: &dyn std::fmt::Display| {
-        Failure::new(format!("the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"))
+        Failure::new(format!(
+            "the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"
+        ))
     };
     let fault = |why: &dyn std::fmt::Display| {
-        Failure::new(format!("this is a fault of crankstar, so nothing is printed: its checker refuses the proof: {why}"))
+        Failure::new(format!(
+            "this is a fault of crankstar, so nothing is printed: its checker refuses the proof: {why}"
+        ))
     };
     let read = read_document(json.as_bytes()).map_err(|error| match &error {
         Unreadable::TooLarge(_) | Unreadable::TooManyDigits(_) => too_large(&error),

@@ -14,7 +14,7 @@ use super::enclosure::Circle;
 use super::refusal::Refusal;
 
 /// A step is about one sum or product of fractions that fit into machine words.
-pub const MOST_STEPS: u64 = 10_000_000;
+pub const MOST_STEPS: u64 = 4_000_000;
 
 /// How many certificates of each kind were checked, and how many decimals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,11 +75,6 @@ impl Audit {
 
     pub fn counts(&self) -> Counts {
         self.counts.get()
-    }
-
-    #[cfg(test)]
-    pub fn spent(&self) -> u64 {
-        MOST_STEPS - self.left.get()
     }
 
     /// Cosines and sines to this many bits.

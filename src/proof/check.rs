@@ -84,7 +84,7 @@ fn check_residue(sum: &Collected, claim: &Residue, audit: &Audit) -> Result<(), 
     let conductor = claim.conductor.to_u64().filter(|n| (1..=LARGEST_CONDUCTOR).contains(n));
     let conductor = conductor.ok_or_else(|| Refusal::ConductorOutOfRange(claim.conductor.clone()))?;
     // Twelve tests of a prime, and a thousand divisions of the conductor at most.
-    audit.spend(100 + squared_words(&claim.root) + squared_words(&claim.scale) + squared_words(&claim.residue))?;
+    audit.spend(30 + squared_words(&claim.root) + squared_words(&claim.scale) + squared_words(&claim.residue))?;
     let modulo = |number: &BigInt| number.mod_floor(&BigInt::from(prime)).to_u64().unwrap_or_default();
     let root = modulo(&claim.root);
     let order_divides = |n: u64| power(root, n, prime) == 1;

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -11,6 +13,11 @@ use super::verdict::Vector;
 
 /// Collected terms: weight by angle in `[0, 1)`, no weight zero.
 pub(super) type Collected = BTreeMap<BigRational, BigRational>;
+
+/// The least common multiple, the larger number divided first: the cost is that of the smaller.
+pub(super) fn common_multiple(large: &BigInt, small: &BigInt) -> BigInt {
+    large * (small / (large % small).gcd(small))
+}
 
 /// The angle in `[0, 1)`.
 pub(super) fn turn(angle: &BigRational) -> BigRational {
@@ -51,7 +58,8 @@ pub(super) fn difference_of_squares(a: &Collected, b: &Collected, audit: &Audit)
     }
     let products = |sum: &'_ Collected, sign: i64| -> Vec<(BigRational, BigRational)> {
         let sign = BigRational::from_integer(sign.into());
-        let product = |(s, v): (&BigRational, &BigRational), (t, w): (&BigRational, &BigRational)| (s - t, v * w * &sign);
+        let product =
+            |(s, v): (&BigRational, &BigRational), (t, w): (&BigRational, &BigRational)| (s - t, v * w * &sign);
         sum.iter().flat_map(|first| sum.iter().map(move |second| (first, second))).map(|(a, b)| product(a, b)).collect()
     };
     collect(products(a, 1).into_iter().chain(products(b, -1)), audit)

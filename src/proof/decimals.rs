@@ -1,12 +1,11 @@
 //! Do the decimals beside a verdict fit the exact sum? Compared with an enclosure that is made as narrow as it takes.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::audit::{Audit, Reason, squared_words, steps_of};
-use super::collected::Collected;
+use super::collected::{Collected, common_multiple};
 use super::enclosure::{Ball, Circle};
 use super::refusal::Refusal;
 
@@ -53,7 +52,7 @@ pub(super) fn check_decimals(
     }
     let scale = sum.values().try_fold(BigInt::one(), |scale, weight| {
         audit.spend(squared_words(&scale) + steps_of(weight))?;
-        Ok::<_, Refusal>(scale.lcm(weight.denom()))
+        Ok::<_, Refusal>(common_multiple(&scale, weight.denom()))
     })?;
     let modulus = modulus * BigRational::from_integer(scale.clone());
     let mut bits = FIRST_BITS;
@@ -116,7 +115,8 @@ fn direction([re, im]: &[Ball; 2], degrees: &BigRational, circle: &Circle) -> An
     let [along_least, along_most] = along.sizes();
     let [across_least, across_most] = across.sizes();
     // The tangent of the slack: 7/400 is above π/180.
-    let tangent = degrees.abs() * BigRational::new(7.into(), 400.into()) * power_of_two(ACCURACY) + power_of_two(FINEST_TURN);
+    let tangent =
+        degrees.abs() * BigRational::new(7.into(), 400.into()) * power_of_two(ACCURACY) + power_of_two(FINEST_TURN);
     let reach = |along: BigInt| BigRational::from_integer(along) * &tangent;
     let is_ahead = along.middle.is_positive() && !along_least.is_zero();
     let is_behind = along.middle.is_negative() && !along_least.is_zero();

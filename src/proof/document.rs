@@ -7,9 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, Fault, Reason};
 use super::checked::Checked;
-use super::engine::{
-    Cylinder, Masses, Quantity, RodClaim, Sense, check_asked, check_names, has_offset, rods,
-};
+use super::engine::{Cylinder, Masses, Quantity, RodClaim, Sense, check_asked, check_names, has_offset, rods};
 use super::fraction;
 use super::reading::Format;
 use super::shape::{Judged, ShapeClaim, check_shape};
@@ -80,7 +78,9 @@ impl Document {
     }
 
     pub(super) fn has_equal_centric_rods(&self) -> bool {
-        self.rods().is_ok_and(|rods| rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods)))
+        self.rods().is_ok_and(|rods| {
+            rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods))
+        })
     }
 
     /// The cylinders with equal rods, by name, in the order of the cylinders; none where no rod differs.

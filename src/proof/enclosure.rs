@@ -30,7 +30,7 @@ impl Circle {
     /// What one angle costs in steps.
     pub fn steps(&self) -> u64 {
         let words = u64::from(self.bits / 64 + 1);
-        u64::from(self.bits / 6) * (words * words / 8 + 4) / 8
+        u64::from(self.bits / 6) * (words * words / 8 + 4) / 32 + 1
     }
 
     /// `(cos, sin)` times `2^bits`, each off by less than 2.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Fault, Reason};
@@ -121,13 +121,19 @@ impl Sense {
 }
 
 /// The rods of an engine that names them; none where it names none.
-pub(super) fn rods<'a>(statements: impl Iterator<Item = &'a RodStatement>) -> Result<Option<Vec<&'a RodClaim>>, Reason> {
+pub(super) fn rods<'a>(
+    statements: impl Iterator<Item = &'a RodStatement>,
+) -> Result<Option<Vec<&'a RodClaim>>, Reason> {
     let (mut known, mut unknown) = (Vec::new(), 0);
     for statement in statements {
         match statement {
             RodStatement::Unknown => unknown += 1,
             RodStatement::Known(rod) => known.push(rod),
         }
+    }
+    let turns_round = |rod: &&RodClaim| !rod.ratio.is_negative() && &rod.ratio + rod.offset.abs() < BigRational::one();
+    if let Some(rod) = known.iter().find(|rod| !turns_round(rod)) {
+        return Err(format!("a rod of ratio {} and offset {} cannot turn round", rod.ratio, rod.offset).into());
     }
     match (known.len(), unknown) {
         (_, 0) => Ok(Some(known)),

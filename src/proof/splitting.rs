@@ -7,7 +7,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::audit::{Audit, squared_words, steps_of};
 use super::certificate::Step;
-use super::collected::{Collected, collect};
+use super::collected::{Collected, collect, common_multiple};
 use super::refusal::Refusal;
 use super::whole::is_prime;
 
@@ -49,13 +49,7 @@ fn keep_class(
 }
 
 /// 1 + x + … + x^{p−1} is irreducible over Q(ζ_M) where p does not divide M: all classes of a zero sum are equal.
-fn compare(
-    sum: &Collected,
-    prime: u64,
-    classes: (u64, u64),
-    step: usize,
-    audit: &Audit,
-) -> Result<Collected, Refusal> {
+fn compare(sum: &Collected, prime: u64, classes: (u64, u64), step: usize, audit: &Audit) -> Result<Collected, Refusal> {
     let (first, second) = classes;
     if !is_prime(prime) || first == second || first >= prime || second >= prime {
         return Err(Refusal::NoSuchClasses(step));
@@ -87,7 +81,7 @@ fn common_denominator(sum: &Collected, audit: &Audit) -> Result<BigInt, Refusal>
     for angle in sum.keys() {
         let words = |number: &BigInt| number.bits() / 64 + 1;
         audit.spend(words(&common).saturating_mul(words(angle.denom())))?;
-        common = common.lcm(angle.denom());
+        common = common_multiple(&common, angle.denom());
     }
     Ok(common)
 }

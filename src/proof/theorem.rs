@@ -14,6 +14,7 @@ use super::document::Document;
 use super::engine::{Quantity, Sense};
 use super::fraction;
 use super::verdict::Subject;
+use super::whole::prime_divisors;
 
 /// The orders that do not vanish, out of those that exist: order 1 and the even ones.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -77,9 +78,11 @@ pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &A
         let (quantity, sense) = (claim.quantity, Some(claim.sense));
         let subject = Subject { quantity, order: verdict.order, sense, of: Vec::new() };
         let sum = collected(&document.terms(&subject), audit)?;
-        certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(|refusal| match Reason::from(refusal) {
-            Reason::Wrong(words) => Reason::Wrong(format!("order {}: {words}", verdict.order)),
-            Reason::TooManySteps => Reason::TooManySteps,
+        certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(|refusal| {
+            match Reason::from(refusal) {
+                Reason::Wrong(words) => Reason::Wrong(format!("order {}: {words}", verdict.order)),
+                Reason::TooManySteps => Reason::TooManySteps,
+            }
         })?;
     }
     check_statement(claim)
@@ -105,7 +108,9 @@ fn check_orders(claim: &TheoremClaim) -> Result<(), Reason> {
     let mut found = claim.verdicts.iter();
     let even = |index: u32| 2 * index;
     let last = (&claim.period / 2_u32).to_u32().filter(|half| *half < u32::MAX / 2);
-    let Some(last) = last else { return Err(format!("the period {} has more classes than verdicts", claim.period).into()) };
+    let Some(last) = last else {
+        return Err(format!("the period {} has more classes than verdicts", claim.period).into());
+    };
     for order in std::iter::once(1).chain((1..=last).map(even)) {
         match found.next() {
             None => return Err(format!("order {order} is missing").into()),
@@ -121,7 +126,7 @@ fn check_orders(claim: &TheoremClaim) -> Result<(), Reason> {
     }
 }
 
-/// The modulus divides the period, so the statement is right once it is on every order of the list.
+/// The modulus is the least, and divides the period, so the statement is right once it is on every order of the list.
 fn check_statement(claim: &TheoremClaim) -> Result<(), Reason> {
     let Survivors { modulus, residues, .. } = &claim.survivors;
     if *modulus == 0 || modulus.is_odd() || !(&claim.period % modulus).is_zero() {
@@ -130,6 +135,14 @@ fn check_statement(claim: &TheoremClaim) -> Result<(), Reason> {
     let is_rising = residues.windows(2).all(|pair| pair[0] < pair[1]);
     if !is_rising || residues.iter().any(|residue| residue >= modulus || residue.is_odd()) {
         return Err(format!("the residues are not rising even numbers below {modulus}").into());
+    }
+    let repeats = |prime: &u64| {
+        let step = u64::from(*modulus) / prime;
+        let is_left = |residue: u64| residues.binary_search(&u32::try_from(residue).unwrap_or(u32::MAX)).is_ok();
+        residues.iter().all(|&residue| is_left((u64::from(residue) + step) % u64::from(*modulus)))
+    };
+    if prime_divisors(u64::from(modulus / 2)).iter().any(repeats) {
+        return Err(format!("the same is said with a smaller modulus than {modulus}").into());
     }
     match claim.verdicts.iter().find(|verdict| claim.survivors.contains(verdict.order) == verdict.vanishes) {
         Some(verdict) => Err(format!("order {}: the statement contradicts the verdict", verdict.order).into()),

@@ -125,7 +125,9 @@ fn check_terms(document: &Document, verdict: &VerdictClaim) -> Result<(), Reason
     for ((cylinder, term), Vector { angle, weight }) in document.cylinders.iter().zip(&verdict.terms).zip(right) {
         if turn(&term.angle) != turn(&angle) {
             let right = turn(&angle);
-            return Err(format!("the angle of cylinder {} is {}, it should be {right}", cylinder.name, term.angle).into());
+            return Err(
+                format!("the angle of cylinder {} is {}, it should be {right}", cylinder.name, term.angle).into()
+            );
         }
         if term.weight != weight {
             let found = &term.weight;

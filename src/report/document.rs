@@ -35,7 +35,12 @@ pub fn document(
         quantities: quantities.to_vec(),
         all_orders: every_order.is_some(),
         reference_plane: layout.reference_plane.clone(),
-        cylinders: layout.cylinders.iter().enumerate().map(|(at, one)| cylinder(one, layout.mechanism.rods.get(at))).collect(),
+        cylinders: layout
+            .cylinders
+            .iter()
+            .enumerate()
+            .map(|(at, one)| cylinder(one, layout.mechanism.rods.get(at)))
+            .collect(),
         verdicts: verdicts.collect(),
         shapes: shapes.collect(),
         theorems: every_order.map(theorem_claims).unwrap_or_default(),

@@ -64,7 +64,9 @@ pub use optimise::{
     optimise_summary,
 };
 pub use page::Subject;
-pub use remedy::{remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
+pub use remedy::{
+    remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
+};
 pub use svg::svg;
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
 pub use tikz::tikz;

@@ -157,7 +157,8 @@ fn an_unknown_that_is_neither_phi_nor_delta_is_refused() {
     let reason =
         refused(V_TWIN, |document| drop(document.cylinders[0].throw.insert("psi".into(), Exact(fraction(1, 1)))));
     assert_eq!(reason, "an angle holds another unknown than phi and delta");
-    let idle = refused(V_TWIN, |document| drop(document.cylinders[0].throw.insert("phi".into(), Exact(fraction(0, 1)))));
+    let idle =
+        refused(V_TWIN, |document| drop(document.cylinders[0].throw.insert("phi".into(), Exact(fraction(0, 1)))));
     assert_eq!(idle, "a symbol is taken 0 times");
 }
 

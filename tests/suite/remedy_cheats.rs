@@ -2,7 +2,7 @@
 
 use crankstar::layout::parse;
 use crankstar::proof::{
-    Certificate, Format, Masses, RemedyDocument, RodStatement, Sense, check_remedy_document,
+    Certificate, Format, Masses, RemedyDocument, RodStatement, Sense, Vector, check_remedy_document,
 };
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report::remedy_document;
@@ -117,7 +117,8 @@ fn a_sum_that_is_not_zero_is_refused_whatever_its_evidence() {
     bare(&mut cheated);
     assert!(check_remedy_document(&cheated).is_err());
     assert_refused(|d| d.sums[0].certificate = nothing(), "sums[0]");
-    assert_refused(|d| d.sums[2].terms[0].weight += fraction(1, 1_000_000), "sums[2]");
+    let more = || Vector { angle: fraction(0, 1), weight: fraction(1, 1_000_000) };
+    assert_refused(|d| d.sums[2].terms.push(more()), "sums[2]");
 }
 
 #[test]

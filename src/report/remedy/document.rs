@@ -6,8 +6,8 @@ use crate::layout::Layout;
 use crate::loads::{self, Factor, Missing};
 use crate::numbers;
 use crate::proof::{
-    Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, RodStatement, Sense,
-    TurningClaim, WeightClaim, WeightPart,
+    Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, RodStatement,
+    Sense, TurningClaim, WeightClaim, WeightPart,
 };
 use crate::remedy::{Remedy, Subject, Weight};
 

@@ -18,11 +18,11 @@ pub(super) struct Part<'a> {
 
 /// All weights, in the order of [`Remedy::weights`].
 pub(super) fn parts(remedy: &Remedy) -> Vec<Part<'_>> {
-    let bays =
-        remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay".into(), weight });
-    let crankshaft = remedy.crankshaft.iter().flat_map(|shaft| {
-        shaft.weights.iter().map(|weight| Part { name: "counterweight".into(), weight })
-    });
+    let bays = remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay".into(), weight });
+    let crankshaft = remedy
+        .crankshaft
+        .iter()
+        .flat_map(|shaft| shaft.weights.iter().map(|weight| Part { name: "counterweight".into(), weight }));
     let shafts = remedy.shafts.iter().enumerate().flat_map(|(index, shaft)| {
         let name = format!("{}, shaft {}", shaft_name(shaft), index + 1);
         shaft.weights.iter().map(move |weight| Part { name: name.clone(), weight })
