@@ -65,7 +65,7 @@ impl Circle {
                 2 => cos -= &term,
                 _ => sin -= &term,
             }
-            term = (&term * x >> scale) / (n + 1);
+            term = ((&term * x) >> scale) / (n + 1);
         }
         (cos >> GUARD, sin >> GUARD)
     }
