@@ -74,11 +74,8 @@ enum Command {
     Optimise(optimise::Optimise),
     /// Write the report with the proofs
     Report(report::Report),
-    /// Check every certificate in the output of `classify --json` or `remedy --json`
-    Verify {
-        /// The JSON file, or - for standard input
-        file: PathBuf,
-    },
+    /// Check all that the output of `classify --json` or `remedy --json` says
+    Verify(verify::Verify),
     /// Check claims about engines: statements of books, homework
     Check {
         /// The claims file (TOML)
@@ -158,7 +155,7 @@ pub fn run() -> ExitCode {
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
-        Command::Verify { file } => verify::run(&file).map(done),
+        Command::Verify(verify) => verify.run().map(done),
         Command::Check { file } => check::run(&file),
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),

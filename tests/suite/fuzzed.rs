@@ -153,9 +153,9 @@ fn any_value_of_the_command_line_is_taken_or_refused() {
 fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
     let engine = |name: &str| layout::find(name).expect("an engine").layout().expect("a layout");
     let twin = engine("V2-60");
-    let mut verdicts = report::document(&twin, &verdict::classify(&twin, &[1, 2], true));
-    verdicts.theorems = report::theorem_claims(&verdict::theorem(&engine("I2-180")).expect("a theorem"));
-    verdicts.theorems.truncate(1);
+    let theorem = verdict::theorem(&twin).expect("a theorem");
+    let orders = verdict::classify(&twin, &[1, 2], true);
+    let verdicts = report::document(&twin, &orders, &report::quantities(true), Some(&theorem));
     assert_golden("document", "verdicts.json", &json(&verdicts));
     let Ok(Engine::Open(family)) = layout::parse_engine("v.toml", OPEN) else { panic!("a family") };
     assert_golden("document", "family.json", &json(&report::open_document(&family, &family::classify(&family, &[2]))));

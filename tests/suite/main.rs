@@ -16,7 +16,9 @@ mod command_line;
 mod compare;
 mod crankshaft;
 mod decision_laws;
-mod families;
+mod document_limits;
+mod document_mutations;
+mod documents_verify;
 mod firmness;
 mod fuzzed;
 mod grigoryev;
@@ -52,6 +54,7 @@ mod support {
     pub mod decimals;
     pub mod dice;
     pub mod engines;
+    pub mod every_form;
     pub mod hard;
     pub mod imports;
     pub mod oracle;

@@ -139,7 +139,8 @@ impl Tally {
 
     /// The document as `verify` reads it: from its text.
     fn verify(&mut self, layout: &Layout, orders: &[OrderBalance], text: &str) {
-        let json = serde_json::to_string(&report::document(layout, orders)).expect("a document");
+        let json = serde_json::to_string(&report::document(layout, orders, &report::quantities(true), None))
+            .expect("a document");
         let document: Document = serde_json::from_str(&json).expect("the same document");
         self.count(proof::check_document(&document), text);
     }
@@ -151,9 +152,9 @@ impl Tally {
         self.count(proof::check_open_document(&document), text);
     }
 
-    fn count(&mut self, checked: Result<usize, proof::Fault>, text: &str) {
+    fn count(&mut self, checked: Result<proof::Checked, proof::Fault>, text: &str) {
         match checked {
-            Ok(certificates) => self.certificates += certificates,
+            Ok(checked) => self.certificates += checked.counts.certificates(),
             Err(fault) => self.refused.push(format!("{fault}\n{text}")),
         }
     }
