@@ -41,7 +41,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{count} engines of up to 24 cylinders; milliseconds\n");
     println!("{:<16} {:>6} {:>8} {:>8} {:>8}", "command", "ends 0", "median", "95 %", "slowest");
     let mut slowest_files = Vec::new();
-    for (name, before, after) in COMMANDS.into_iter().filter(|(name, ..)| only.as_ref().is_none_or(|only| only == name)) {
+    for (name, before, after) in COMMANDS.into_iter().filter(|(name, ..)| only.as_ref().is_none_or(|only| only == name))
+    {
         let mut dice = Dice::new(24);
         let mut runs = Vec::new();
         for index in 0..count {

@@ -14,7 +14,6 @@ mod firing;
 mod grammar;
 mod masses;
 mod order;
-mod radicals;
 mod statement;
 mod student;
 mod study;

@@ -58,5 +58,6 @@ mod support {
     pub mod plain_search;
     pub mod program;
     pub mod stiffness;
+    pub mod whole_degrees;
     pub mod written;
 }
