@@ -12,7 +12,7 @@ use super::turn::Turn;
 
 /// The sum `Σ weight · e^{2πi·exponent/conductor}` with whole weights: a [`super::PhasorSum`] scaled by
 /// `scale`, with each direction once, no weight zero, in order of the exponents.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct IntegerSum {
     /// The common denominator of the angles.
     pub conductor: BigUint,

@@ -63,7 +63,13 @@ impl Turn {
 
     /// The angle taken `factor` times.
     pub fn times(&self, factor: i64) -> Self {
-        Turn::new(&self.0 * BigRational::from_integer(factor.into()))
+        match self.in_words() {
+            Some((numerator, denominator)) => {
+                let product = numerator * u128::from(factor.unsigned_abs()) % denominator;
+                Turn::from_words(if factor < 0 { (denominator - product) % denominator } else { product }, denominator)
+            }
+            None => Turn::new(&self.0 * BigRational::from_integer(factor.into())),
+        }
     }
 
     /// The opposite direction.

@@ -3,12 +3,15 @@
 //! From the conjugates of a sum in decimals forms of several kinds are proposed, a file a kind. A form is taken only where
 //! its difference from the sum, again a sum of rotating vectors, is proved to be zero (theory, open questions, section 3).
 
+use std::cell::RefCell;
+
 use num_rational::BigRational;
 use num_traits::One;
 
 use super::budget::Budget;
 use super::direction::rational_direction;
 use super::form::Form;
+use super::memory::{self, Memory};
 use super::products::Products;
 use super::radicals::{as_sum, number};
 use super::star::Star;
@@ -20,7 +23,17 @@ const PLAIN: usize = 12;
 
 /// `|S|` in closed form; `None` for conductors above 1000, and where none is found within the [`Budget`].
 pub fn modulus(sum: &PhasorSum) -> Option<Form> {
-    modulus_within(sum, &mut Budget::new())
+    let star = memory::star(sum);
+    if let Some(known) = LENGTHS.with_borrow(|lengths| lengths.get(&star)) {
+        return known;
+    }
+    let length = modulus_within(sum, &mut Budget::new());
+    LENGTHS.with_borrow_mut(|lengths| lengths.keep(star, length.clone()));
+    length
+}
+
+thread_local! {
+    static LENGTHS: RefCell<Memory<Option<Form>>> = const { RefCell::new(Memory::new()) };
 }
 
 /// The same, and what is left of the budget.

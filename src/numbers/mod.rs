@@ -9,6 +9,7 @@ mod direction;
 mod evaluate;
 mod fixed;
 mod form;
+mod memory;
 mod nested;
 mod products;
 mod quadratic;
