@@ -54,7 +54,7 @@ pub fn real(sum: &PhasorSum) -> Option<Form> {
 /// The same, and what is left of the budget.
 pub fn real_within(sum: &PhasorSum, budget: &mut Budget) -> Option<Form> {
     let star = Star::of(sum)?;
-    let form = plainest(real_forms(&star, &values_of(&star), budget))?;
+    let form = plainest(real_forms(&star, &values_of(&star), budget), &star.unit)?;
     Some(form.scaled(&star.unit))
 }
 
@@ -64,15 +64,17 @@ pub fn plainer(number: Form) -> Form {
         return number;
     }
     let found = as_sum(&number).and_then(|sum| modulus(&sum));
-    plainest(vec![number.clone(), found.unwrap_or_else(|| number.clone())]).unwrap_or(number)
+    let forms = [Some(number.clone()), found].into_iter().flatten().collect();
+    plainest(forms, &BigRational::one()).unwrap_or(number)
 }
 
 fn values_of(real: &Star) -> Vec<f64> {
     real.conjugates().into_iter().map(|value| value.re).collect()
 }
 
-fn plainest(forms: Vec<Form>) -> Option<Form> {
-    forms.into_iter().min_by_key(cost::of)
+/// The form whose multiple by the unit reads best.
+fn plainest(forms: Vec<Form>, unit: &BigRational) -> Option<Form> {
+    forms.into_iter().min_by_key(|form| cost::of(&form.scaled(unit)))
 }
 
 /// Forms of a real sum without its unit, each of them proved.
@@ -105,7 +107,7 @@ fn length(star: &Star, upright: Option<PhasorSum>, budget: &mut Budget) -> Optio
     let mut forms: Vec<Form> = real_forms(&square, &values, budget).iter().map(Form::square_root).collect();
     let is_plain = |forms: &[Form]| forms.iter().any(|form| cost::of(form) <= PLAIN);
     if is_plain(&forms) {
-        return plainest(forms);
+        return plainest(forms, &star.unit);
     }
     let units = star.units();
     let products = Products { values: &values, units: &units, conductor: star.conductor };
@@ -125,7 +127,7 @@ fn length(star: &Star, upright: Option<PhasorSum>, budget: &mut Budget) -> Optio
         let pairs = products.of_two(budget);
         forms.extend(pairs.into_iter().find(|form| proved(form, budget)));
     }
-    plainest(forms)
+    plainest(forms, &star.unit)
 }
 
 /// The length of one bank times twice a cosine.

@@ -6,11 +6,13 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
+use super::closed::real;
 use super::evaluate::evaluate;
 use super::form::Form;
 use super::quadratic;
-use super::radicals::as_sum;
+use super::radicals::{as_sum, number};
 use super::star::Star;
+use super::trace::mean_of_conjugates;
 use crate::exact::{PhasorSum, Turn};
 
 /// Among more directions than this the decimals cannot name the one candidate.
@@ -32,12 +34,20 @@ pub enum Direction {
     },
 }
 
-/// The direction of a sum that is not zero, in closed form where it is a rational turn or has a tangent of
-/// degree up to 2.
+/// The direction of a sum that is not zero, in closed form where it is a rational turn, or has a tangent of
+/// one or two roots or a real part of degree up to 2.
 pub fn direction_of(sum: &PhasorSum) -> Option<Direction> {
     if let Some(turn) = rational_direction(sum) {
         return Some(Direction::Turn(turn));
     }
+    let mirrored = sum.conjugate();
+    let (twice_re, twice_im) = (sum.plus(&mirrored), sum.minus(&mirrored).turned(&Turn::fraction(3, 4)));
+    let tangent = of_few_roots(sum, &twice_re, &twice_im).or_else(|| by_conjugate(&twice_re, &twice_im))?;
+    Some(Direction::Arctangent { tangent, opposite: evaluate(sum).re < 0.0 })
+}
+
+/// A tangent of one or two roots, proposed from its conjugates.
+fn of_few_roots(sum: &PhasorSum, twice_re: &PhasorSum, twice_im: &PhasorSum) -> Option<Form> {
     let star = Star::of(sum)?.over_fourths();
     // i ↦ i^a: the imaginary part changes its sign with a ≡ 3 (mod 4).
     let tangent = |(value, unit): (Complex<f64>, u64)| {
@@ -50,10 +60,30 @@ pub fn direction_of(sum: &PhasorSum) -> Option<Direction> {
     if tangent.terms().len() > MOST_ROOTS {
         return None;
     }
-    let mirrored = sum.conjugate();
-    let (twice_re, twice_im) = (sum.plus(&mirrored), sum.minus(&mirrored).turned(&Turn::fraction(3, 4)));
-    let is_right = twice_im.minus(&twice_re.times(&as_sum(&tangent)?)).vanishes();
-    is_right.then(|| Direction::Arctangent { tangent, opposite: evaluate(sum).re < 0.0 })
+    twice_im.minus(&twice_re.times(&as_sum(&tangent)?)).vanishes().then_some(tangent)
+}
+
+/// `tan = Im/Re = Im·R'/(Re·R')`, with R' the conjugate that makes the denominator rational, where Re has one or two.
+fn by_conjugate(twice_re: &PhasorSum, twice_im: &PhasorSum) -> Option<Form> {
+    let star = Star::of(twice_re)?;
+    let values: Vec<f64> = star.conjugates().into_iter().map(|value| value.re).collect();
+    let differs = |value: f64| (value / values[0] - 1.0).abs() > 1e-9;
+    let place = values.iter().position(|&value| differs(value)).unwrap_or(0);
+    let is_third = |value: f64| differs(value) && (value / values[place] - 1.0).abs() > 1e-9;
+    if values.iter().any(|&value| is_third(value)) {
+        return None;
+    }
+    let whole = star.to_sum();
+    let partner = match place {
+        0 => number(BigRational::one()),
+        _ => whole.galois(star.units()[place].to_i64()?),
+    };
+    let product = whole.times(&partner);
+    let denominator = mean_of_conjugates(&product).filter(|mean| !mean.is_zero())?;
+    if !product.minus(&number(denominator.clone())).vanishes() {
+        return None;
+    }
+    real(&twice_im.times(&partner).scaled(&(denominator * star.unit).recip()))
 }
 
 /// S points to a rational turn t iff `e^{2πi·2t} = S/S̄` is a root of unity of its field. The decimals only name the
