@@ -26,7 +26,9 @@ pub(super) fn of(sum: &Star, values: &[f64], budget: &mut Budget) -> Vec<Form> {
         }
         tried.push(image);
         let partner = |at: usize| place(units[at] * unit).map_or(f64::NAN, |partner| values[partner]);
-        let sums: Vec<f64> = (0..values.len()).map(|at| values[at] + partner(at)).collect();
+        // What is left of numbers that cancel is their rounding.
+        let whole = |sum: f64| if same(sum, 0.0) { 0.0 } else { sum };
+        let sums: Vec<f64> = (0..values.len()).map(|at| whole(values[at] + partner(at))).collect();
         let squares: Vec<f64> = (0..values.len()).map(|at| (values[at] - partner(at)).powi(2)).collect();
         forms.extend(decided(sum, &sums, &squares, values[0] > image, budget));
     }
