@@ -3,6 +3,7 @@
 //! `cargo bench --bench random_engines [-- COUNT [COMMAND]]`. Each engine is a layout file at whole degrees with up to 24 cylinders; the
 //! program is run on it as from a shell, alone, and what is printed is the median, the 95th percentile, and the slowest
 //! with its file.
+#![allow(clippy::disallowed_types)]
 
 #[path = "../tests/suite/support/dice.rs"]
 #[allow(dead_code)]

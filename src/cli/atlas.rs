@@ -24,7 +24,7 @@ impl Atlas {
         let options = Options::default();
         let mut stars = Vec::new();
         let bar = progress::bar("stars");
-        bar.set_length(2 * report::ATLAS_CYLINDERS.into_iter().count() as u64);
+        bar.set_length(2 * report::ATLAS_CYLINDERS.count() as u64);
         for cycle in [Cycle::TwoStroke, Cycle::FourStroke] {
             for cylinders in report::ATLAS_CYLINDERS {
                 stars.push(search::best_in_line(cylinders, cycle, &options).map_err(Failure::new)?);

@@ -42,7 +42,7 @@ pub fn modulus_within(sum: &PhasorSum, budget: &mut Budget) -> Option<Form> {
         return Some(Form::rational(num_traits::abs(only.weight.clone())));
     }
     let star = Star::of(sum)?;
-    let length = length(&star.from_first(), rational_direction(sum).map(|turn| sum.turned(&-&turn)), budget)?;
+    let length = length(&star.turned_to_first(), rational_direction(sum).map(|turn| sum.turned(&-&turn)), budget)?;
     Some(length.scaled(&star.unit))
 }
 
@@ -133,7 +133,7 @@ fn length(star: &Star, upright: Option<PhasorSum>, budget: &mut Budget) -> Optio
 /// The length of one bank times twice a cosine.
 fn of_banks(star: &Star, budget: &mut Budget) -> Option<Form> {
     let (bank, factor) = banks::split(star, budget)?;
-    let bank = bank.from_first();
+    let bank = bank.turned_to_first();
     let sum = bank.to_sum();
     let upright = rational_direction(&sum).map(|turn| sum.turned(&-&turn));
     length(&Star { unit: BigRational::one(), ..bank }, upright, budget)?.times(&factor)

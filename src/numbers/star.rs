@@ -46,7 +46,7 @@ impl Star {
     }
 
     /// The same star turned so that its first vector points to 0, over the least even conductor for that.
-    pub fn from_first(&self) -> Star {
+    pub fn turned_to_first(&self) -> Star {
         let first = self.terms.first().map_or(0, |(exponent, _)| *exponent);
         let n = self.conductor;
         let exponents = || self.terms.iter().map(|(exponent, _)| (exponent + n - first) % n);
