@@ -18,7 +18,6 @@ mod masses;
 mod order;
 mod possible;
 mod provenance;
-mod radicals;
 mod statement;
 mod student;
 mod study;

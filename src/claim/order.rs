@@ -149,7 +149,7 @@ fn largest(vectors: &Vectors, subject: Subject, value: &Value) -> (Status, Vec<E
 pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
     let half = BigRational::new(1.into(), 2.into());
     let exact = match sums.map(length) {
-        [Some(a), Some(b)] => Some(a.plus(&b).scaled(&half)),
+        [Some(a), Some(b)] => Some(numbers::plainer(a.plus(&b).scaled(&half))),
         _ => None,
     };
     (exact, sums.map(|sum| numbers::evaluate(sum).norm()).iter().sum::<f64>() / 2.0)

@@ -11,7 +11,7 @@ use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
 
 use super::failure::Failure;
-use super::{folder, layouts, print_json, terminal, write};
+use super::{folder, layouts, print_json, progress, terminal, write};
 
 /// Arguments of `accuracy`.
 #[derive(clap::Args)]
@@ -50,8 +50,11 @@ impl Accuracy {
             ratios => ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio)).collect(),
         };
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+        let spinner = progress::spinner("finding each peak by all methods");
         let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, true));
-        let cases = cases.collect::<Result<Vec<_>, _>>().map_err(Failure::new)?;
+        let cases = cases.collect::<Result<Vec<_>, _>>();
+        spinner.finish_and_clear();
+        let cases = cases.map_err(Failure::new)?;
         if let Some(folder) = &self.output {
             folder::write(folder, &report::accuracy_page(&layout, &cases))?;
         }

@@ -12,6 +12,7 @@ mod layouts;
 mod list;
 mod loads;
 mod optimise;
+mod progress;
 mod remedy;
 mod report;
 mod search;

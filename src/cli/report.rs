@@ -10,7 +10,7 @@ use crankstar::verdict;
 
 use super::failure::Failure;
 use super::loads::Auto;
-use super::{Format, Math, Subject, folder, terminal, write};
+use super::{Format, Math, Subject, folder, progress, terminal, write};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -36,7 +36,10 @@ pub struct Report {
 fn accuracy_of(layout: &Layout) -> Result<AccuracyCase, Failure> {
     let torque = layout.effects.torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
-    AccuracyCase::of(layout, &quantities, false).map_err(Failure::new)
+    let spinner = progress::spinner("finding each peak by all methods");
+    let case = AccuracyCase::of(layout, &quantities, false);
+    spinner.finish_and_clear();
+    case.map_err(Failure::new)
 }
 
 impl Report {

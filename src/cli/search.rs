@@ -1,20 +1,18 @@
 //! `search`: which crank stars balance best?
 
-use std::io::IsTerminal;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use crankstar::exact::Turn;
 use crankstar::layout::{self, parse_angle};
 use crankstar::search::{self, Front, FrontDocument, MomentDocument, Options, Problem, Progress, StarDocument};
 
 use super::failure::Failure;
-use super::{print_json, write};
+use super::{print_json, progress, write};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -63,7 +61,7 @@ impl Search {
     /// Searches, and prints the front.
     pub fn run(&self) -> Result<(), Failure> {
         let problem = self.problem()?;
-        let bar = bar();
+        let bar = progress::bar("pieces");
         let progress = |progress: Progress| {
             bar.set_length(progress.pieces as u64);
             bar.set_position(progress.done as u64);
@@ -98,15 +96,6 @@ impl Search {
         let (directions, grid, neighbours) = (self.directions, self.grid, self.neighbours);
         Ok(Problem { cylinders: self.cylinders, cycle, bank_angle, directions, grid, orders, neighbours })
     }
-}
-
-/// A bar with the time left, on a terminal only.
-fn bar() -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} pieces, {eta} left");
-    style.map_or_else(|_| ProgressBar::new(0), |style| ProgressBar::new(0).with_style(style))
 }
 
 fn table(front: &Front, document: &FrontDocument) -> String {

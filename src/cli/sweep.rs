@@ -9,7 +9,7 @@ use crankstar::report::{self, File};
 use crankstar::sweep::{self, Geometry, Parameter};
 
 use super::failure::Failure;
-use super::{folder, layouts, write};
+use super::{folder, layouts, progress, write};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args)]
@@ -67,7 +67,10 @@ impl Sweep {
         let mut orders = self.orders.clone();
         orders.sort_unstable();
         orders.dedup();
-        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default()).map_err(Failure::new)?;
+        let spinner = progress::spinner("sweeping");
+        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
+        spinner.finish_and_clear();
+        let sweep = sweep.map_err(Failure::new)?;
         let json = || super::json(&report::sweep_document(&sweep));
         let Some(folder) = &self.output else {
             return write::to_stdout(&match self.format {

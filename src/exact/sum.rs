@@ -112,11 +112,8 @@ impl PhasorSum {
 
     /// The product of both sums, collected.
     pub fn times(&self, other: &Self) -> Self {
-        let (left, right) = (self.collected(), other.collected());
-        let products = left.iter().flat_map(|a| {
-            right.iter().map(move |b| Term { angle: &a.angle + &b.angle, weight: &a.weight * &b.weight })
-        });
-        PhasorSum { terms: PhasorSum::new(products.collect()).collected() }
+        let (left, right) = (IntegerSum::collect(&self.terms), IntegerSum::collect(&other.terms));
+        PhasorSum { terms: left.times(&right).to_terms() }
     }
 
     /// `|S|² = S S̄ = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, collected: again a phasor sum.

@@ -62,5 +62,6 @@ mod support {
     pub mod plain_search;
     pub mod program;
     pub mod stiffness;
+    pub mod whole_degrees;
     pub mod written;
 }
