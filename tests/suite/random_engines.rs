@@ -190,6 +190,7 @@ fn verdicts_on_random_engines_of_every_form_are_those_of_the_oracle() {
     assert!(zero > 1_000 && other > 1_000, "{zero} zero, {other} not");
     assert!(sum(|tally| tally.planar) > 100 && sum(|tally| tally.elliptical) > 100);
     assert!(sum(|tally| tally.certificates) > 1_000);
+    assert_all_verify(&tallies);
 }
 
 #[test]
