@@ -49,6 +49,7 @@ impl Classify {
                 "--torque and --all-orders need an engine without unknowns; give them values below [values]",
             ));
         }
+        family::comparable(family).map_err(Failure::new)?;
         let verdicts = family::classify(family, orders);
         match self.json {
             true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),

@@ -56,7 +56,9 @@ impl Report {
                 let needed = self.auto.needed(layout)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
                 let balances = verdict::classify(layout, orders, false);
-                let open = family.as_ref().map(|family| (family.as_ref(), family::classify(family, orders)));
+                // Where the rods differ nothing is said of other values than those given.
+                let family = family.as_ref().filter(|family| family::comparable(family).is_ok());
+                let open = family.map(|family| (family.as_ref(), family::classify(family, orders)));
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(layout)).transpose()?;
                 let subject = report::Subject {
@@ -69,6 +71,7 @@ impl Report {
                 (report::report(subject, dialect), terminal::summary(layout, &balances))
             }
             Engine::Open(family) => {
+                family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders);
                 (report::open_report(family, &verdicts, dialect), terminal::open_summary(family, &verdicts))
             }
