@@ -17,10 +17,23 @@
 //!
 //! # The rooms
 //!
-//! `proof ← exact ← layout ← order ← verdict ← numbers ← motion ← beam ← loads ← accuracy ← remedy ← optimise ← search ← family ← sweep ← claim ← report ← cli`
+//! ```text
+//! cli
+//! report
+//! claim
+//! accuracy  remedy  optimise  sweep  search
+//! loads  family
+//! verdict
+//! order  numbers
+//! layout
+//! exact
+//! proof  motion  beam  text
+//! ```
 //!
-//! A room imports only rooms to its left; `tests/rooms.rs` reads the imports and holds them to it. Floats do not
-//! compile left of `numbers`, nor in `beam`.
+//! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
+//! do not compile in `proof`, `exact`, `beam`, `layout`, `order` and `verdict`.
+//!
+//! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 
 #![warn(missing_docs)]
 
@@ -34,6 +47,8 @@ pub mod layout;
 pub mod order;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod proof;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod text;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod verdict;
 

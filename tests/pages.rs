@@ -11,6 +11,7 @@ use std::process::{Command, Stdio};
 
 use crankstar::layout::{self, Layout};
 use crankstar::report::{self, Compared, Dialect};
+use crankstar::text::Untrusted;
 use crankstar::verdict;
 use serde_json::Value;
 
@@ -58,7 +59,8 @@ fn comparison() -> (PathBuf, usize) {
     fs::create_dir_all(&folder).expect("a folder");
     let (orders, engines) = ([1, 2, 4], engines());
     let few = engines.iter().filter(|(name, _)| name.starts_with("I5") || name.starts_with("strange"));
-    let compared: Vec<Compared> = few.map(|(name, layout)| Compared::new(name.clone(), layout, &orders)).collect();
+    let compared: Vec<Compared> =
+        few.map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders)).collect();
     for file in report::compare_page(&compared) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }

@@ -5,14 +5,13 @@ use std::time::Duration;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::branch::Search;
-use super::interval::Interval;
+use super::branch::{Found, Search};
 use super::orders::Orders;
 use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
 use super::timing::measured;
 use crate::layout::Layout;
-use crate::loads::Missing;
+use crate::loads::{self, Missing};
 use crate::motion::Enclosure;
 use crate::order::{TurningMass, turning_masses};
 use crate::proof::Quantity;
@@ -69,12 +68,14 @@ pub struct Row {
 pub struct Study {
     /// Which load.
     pub quantity: Quantity,
-    /// The peak, guaranteed; at most the largest bound that is known where the load vanishes.
+    /// The peak, guaranteed; 0 where the load is proved to vanish at every order, and no more than a bound where it does at those looked at.
     pub peak: Enclosure,
     /// Errors below this part of the peak are roundings of doubles, which differ between machines, or lie in the doubt about
     /// the peak.
     pub rounding: f64,
-    /// The methods; none where the load vanishes at every order.
+    /// The peak is known to this part of itself: a smaller error is below that of the yardstick.
+    pub doubt: f64,
+    /// The methods; none where the load vanishes at every order that was looked at.
     pub rows: Vec<Row>,
 }
 
@@ -87,6 +88,9 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
         return Err(Missing::BalancerShafts);
     }
     let orders = Orders::new(layout, quantity, SUMMED)?;
+    if loads::vanishes_at_every_order(layout, quantity) {
+        return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new() });
+    }
     let fractions = Fractions::new(layout, quantity);
     let (steady, steady_rest) = match orders.steady() {
         false => (false, 0.0),
@@ -100,10 +104,14 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
         false => fractions.peak(orders.bound(0), orders.angle()),
     };
     let (enclosure, time) = measured(timed, peak);
+    let search = Search::new(layout, quantity);
+    let searched = DIGITS.map(|digits| (digits, measured(timed, || search.run(ten_to_minus(digits), MOST_SPANS))));
+    // What any method guarantees holds for the yardstick, so that none is compared with a worse one than itself.
+    let guaranteed = searched.iter().filter_map(|(_, (found, _))| ends(found)).chain(orders.enclosure());
     let nothing = || Missing::Motion("the peak cannot be enclosed: a crank comes too near the end of its reach".into());
-    let enclosure = enclosure.ok_or_else(nothing)?;
+    let enclosure = enclosure.into_iter().chain(guaranteed).reduce(narrowed).ok_or_else(nothing)?;
     if orders.waveform.harmonics().is_empty() && steady {
-        return Ok(Study { quantity, peak: enclosure, rounding: 0.0, rows: Vec::new() });
+        return Ok(Study { quantity, peak: enclosure, rounding: 0.0, doubt: 0.0, rows: Vec::new() });
     }
     let yardstick = Yardstick::new(&enclosure);
     let mut rows = Vec::new();
@@ -134,11 +142,8 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
         let error = yardstick.error(value);
         rows.push(Row { method: Method::Singles(steps), value, bound: None, error, looked_at, time });
     }
-    let search = Search::new(layout, quantity);
-    for digits in DIGITS {
-        let (found, time) = measured(timed, || search.run(ten_to_minus(digits), MOST_SPANS));
-        let squares = Interval { low: found.low, high: found.high };
-        let ends = [squares.low.sqrt().next_down(), squares.high.sqrt().next_up()];
+    for (digits, (found, time)) in searched {
+        let ends = float_ends(&found);
         let value = f64::midpoint(ends[0], ends[1]);
         let bound = Some((ends[1] - ends[0]) / yardstick.size);
         let (error, looked_at) = (yardstick.error(value), Some(found.looked_at));
@@ -148,7 +153,29 @@ pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, 
     let (value, error) = (yardstick.size, yardstick.error(yardstick.size));
     rows.push(Row { method: Method::Fractions, value, bound: Some(doubt), error, looked_at: None, time });
     let rounding = (ROUNDINGS * f64::EPSILON * orders.largest_sum / yardstick.size).max(doubt);
-    Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), rows })
+    Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), doubt, rows })
+}
+
+impl Study {
+    /// Whether the yardstick is too coarse to tell the error of a method.
+    pub fn is_below_reference(&self, row: &Row) -> bool {
+        row.error <= self.doubt
+    }
+}
+
+/// The peak that a search leaves.
+fn float_ends(found: &Found) -> [f64; 2] {
+    [found.low.sqrt().next_down().max(0.0), found.high.sqrt().next_up()]
+}
+
+fn ends(found: &Found) -> Option<Enclosure> {
+    let [low, high] = float_ends(found);
+    Some(Enclosure { low: BigRational::from_float(low)?, high: BigRational::from_float(high)? })
+}
+
+/// What both say of one number.
+fn narrowed(one: Enclosure, other: Enclosure) -> Enclosure {
+    Enclosure { low: one.low.max(other.low), high: one.high.min(other.high) }
 }
 
 /// The length at one angle becomes the peak where all that changes is at most this.

@@ -21,18 +21,19 @@ mod fixed;
 mod front;
 mod interval;
 mod jet;
+mod largest;
 mod method;
 mod orders;
 mod real;
 mod reference;
 mod sample;
-mod tail;
 mod timing;
 
 use num_rational::BigRational;
 use num_traits::Zero;
 
 pub use front::front;
+pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};
 
 use crate::layout::{Layout, Rod};

@@ -1,8 +1,10 @@
 //! What do the first orders of a load add up to, and how much is left to the others?
 
-use super::tail::Tails;
+use num_rational::BigRational;
+
 use crate::layout::Layout;
-use crate::loads::{self, Harmonic, Loads, Missing, Waveform};
+use crate::loads::{Harmonic, Missing, Spectrum, Tails, Waveform};
+use crate::motion::Enclosure;
 use crate::proof::Quantity;
 
 /// The orders of one load.
@@ -13,28 +15,34 @@ pub(super) struct Orders {
     largest: Vec<(u32, f64)>,
     /// Bound of all orders above those.
     rest: f64,
+    /// How much of the sum of the orders is not known.
+    doubt: f64,
     /// No sum of the terms of the load is larger: its roundings are in the last place of this.
     pub largest_sum: f64,
 }
 
 impl Orders {
     pub fn new(layout: &Layout, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
-        let mut asked = layout.clone();
-        asked.effects.torque = quantity == Quantity::Torque;
-        let all: Vec<u32> = (1..=highest).collect();
-        let Loads { orders, force, moment, torque, .. } = loads::loads(&asked, &all)?;
-        let tails = Tails::new(layout, highest)?;
-        let (rest, largest_sum) = (tails.above(layout, quantity, highest), tails.largest_sum(layout, quantity));
-        let (waveform, largest) = match (quantity, torque) {
-            (Quantity::Force, _) => (force, orders.iter().map(|o| (o.order, o.force.largest())).collect()),
-            (Quantity::Moment, _) => (moment, orders.iter().map(|o| (o.order, o.moment.largest())).collect()),
-            (Quantity::Torque, Some(torque)) => {
-                let largest = torque.orders.iter().map(|order| (order.order, order.vector.value.norm()));
-                (torque.waveform, largest.collect())
-            }
-            (Quantity::Torque, None) => (Waveform::default(), Vec::new()),
-        };
-        Ok(Orders { quantity, waveform, largest, rest, largest_sum })
+        let mut spectrum = Spectrum::new(layout)?.with_tails(Tails::with_coefficients(layout, highest)?);
+        spectrum.raise(highest, quantity == Quantity::Torque);
+        Ok(Orders {
+            quantity,
+            waveform: spectrum.waveform(quantity),
+            largest: spectrum.lengths(quantity),
+            rest: spectrum.rest(quantity),
+            doubt: spectrum.doubt(quantity),
+            largest_sum: spectrum.largest_sum(quantity),
+        })
+    }
+
+    /// What all orders together peak at, by the sum of those that are known.
+    pub fn enclosure(&self) -> Option<Enclosure> {
+        let (peak, error) = (self.peak(&self.waveform), self.rest + self.doubt);
+        let end = |float: f64| BigRational::from_float(float);
+        Some(Enclosure {
+            low: end((peak - error).max(0.0).next_down().max(0.0))?,
+            high: end((peak + error).next_up())?,
+        })
     }
 
     /// The orders above this one add at most this.

@@ -8,6 +8,9 @@ const REPEATS: usize = 7;
 /// Short evaluations are timed together, so many that they take about this long.
 const BATCH: Duration = Duration::from_micros(500);
 
+/// A longer evaluation is timed once.
+const LONGEST: Duration = Duration::from_millis(100);
+
 /// The result, and the median time where it is wanted.
 pub(super) fn measured<T>(timed: bool, run: impl Fn() -> T) -> (T, Option<Duration>) {
     let start = Instant::now();
@@ -16,6 +19,9 @@ pub(super) fn measured<T>(timed: bool, run: impl Fn() -> T) -> (T, Option<Durati
         return (result, None);
     }
     let first = start.elapsed().max(Duration::from_nanos(1));
+    if first > LONGEST {
+        return (result, Some(first));
+    }
     let batch = (BATCH.as_nanos() / first.as_nanos()).clamp(1, 100_000) as u32;
     let mut times: Vec<Duration> = (0..REPEATS)
         .map(|_| {

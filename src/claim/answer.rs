@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use super::absolute::Absolute;
+use super::possible::Witness;
 use crate::exact::PhasorSum;
 use crate::loads::BearingLoads;
 use crate::proof::Certificate;
@@ -116,6 +117,8 @@ pub enum Finding {
     Mass(BigRational),
     /// What the main bearings feel.
     Bearings(Box<BearingLoads>),
+    /// Counterweights, found for a claim that some can do it.
+    Witness(Box<Witness>),
     /// Nothing could be found out, for this reason.
     Nothing(String),
 }

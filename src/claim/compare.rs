@@ -4,10 +4,9 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::answer::{Evidence, Status};
-use super::radicals::{as_sum, number, square_as_sum};
 use super::statement::{Angle, Bearing, Tolerance, Value};
 use crate::exact::{PhasorSum, Turn};
-use crate::numbers::{Form, evaluate};
+use crate::numbers::{Form, as_sum, evaluate, number, square_as_sum};
 
 /// Decimals nearer than this to the edge of a tolerance decide nothing.
 const EDGE: f64 = 1e-9;

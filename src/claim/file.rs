@@ -8,16 +8,18 @@ use serde_spanned::Spanned;
 use super::absolute::Numbers;
 use super::answer::Answer;
 use super::grammar::parse_statement;
+use super::provenance::{Keys, Provenance};
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
 use crate::layout::written::{Table, Text, place, read};
 use crate::layout::{Layout, LayoutError, units};
+use crate::text::Untrusted;
 
 /// A claims file, every claim read.
 #[derive(Clone, Debug)]
 pub struct Claims {
     /// Title of the page.
-    pub title: String,
+    pub title: Untrusted,
     /// Statements with their claims; a plain `[[claim]]` is a statement of its own.
     pub statements: Vec<Published>,
     /// Students' vector-star tables.
@@ -28,11 +30,11 @@ pub struct Claims {
 #[derive(Clone, Debug)]
 pub struct Published {
     /// The statement in words; none for a claim by itself.
-    pub text: Option<String>,
-    /// Where it is said.
-    pub source: Option<String>,
+    pub text: Option<Untrusted>,
+    /// Who says it; where in it, each claim tells.
+    pub source: Option<Untrusted>,
     /// What the author of the file concludes from the answers.
-    pub conclusion: Option<String>,
+    pub conclusion: Option<Untrusted>,
     /// The claims.
     pub claims: Vec<Claim>,
 }
@@ -41,11 +43,13 @@ pub struct Published {
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// The engine's name or path, as written.
-    pub engine: String,
+    pub engine: Untrusted,
     /// The engine.
     pub layout: Layout,
+    /// Who says so, and where.
+    pub provenance: Provenance,
     /// The claim, as written.
-    pub says: String,
+    pub says: Untrusted,
     /// The claim, as read.
     pub statement: Statement,
     /// What the engine weighs and measures, where a claim is in newtons.
@@ -70,6 +74,8 @@ impl Claims {
 #[serde(deny_unknown_fields)]
 struct File {
     title: Option<Text>,
+    /// The source of every statement that names no other.
+    source: Option<Text>,
     claim: Option<Vec<Spanned<Table<ClaimTable>>>>,
     statement: Option<Vec<Spanned<Table<StatementTable>>>>,
     table: Option<Vec<Spanned<Table<student::Written>>>>,
@@ -79,7 +85,10 @@ struct File {
 #[serde(deny_unknown_fields)]
 struct StatementTable {
     text: Text,
+    kind: Option<Text>,
     source: Option<Text>,
+    place: Option<Text>,
+    words: Option<Text>,
     conclusion: Option<Text>,
     claim: Vec<Spanned<Table<ClaimTable>>>,
 }
@@ -89,8 +98,25 @@ struct StatementTable {
 struct ClaimTable {
     layout: Text,
     says: Text,
+    kind: Option<Text>,
     source: Option<Text>,
+    place: Option<Text>,
+    words: Option<Text>,
     numbers: Option<Table<NumbersTable>>,
+}
+
+impl StatementTable {
+    fn keys(&self) -> Keys<'_> {
+        let (kind, source) = (self.kind.as_ref(), self.source.as_ref());
+        Keys { kind, source, place: self.place.as_ref(), words: self.words.as_ref() }
+    }
+}
+
+impl ClaimTable {
+    fn keys(&self) -> Keys<'_> {
+        let (kind, source) = (self.kind.as_ref(), self.source.as_ref());
+        Keys { kind, source, place: self.place.as_ref(), words: self.words.as_ref() }
+    }
 }
 
 #[derive(Deserialize)]
@@ -115,20 +141,22 @@ pub fn parse_claims(name: &str, source: &str, find: Find) -> Result<Claims, Layo
 }
 
 fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {
+    let whole = Keys { source: file.source.as_ref(), ..Keys::default() };
     let mut statements = Vec::new();
     for table in file.claim.iter().flatten() {
         let table = &table.get_ref().0;
         let source = table.source.as_ref().map(text);
-        statements.push(Published { text: None, source, conclusion: None, claims: vec![claim(table, find)?] });
+        statements.push(Published { text: None, source, conclusion: None, claims: vec![claim(table, whole, find)?] });
     }
     for table in file.statement.iter().flatten() {
         let table = &table.get_ref().0;
-        let claims = table.claim.iter().map(|table| claim(&table.get_ref().0, find)).collect::<Result<_, _>>()?;
+        let around = table.keys().within(whole);
+        let claims = table.claim.iter().map(|table| claim(&table.get_ref().0, around, find));
         statements.push(Published {
             text: Some(text(&table.text)),
-            source: table.source.as_ref().map(text),
+            source: around.source.map(text),
             conclusion: table.conclusion.as_ref().map(text),
-            claims,
+            claims: claims.collect::<Result<_, _>>()?,
         });
     }
     let tables = file.table.iter().flatten().map(|table| student::read(&table.get_ref().0, find));
@@ -137,11 +165,11 @@ fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {
         let right = "add a [[claim]] with layout and says, a [[statement]] or a [[table]]";
         return Err(LayoutError::new("the file claims nothing", right, None));
     }
-    Ok(Claims { title: file.title.as_ref().map_or_else(|| name.to_owned(), text), statements, tables })
+    Ok(Claims { title: file.title.as_ref().map_or_else(|| Untrusted::new(name), text), statements, tables })
 }
 
-fn text(text: &Text) -> String {
-    text.get_ref().0.clone()
+fn text(text: &Text) -> Untrusted {
+    text.get_ref().untrusted()
 }
 
 /// The engine that a text names.
@@ -149,13 +177,14 @@ pub(super) fn engine(name: &Text, find: Find) -> Result<Layout, LayoutError> {
     find(&name.get_ref().0).map_err(|reason| LayoutError::new(reason, "this engine is not found", place(name)))
 }
 
-fn claim(table: &ClaimTable, find: Find) -> Result<Claim, LayoutError> {
+fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutError> {
     let says = text(&table.says);
     let mistake = |mistake: super::Mistake| LayoutError::new(mistake.message, mistake.right, place(&table.says));
     Ok(Claim {
         engine: text(&table.layout),
         layout: engine(&table.layout, find)?,
-        statement: parse_statement(&says).map_err(mistake)?,
+        provenance: table.keys().within(around).provenance()?,
+        statement: parse_statement(says.written()).map_err(mistake)?,
         says,
         numbers: table.numbers.as_ref().map(|table| numbers(&table.0)).transpose()?,
     })

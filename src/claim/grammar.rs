@@ -1,5 +1,6 @@
 //! Which claim do these words make? A small grammar, described in the room's README.
 
+use super::possible;
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
 use crate::layout::HIGHEST_ORDER;
@@ -55,9 +56,8 @@ pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
     match words.to_lowercase().as_str() {
         "fires evenly" => return Ok(Statement::FiresEvenly { evenly: true }),
         "does not fire evenly" => return Ok(Statement::FiresEvenly { evenly: false }),
-        "no free moment" | "no free moments" => {
-            return Ok(Statement::Vanish { orders: Orders::Every, quantities: vec![Quantity::Moment] });
-        }
+        "no free moment" | "no free moments" => return Ok(Statement::NoFreeMoment),
+        lower if lower.starts_with(possible::BEGINNING) => return possible::parse(lower),
         lower if lower.starts_with("crankshaft mass ") => return mass(lower),
         lower if lower.starts_with("largest main-bearing load ") => {
             let (sign, written) = next(&words["largest main-bearing load ".len()..]);

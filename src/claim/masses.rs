@@ -14,6 +14,9 @@ use crate::order::{self, Masses};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, OrderBalance};
 
+/// Peaks that differ by less than this part are alike: the roundings of their decimals could not tell them apart.
+const ALIKE: f64 = 1e-12;
+
 /// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
 pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<OrderBalance, String> {
     loads::comparable(layout).map_err(|missing| missing.to_string())?;
@@ -37,7 +40,15 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
         let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| one_coefficient(quantity, sense));
         Ok::<_, String>(Balance::of(quantity, order, direct?, reverse?))
     };
-    Ok(OrderBalance { order, class: None, force: of(Quantity::Force)?, moment: of(Quantity::Moment)?, torque: None })
+    Ok(OrderBalance {
+        exists: true,
+        torque_exists: true,
+        order,
+        class: None,
+        force: of(Quantity::Force)?,
+        moment: of(Quantity::Moment)?,
+        torque: None,
+    })
 }
 
 /// Answers a claim about the crankshaft's mass.
@@ -57,11 +68,19 @@ pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
     Answer { status, finding: Finding::Mass(mass), evidence: Vec::new() }
 }
 
-/// Answers a claim about which main bearings feel the largest force.
+/// Answers a claim about which main bearings feel the most: each of them more than any that is not named. Whether those
+/// named feel alike is not claimed.
 pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
     of_bearings(layout, |loads| {
-        let is_so = loads.worst.iter().map(|index| index + 1).eq(claimed.iter().copied());
-        Ok(if is_so { Status::True } else { Status::False })
+        if let Some(none) = claimed.iter().find(|number| **number > loads.bearings.len()) {
+            return Err(format!("there is no main bearing {none}"));
+        }
+        let is_named = |index: &usize| claimed.contains(&(index + 1));
+        let (named, others): (Vec<usize>, Vec<usize>) = (0..loads.bearings.len()).partition(is_named);
+        let peaks = |of: Vec<usize>| of.into_iter().map(|index| loads.bearings[index].peak.value);
+        let least = peaks(named).fold(f64::INFINITY, f64::min);
+        let most = peaks(others).fold(0.0, f64::max);
+        Ok(if least > most * (1.0 + ALIKE) { Status::True } else { Status::False })
     })
 }
 
@@ -91,7 +110,7 @@ pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
 
 /// Solves the main bearings at the orders of the layout file, and judges.
 fn of_bearings(layout: &Layout, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
-    let loads = loads::bearing_loads(layout, &layout.orders, Method::Continuous);
+    let loads = loads::bearing_loads(layout, &loads::usual_orders(layout), Method::Continuous);
     match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
         Err(reason) => Answer::nothing(&reason),
         Ok((status, loads)) => Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() },

@@ -6,15 +6,18 @@
 
 mod absolute;
 mod answer;
+mod check;
 mod compare;
 mod condition;
 mod every;
 mod file;
 mod firing;
+mod free;
 mod grammar;
 mod masses;
 mod order;
-mod radicals;
+mod possible;
+mod provenance;
 mod statement;
 mod student;
 mod study;
@@ -26,17 +29,30 @@ pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use grammar::{Mistake, parse_statement};
-pub use statement::{Angle, Bearing, Orders, Predicate, Statement, Subject, Tolerance, Unit, Value};
+pub use possible::Witness;
+pub use provenance::{Provenance, Quote};
+pub use statement::{
+    Angle, Balanced, Bearing, Orders, Possible, Predicate, Statement, Subject, Tolerance, Unit, Value,
+};
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
 pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
-    let of_orders = matches!(statement, Statement::Order { .. } | Statement::Vanish { .. });
+    let of_orders = match statement {
+        Statement::Order { .. } | Statement::Vanish { .. } | Statement::NoFreeMoment => true,
+        Statement::CanBalance(_)
+        | Statement::CrankshaftMass(_)
+        | Statement::BearingLoad(_)
+        | Statement::WorstBearings(_)
+        | Statement::FiresEvenly { .. } => false,
+    };
     if of_orders && layout.rods().len() > 1 {
         return Answer::nothing("the rods of the engine differ, so that no order is a single sum");
     }
     match statement {
+        Statement::NoFreeMoment => free::answer(layout),
+        Statement::CanBalance(possible) => possible::answer(layout, possible),
         Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
         Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),
         Statement::CrankshaftMass(mass) => masses::crankshaft(layout, mass),

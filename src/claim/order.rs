@@ -68,6 +68,10 @@ pub(super) fn answer(layout: &Layout, subject: Subject, predicate: &Predicate, n
         Ok(order) => order,
         Err(reason) => return Answer::nothing(&reason),
     };
+    let exists = if with_torque { order.torque_exists } else { order.exists };
+    if !exists {
+        return missing(order, predicate);
+    }
     let Some(vectors) = Vectors::new(&order, subject) else { return Answer::nothing("no vectors") };
     let mut evidence = vectors.evidence();
     let status = match predicate {
@@ -95,6 +99,18 @@ pub(super) fn answer(layout: &Layout, subject: Subject, predicate: &Predicate, n
     };
     let finding = Finding::Order(Box::new(order.clone()));
     Answer { status, finding, evidence }
+}
+
+/// An order that does not exist is 0, and balanced, whatever its sums are.
+fn missing(order: OrderBalance, predicate: &Predicate) -> Answer {
+    let is_so = match predicate {
+        Predicate::Vanishes(claimed) => *claimed,
+        Predicate::Is(shape) => *shape == Shape::Balanced,
+        Predicate::Plane(_) | Predicate::Equals(_, Some(_)) => false,
+        Predicate::Equals(value, None) => value.form.to_float() == 0.0,
+    };
+    let status = if is_so { Status::True } else { Status::False };
+    Answer { status, finding: Finding::Order(Box::new(order)), evidence: Vec::new() }
 }
 
 /// Vanishing, with what it depends on.
@@ -134,7 +150,7 @@ fn largest(vectors: &Vectors, subject: Subject, value: &Value) -> (Status, Vec<E
 pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
     let half = BigRational::new(1.into(), 2.into());
     let exact = match sums.map(length) {
-        [Some(a), Some(b)] => Some(a.plus(&b).scaled(&half)),
+        [Some(a), Some(b)] => Some(numbers::plainer(a.plus(&b).scaled(&half))),
         _ => None,
     };
     (exact, sums.map(|sum| numbers::evaluate(sum).norm()).iter().sum::<f64>() / 2.0)

@@ -23,17 +23,41 @@ pub enum Statement {
         /// Force, moment, or both where it is empty of a name.
         quantities: Vec<Quantity>,
     },
+    /// No order leaves a moment that stays wherever the reference plane stands.
+    NoFreeMoment,
+    /// Counterweights that do it exist.
+    CanBalance(Possible),
     /// The crankshaft's mass in the thesis's sense, in kilograms ([`crate::layout::Layout::crankshaft_mass`]).
     CrankshaftMass(Value),
     /// The largest force on any main bearing.
     BearingLoad(Value),
-    /// The main bearings, by their numbers from 1, that feel the largest force.
+    /// The main bearings, by their numbers from 1, each of which feels a larger force than any other.
     WorstBearings(Vec<usize>),
     /// Whether the firing intervals are equal.
     FiresEvenly {
         /// False where the claim denies it.
         evenly: bool,
     },
+}
+
+/// What counterweights in one plane or two are said to be able to do, each at the crank radius and turned as it may.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Possible {
+    /// Where they stand along the crankshaft, in the unit of the positions: one plane or two.
+    pub planes: Vec<BigRational>,
+    /// What they take away of all that turns with the crank at order 1.
+    pub balanced: Balanced,
+    /// The crankshaft's mass in kilograms that it stays below with them.
+    pub lighter_than: Option<BigRational>,
+}
+
+/// What is taken away of the direct vectors of order 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Balanced {
+    /// The force and the moment.
+    ForceAndMoment,
+    /// The moment about the reference plane; the force stays as it is.
+    Moment,
 }
 
 /// One order of one quantity, or one of its two vectors.

@@ -11,12 +11,13 @@ use crate::layout::{Layout, LayoutError, parse_number, units};
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::{Quantity, Sense};
+use crate::text::Untrusted;
 
 /// A vector-star table of one order, as a student fills it in.
 #[derive(Clone, Debug)]
 pub struct StarTable {
     /// The engine's name or path, as written.
-    pub engine: String,
+    pub engine: Untrusted,
     /// The engine.
     pub layout: Layout,
     /// The order k.
@@ -93,7 +94,9 @@ struct Sums {
 pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError> {
     let layout = engine(&table.layout, find)?;
     let order = table.order.get_ref().0.parse().ok().filter(|order| (1..=crate::layout::HIGHEST_ORDER).contains(order));
-    let order = order.ok_or_else(|| misread("order", &table.order, "a whole number from 1 to 1000"))?;
+    let order = order.ok_or_else(|| {
+        misread("order", &table.order, &format!("a whole number from 1 to {}", crate::layout::HIGHEST_ORDER))
+    })?;
     let mut phases = Vec::new();
     for row in table.rows.iter().flatten().map(|row| &row.get_ref().0) {
         let name = &row.cylinder.get_ref().0;
@@ -120,7 +123,7 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
             sums.push((quantity, sense, text.get_ref().0.clone(), form));
         }
     }
-    Ok(StarTable { engine: table.layout.get_ref().0.clone(), layout, order, phases, sums })
+    Ok(StarTable { engine: table.layout.get_ref().untrusted(), layout, order, phases, sums })
 }
 
 fn misread(what: &str, text: &Text, right: &str) -> LayoutError {

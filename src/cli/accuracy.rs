@@ -11,13 +11,13 @@ use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
 
 use super::failure::Failure;
-use super::{layouts, print_json, terminal, write};
+use super::{folder, layouts, print_json, progress, terminal, write};
 
 /// Arguments of `accuracy`.
 #[derive(clap::Args)]
 pub struct Accuracy {
     /// A name of the catalogue, or the path of a layout file
-    layout: String,
+    layout: PathBuf,
     /// Rod ratios λ, from 0 to below 1, in place of those of the layout
     #[arg(long, value_name = "RATIOS", value_delimiter = ',', value_parser = ratio)]
     rod_ratio: Vec<BigRational>,
@@ -50,10 +50,13 @@ impl Accuracy {
             ratios => ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio)).collect(),
         };
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+        let spinner = progress::spinner("finding each peak by all methods");
         let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, true));
-        let cases = cases.collect::<Result<Vec<_>, _>>().map_err(Failure::new)?;
+        let cases = cases.collect::<Result<Vec<_>, _>>();
+        spinner.finish_and_clear();
+        let cases = cases.map_err(Failure::new)?;
         if let Some(folder) = &self.output {
-            write::to_folder(folder, &report::accuracy_page(&layout, &cases))?;
+            folder::write(folder, &report::accuracy_page(&layout, &cases))?;
         }
         if self.json {
             return print_json(&report::accuracy_document(&layout, &cases));

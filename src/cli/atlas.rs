@@ -7,7 +7,7 @@ use crankstar::report;
 use crankstar::search::{self, Options};
 
 use super::failure::Failure;
-use super::write;
+use super::{folder, layouts, progress, write};
 
 /// Arguments of `atlas`.
 #[derive(clap::Args)]
@@ -23,14 +23,18 @@ impl Atlas {
         let engines = layout::catalogue()?;
         let options = Options::default();
         let mut stars = Vec::new();
+        let bar = progress::bar("stars");
+        bar.set_length(2 * report::ATLAS_CYLINDERS.count() as u64);
         for cycle in [Cycle::TwoStroke, Cycle::FourStroke] {
             for cylinders in report::ATLAS_CYLINDERS {
                 stars.push(search::best_in_line(cylinders, cycle, &options).map_err(Failure::new)?);
+                bar.inc(1);
             }
         }
+        bar.finish_and_clear();
         let files = report::atlas(&engines, &stars)?;
-        write::to_folder(&self.output, &files)?;
-        let names: Vec<String> = files.iter().map(|file| self.output.join(&file.name).display().to_string()).collect();
+        folder::write(&self.output, &files)?;
+        let names: Vec<String> = files.iter().map(|file| layouts::shown(&self.output.join(&file.name))).collect();
         write::to_stdout(&format!("Written: {}\n", names.join(", ")))
     }
 }

@@ -7,7 +7,7 @@ use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
 use super::failure::Failure;
-use super::{Subject, print_json, terminal, write};
+use super::{Subject, folder, print_json, terminal, write};
 
 /// Arguments of `bearings`.
 #[derive(clap::Args)]
@@ -37,8 +37,8 @@ impl Bearings {
         let mut text = terminal::bearings(&layout, &continuous, &determinate);
         if let Some(folder) = &self.output {
             let files = report::bearings_page(&layout, &continuous, &determinate);
-            write::to_folder(folder, &files)?;
-            text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+            folder::write(folder, &files)?;
+            text += &format!("\n{}", folder::written(folder, &files));
         }
         write::to_stdout(&text)
     }

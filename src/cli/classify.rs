@@ -6,7 +6,8 @@ use crankstar::report;
 use crankstar::verdict;
 
 use super::failure::Failure;
-use super::{Subject, print_json, terminal, write};
+use super::verify::proved;
+use super::{Subject, terminal, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]
@@ -36,12 +37,10 @@ impl Classify {
         if !self.json {
             return write::to_stdout(&terminal::summary(&layout, &balances));
         }
-        let mut document = report::document(&layout, &balances);
-        if self.all_orders {
-            let theorem = verdict::theorem(&layout).map_err(Failure::new)?;
-            document.theorems = report::theorem_claims(&theorem);
-        }
-        print_json(&document)
+        let theorem = self.all_orders.then(|| verdict::theorem(&layout)).transpose().map_err(Failure::new)?;
+        let quantities = report::quantities(self.torque);
+        let document = report::document(&layout, &balances, &quantities, theorem.as_ref());
+        write::to_stdout(&proved(&document)?)
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
@@ -50,9 +49,10 @@ impl Classify {
                 "--torque and --all-orders need an engine without unknowns; give them values below [values]",
             ));
         }
+        family::comparable(family).map_err(Failure::new)?;
         let verdicts = family::classify(family, orders);
         match self.json {
-            true => print_json(&report::open_document(family, &verdicts)),
+            true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
             false => write::to_stdout(&terminal::open_summary(family, &verdicts)),
         }
     }

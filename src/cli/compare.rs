@@ -2,20 +2,22 @@
 
 use std::path::{Path, PathBuf};
 
-use crankstar::layout::{self, Engine, Layout};
+use crankstar::layout::{Engine, Layout};
+use crankstar::loads::usual_orders;
 use crankstar::report::{self, Compared};
+use crankstar::text::Untrusted;
 
 use super::failure::Failure;
-use super::{layouts, print_json, terminal, write};
+use super::{folder, layouts, print_json, terminal, write};
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]
 pub struct Compare {
     /// Names of the catalogue, or paths of layout files
     #[arg(required = true)]
-    layouts: Vec<String>,
+    layouts: Vec<PathBuf>,
     /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// Print the comparison as JSON
     #[arg(long, conflicts_with = "output")]
@@ -33,7 +35,7 @@ impl Compare {
     pub fn run(&self) -> Result<(), Failure> {
         let engines = self.read()?;
         let mut orders = match self.orders.as_slice() {
-            [] => engines.iter().flat_map(|(_, layout)| layout.orders.clone()).collect(),
+            [] => engines.iter().flat_map(|(_, layout)| usual_orders(layout)).collect(),
             asked => asked.to_vec(),
         };
         orders.sort_unstable();
@@ -46,17 +48,17 @@ impl Compare {
         let mut text = terminal::compare(&compared);
         if let Some(folder) = &self.output {
             let files = report::compare_page(&compared);
-            write::to_folder(folder, &files)?;
-            text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+            folder::write(folder, &files)?;
+            text += &format!("\n{}", folder::written(folder, &files));
         }
         write::to_stdout(&text)
     }
 
     /// The engines with short names; with their arguments where two would have the same.
-    fn read(&self) -> Result<Vec<(String, Layout)>, Failure> {
+    fn read(&self) -> Result<Vec<(Untrusted, Layout)>, Failure> {
         match self.layouts.len() {
             1 => {
-                let only = &self.layouts[0];
+                let only = layouts::shown(&self.layouts[0]);
                 return Err(Failure::new(format!(
                     "one engine has nothing to be compared with; name two or more, or ask `crankstar classify {only}`"
                 )));
@@ -70,12 +72,13 @@ impl Compare {
         }
         let short: Vec<String> = self.layouts.iter().map(|argument| short_name(argument)).collect();
         let is_unique = |name: &String| short.iter().filter(|other| *other == name).count() == 1;
-        let named = |(argument, name): (&String, &String)| {
-            let name = if is_unique(name) { name } else { argument };
+        let named = |(argument, name): (&PathBuf, &String)| {
+            let name = if is_unique(name) { name.clone() } else { layouts::shown(argument) };
             match layouts::read(argument)? {
-                Engine::Known(layout, _) => Ok((name.clone(), *layout)),
+                Engine::Known(layout, _) => Ok((Untrusted::new(name), *layout)),
                 Engine::Open(family) => Err(Failure::new(format!(
-                    "`{argument}` has unknowns: {}; engines are compared without, so give values below [values]",
+                    "`{}` has unknowns: {}; engines are compared without, so give values below [values]",
+                    layouts::shown(argument),
                     family.unknowns().into_iter().collect::<Vec<_>>().join(", ")
                 ))),
             }
@@ -85,16 +88,15 @@ impl Compare {
 }
 
 /// A name of the catalogue as it is written there; else the name of the file, or of its folder for `layout.toml`.
-fn short_name(argument: &str) -> String {
-    if let Some(entry) = layout::find(argument) {
+fn short_name(path: &Path) -> String {
+    if let Some(entry) = layouts::named(path) {
         return entry.name.to_owned();
     }
-    let path = Path::new(argument);
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let folder = path.parent().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
     match folder {
         Some(folder) if stem == "layout" => folder,
-        _ if stem.is_empty() => argument.to_owned(),
+        _ if stem.is_empty() => layouts::shown(path),
         _ => stem,
     }
 }

@@ -3,15 +3,16 @@
 use std::fmt;
 
 use crankstar::layout::LayoutError;
+use crankstar::text::harmless_lines;
 
 /// A message for standard error; the exit status is 1.
 #[derive(Debug)]
 pub struct Failure(String);
 
 impl Failure {
-    /// A failure told in one line.
+    /// A failure told in one line; what it repeats of the input does nothing to a terminal.
     pub fn new(message: impl fmt::Display) -> Self {
-        Failure(format!("error: {message}"))
+        Failure(harmless_lines(&format!("error: {message}")))
     }
 
     /// The message without what marks it as an error.

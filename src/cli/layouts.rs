@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crankstar::layout::{self, Engine};
+use crankstar::layout::{self, Engine, Entry};
+use crankstar::text::harmless;
 
 use super::failure::Failure;
 
@@ -10,23 +11,33 @@ use super::failure::Failure;
 const LARGEST_FILE: u64 = 4 << 20;
 
 /// Reads the engine of this name or path.
-pub fn read(layout: &str) -> Result<Engine, Failure> {
+pub fn read(layout: &Path) -> Result<Engine, Failure> {
     let (name, text) = source(layout)?;
     Ok(layout::parse_engine(&name, &text)?)
 }
 
+/// The engine of the catalogue that an argument names.
+pub fn named(layout: &Path) -> Option<Entry> {
+    layout::find(layout.to_str()?)
+}
+
 /// The name that messages show of a layout, and its text.
-pub fn source(layout: &str) -> Result<(String, String), Failure> {
-    match layout::find(layout) {
+pub fn source(layout: &Path) -> Result<(String, String), Failure> {
+    match named(layout) {
         Some(entry) => Ok((entry.name.to_owned(), entry.text.to_owned())),
-        None => Ok((layout.to_owned(), read_text(layout)?)),
+        None => Ok((shown(layout), read_text(layout)?)),
     }
 }
 
+/// A path in one line, to be read by a person.
+pub fn shown(path: &Path) -> String {
+    harmless(&path.to_string_lossy())
+}
+
 /// The text of a layout or claims file.
-pub fn read_text(file: &str) -> Result<String, Failure> {
-    let path = Path::new(file);
-    let metadata = path.metadata().map_err(|error| not_found(file, &error))?;
+pub fn read_text(path: &Path) -> Result<String, Failure> {
+    let file = shown(path);
+    let metadata = path.metadata().map_err(|error| not_found(&file, &error))?;
     if !metadata.is_file() {
         return Err(Failure::new(format!("`{file}` is not a file; a TOML text is expected")));
     }

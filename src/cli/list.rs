@@ -1,6 +1,7 @@
 //! `list`: which engines are known by name?
 
 use crankstar::layout;
+use crankstar::text::Format;
 
 use super::failure::Failure;
 use super::write;
@@ -10,7 +11,7 @@ pub fn run() -> Result<(), Failure> {
     let engines = layout::catalogue()?;
     let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);
     let line = |(entry, layout): &(layout::Entry, layout::Layout)| {
-        format!("{:widest$}  {:2}  {}\n", entry.name, layout.cylinders.len(), layout.title)
+        format!("{:widest$}  {:2}  {}\n", entry.name, layout.cylinders.len(), layout.title.escaped(Format::Plain))
     };
     write::to_stdout(&engines.iter().map(line).collect::<String>())
 }

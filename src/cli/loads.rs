@@ -1,11 +1,16 @@
 //! `loads`: how large are the forces, moments and torques?
 
+use std::ffi::{OsStr, OsString};
+
 use crankstar::layout::{Engine, Layout};
 use crankstar::loads::{self, Needed};
-use crankstar::report;
+use crankstar::report::{self, Numbers};
 
 use super::failure::Failure;
 use super::{Subject, print_json, terminal, write};
+
+/// The percentage of a bare `--auto`.
+const USUAL_PERCENT: &str = "0.1";
 
 /// Arguments of `loads`.
 #[derive(clap::Args)]
@@ -23,8 +28,24 @@ pub struct Loads {
 #[derive(clap::Args)]
 pub struct Auto {
     /// Keep just the orders that this accuracy of the peaks needs, in percent, by a rigorous bound [default value: 0.1]
-    #[arg(long, value_name = "PERCENT", num_args = 0..=1, default_missing_value = "0.1", conflicts_with = "orders", value_parser = percent)]
+    #[arg(long, value_name = "PERCENT", num_args = 0..=1, default_missing_value = USUAL_PERCENT, conflicts_with = "orders", value_parser = percent)]
     auto: Option<f64>,
+}
+
+/// Whether what follows `--auto` is its percentage; else it is the layout, and `--auto` stands for itself.
+fn is_percentage(argument: &OsStr) -> bool {
+    argument.to_str().is_some_and(|text| text.trim_end_matches('%').parse::<f64>().is_ok())
+}
+
+/// The arguments, with `--auto` spelled out where its percentage is left out.
+pub fn spelled_out(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut spelled: Vec<OsString> = Vec::new();
+    let mut arguments = arguments.peekable();
+    while let Some(argument) = arguments.next() {
+        let alone = argument == "--auto" && !arguments.peek().is_some_and(|next| is_percentage(next));
+        spelled.push(if alone { format!("--auto={USUAL_PERCENT}").into() } else { argument });
+    }
+    spelled
 }
 
 fn percent(text: &str) -> Result<f64, String> {
@@ -45,18 +66,15 @@ impl Auto {
 impl Loads {
     /// Prints the loads.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, mut orders) = self.subject.read()?;
+        let (engine, orders) = self.subject.read()?;
         let Engine::Known(layout, _) = engine else {
             return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
         };
         let needed = self.auto.needed(&layout)?;
-        if let Some(needed) = &needed {
-            orders.clone_from(&needed.kept);
-        }
-        let loads = loads::loads(&layout, &orders).map_err(Failure::new)?;
+        let numbers = Numbers::new(&layout, &orders, needed.as_ref()).map_err(Failure::new)?;
         match self.json {
-            true => print_json(&report::loads_document(&layout, &loads, needed.as_ref())),
-            false => write::to_stdout(&terminal::loads(&layout, &loads, needed.as_ref())),
+            true => print_json(&report::loads_document(&layout, &numbers, needed.as_ref())),
+            false => write::to_stdout(&terminal::loads(&layout, &numbers, needed.as_ref())),
         }
     }
 }

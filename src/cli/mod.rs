@@ -7,10 +7,12 @@ mod check;
 mod classify;
 mod compare;
 mod failure;
+mod folder;
 mod layouts;
 mod list;
 mod loads;
 mod optimise;
+mod progress;
 mod remedy;
 mod report;
 mod search;
@@ -25,6 +27,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 
 use crankstar::layout::Engine;
+use crankstar::loads::usual_orders;
+use crankstar::text;
 use failure::Failure;
 
 /// Decides exactly how a reciprocating engine balances, and writes the proof.
@@ -71,11 +75,8 @@ enum Command {
     Optimise(optimise::Optimise),
     /// Write the report with the proofs
     Report(report::Report),
-    /// Check every certificate in the output of `classify --json` or `remedy --json`
-    Verify {
-        /// The JSON file, or - for standard input
-        file: PathBuf,
-    },
+    /// Check all that the output of `classify --json` or `remedy --json` says
+    Verify(verify::Verify),
     /// Check claims about engines: statements of books, homework
     Check {
         /// The claims file (TOML)
@@ -100,9 +101,9 @@ enum Command {
 #[derive(clap::Args)]
 struct Subject {
     /// A name of the catalogue, or the path of a layout file
-    layout: String,
-    /// The orders to judge [default: those of the layout file, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    layout: PathBuf,
+    /// The orders to judge [default: those of the layout file, else 1,2,4,6 and what exists and matters besides]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
     orders: Vec<u32>,
 }
 
@@ -110,11 +111,11 @@ impl Subject {
     /// The engine, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Engine, Vec<u32>), Failure> {
         let engine = layouts::read(&self.layout)?;
-        let usual = match &engine {
-            Engine::Known(layout, _) => &layout.orders,
-            Engine::Open(family) => &family.orders,
+        let mut orders = match (self.orders.as_slice(), &engine) {
+            ([], Engine::Known(layout, _)) => usual_orders(layout),
+            ([], Engine::Open(family)) => family.orders.clone(),
+            (asked, _) => asked.to_vec(),
         };
-        let mut orders = if self.orders.is_empty() { usual.clone() } else { self.orders.clone() };
         orders.sort_unstable();
         orders.dedup();
         Ok((engine, orders))
@@ -142,7 +143,11 @@ enum Math {
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
-    let answer = match Arguments::parse().command {
+    let command = match Arguments::try_parse_from(loads::spelled_out(std::env::args_os())) {
+        Ok(arguments) => arguments.command,
+        Err(told) => return usage(&told),
+    };
+    let answer = match command {
         Command::List => list::run().map(done),
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
@@ -151,7 +156,7 @@ pub fn run() -> ExitCode {
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
-        Command::Verify { file } => verify::run(&file).map(done),
+        Command::Verify(verify) => verify.run().map(done),
         Command::Check { file } => check::run(&file),
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
@@ -162,15 +167,31 @@ pub fn run() -> ExitCode {
     match answer {
         Ok(status) => status,
         Err(failure) => {
-            anstream::eprintln!("{failure}");
+            write::to_stderr(&failure.to_string());
             ExitCode::from(1)
         }
     }
 }
 
+/// Help, or what is wrong with the arguments, which may be repeated in it.
+fn usage(told: &clap::Error) -> ExitCode {
+    if !told.use_stderr() {
+        // Help and version; where nobody reads them there is nobody to tell.
+        let _ = told.print();
+        return ExitCode::SUCCESS;
+    }
+    write::to_stderr(text::harmless_lines(&told.render().to_string()).trim_end());
+    ExitCode::from(2)
+}
+
 fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    write::to_stdout(&json(document)?)
+}
+
+/// A document as a text that does nothing to a terminal.
+fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
     let json = serde_json::to_string_pretty(document).map_err(Failure::new)?;
-    write::to_stdout(&format!("{json}\n"))
+    Ok(text::json(&json) + "\n")
 }
 
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {

@@ -40,7 +40,7 @@ mod run {
     use crankstar::report;
     use num_traits::Signed;
 
-    use super::super::{print_json, terminal, write};
+    use super::super::{folder, print_json, progress, terminal, write};
     use super::{Failure, Optimise};
 
     /// More points than this say nothing more.
@@ -59,15 +59,18 @@ mod run {
                 return Err(Failure::new(format!("{} points; ask for {MOST_POINTS} at most", self.points)));
             }
             let wish = Wish { couple: couple(&self.couple)?, points: self.points, orders };
-            let front = front(&layout, &wish).map_err(Failure::new)?;
+            let spinner = progress::spinner("finding the best counterweights");
+            let front = front(&layout, &wish);
+            spinner.finish_and_clear();
+            let front = front.map_err(Failure::new)?;
             if self.json {
                 return print_json(&report::optimise_document(&layout, &front, &wish.couple));
             }
             let mut text = terminal::optimise(&layout, &front, &wish.couple);
             if let Some(folder) = &self.output {
                 let files = report::optimise_files(&layout, &front, &wish.couple);
-                write::to_folder(folder, &files)?;
-                text += &format!("\nWritten: {}\n", folder.join(&files[0].name).display());
+                folder::write(folder, &files)?;
+                text += &format!("\n{}", folder::written(folder, &files));
             }
             write::to_stdout(&text)
         }

@@ -10,7 +10,8 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::failure::Failure;
-use super::{Subject, print_json, terminal, write};
+use super::verify::proved;
+use super::{Subject, folder, terminal, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
@@ -43,13 +44,13 @@ impl Remedy {
         };
         let remedy = remedy::remedy(&layout, &self.wish(&layout, orders)?).map_err(Failure::new)?;
         if self.json {
-            return print_json(&report::remedy_document(&remedy));
+            return write::to_stdout(&proved(&report::remedy_document(&remedy))?);
         }
         let summary = terminal::remedy(&layout, &remedy);
         let Some(folder) = &self.output else { return write::to_stdout(&summary) };
         let files = report::remedy_files(&remedy, Dialect::GithubMarkdown);
-        write::to_folder(folder, &files)?;
-        write::to_stdout(&format!("{summary}\nWritten: {}\n", folder.join(&files[0].name).display()))
+        folder::write(folder, &files)?;
+        write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
     }
 
     fn wish(&self, layout: &Layout, orders: Vec<u32>) -> Result<Wish, Failure> {

@@ -10,7 +10,7 @@ use crankstar::verdict;
 
 use super::failure::Failure;
 use super::loads::Auto;
-use super::{Format, Math, Subject, terminal, write};
+use super::{Format, Math, Subject, folder, progress, terminal, write};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -36,7 +36,10 @@ pub struct Report {
 fn accuracy_of(layout: &Layout) -> Result<AccuracyCase, Failure> {
     let torque = layout.effects.torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
-    AccuracyCase::of(layout, &quantities, false).map_err(Failure::new)
+    let spinner = progress::spinner("finding each peak by all methods");
+    let case = AccuracyCase::of(layout, &quantities, false);
+    spinner.finish_and_clear();
+    case.map_err(Failure::new)
 }
 
 impl Report {
@@ -53,7 +56,9 @@ impl Report {
                 let needed = self.auto.needed(layout)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
                 let balances = verdict::classify(layout, orders, false);
-                let open = family.as_ref().map(|family| (family.as_ref(), family::classify(family, orders)));
+                // Where the rods differ nothing is said of other values than those given.
+                let family = family.as_ref().filter(|family| family::comparable(family).is_ok());
+                let open = family.map(|family| (family.as_ref(), family::classify(family, orders)));
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(layout)).transpose()?;
                 let subject = report::Subject {
@@ -66,6 +71,7 @@ impl Report {
                 (report::report(subject, dialect), terminal::summary(layout, &balances))
             }
             Engine::Open(family) => {
+                family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders);
                 (report::open_report(family, &verdicts, dialect), terminal::open_summary(family, &verdicts))
             }
@@ -73,8 +79,7 @@ impl Report {
         let Some(folder) = &self.output else {
             return write::to_stdout(&files[0].text);
         };
-        write::to_folder(folder, &files)?;
-        let written = format!("\nWritten: {}\n", folder.join(&files[0].name).display());
-        write::to_stdout(&format!("{summary}{written}"))
+        folder::write(folder, &files)?;
+        write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
     }
 }

@@ -1,20 +1,18 @@
 //! `search`: which crank stars balance best?
 
-use std::io::IsTerminal;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use crankstar::exact::Turn;
-use crankstar::layout::{self, parse_number};
+use crankstar::layout::{self, parse_angle};
 use crankstar::search::{self, Front, FrontDocument, MomentDocument, Options, Problem, Progress, StarDocument};
 
 use super::failure::Failure;
-use super::write;
+use super::{print_json, progress, write};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -63,7 +61,7 @@ impl Search {
     /// Searches, and prints the front.
     pub fn run(&self) -> Result<(), Failure> {
         let problem = self.problem()?;
-        let bar = bar();
+        let bar = progress::bar("pieces");
         let progress = |progress: Progress| {
             bar.set_length(progress.pieces as u64);
             bar.set_position(progress.done as u64);
@@ -77,8 +75,7 @@ impl Search {
         let front = front.map_err(Failure::new)?;
         let document = search::document(&front);
         if self.json {
-            let json = serde_json::to_string_pretty(&document).map_err(Failure::new)?;
-            return write::to_stdout(&format!("{json}\n"));
+            return print_json(&document);
         }
         write::to_stdout(&table(&front, &document))
     }
@@ -92,22 +89,13 @@ impl Search {
         orders.sort_unstable();
         orders.dedup();
         let degrees = |text: &String| {
-            let number = parse_number(text).map_err(|error| Failure::new(format!("--bank-angle `{text}`: {error}")))?;
-            Ok::<_, Failure>(Turn::from_degrees(&number))
+            let turns = parse_angle(text).map_err(|right| Failure::new(format!("--bank-angle `{text}`: {right}")))?;
+            Ok::<_, Failure>(Turn::new(turns))
         };
         let bank_angle = self.bank_angle.as_ref().map(degrees).transpose()?;
         let (directions, grid, neighbours) = (self.directions, self.grid, self.neighbours);
         Ok(Problem { cylinders: self.cylinders, cycle, bank_angle, directions, grid, orders, neighbours })
     }
-}
-
-/// A bar with the time left, on a terminal only.
-fn bar() -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} pieces, {eta} left");
-    style.map_or_else(|_| ProgressBar::new(0), |style| ProgressBar::new(0).with_style(style))
 }
 
 fn table(front: &Front, document: &FrontDocument) -> String {

@@ -9,13 +9,13 @@ use crankstar::report::{self, File};
 use crankstar::sweep::{self, Geometry, Parameter};
 
 use super::failure::Failure;
-use super::{layouts, write};
+use super::{folder, layouts, progress, write};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args)]
 pub struct Sweep {
     /// A name of the catalogue, or the path of a layout file
-    layout: String,
+    layout: PathBuf,
     /// The angle between the banks of a V: 0..180:10
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     bank_angle: Option<String>,
@@ -38,7 +38,7 @@ pub struct Sweep {
     #[arg(long, value_name = "KEY=RANGE")]
     set: Vec<String>,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// What is printed
     #[arg(long, value_enum, default_value = "markdown")]
@@ -67,20 +67,23 @@ impl Sweep {
         let mut orders = self.orders.clone();
         orders.sort_unstable();
         orders.dedup();
-        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default()).map_err(Failure::new)?;
-        let json = || serde_json::to_string_pretty(&report::sweep_document(&sweep)).map_err(Failure::new);
+        let spinner = progress::spinner("sweeping");
+        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
+        spinner.finish_and_clear();
+        let sweep = sweep.map_err(Failure::new)?;
+        let json = || super::json(&report::sweep_document(&sweep));
         let Some(folder) = &self.output else {
             return write::to_stdout(&match self.format {
                 Format::Csv => report::sweep_csv(&sweep).text,
-                Format::Json => json()? + "\n",
+                Format::Json => json()?,
                 Format::Markdown => report::sweep_page(&sweep).swap_remove(0).text,
             });
         };
         let mut files = report::sweep_page(&sweep);
         files.push(report::sweep_csv(&sweep));
-        files.push(File { name: "sweep.json".into(), text: json()? + "\n" });
-        write::to_folder(folder, &files)?;
-        write::to_stdout(&format!("Written: {}\n", folder.join(&files[0].name).display()))
+        files.push(File { name: "sweep.json".into(), text: json()? });
+        folder::write(folder, &files)?;
+        write::to_stdout(&folder::written(folder, &files))
     }
 
     fn parameters(&self, template: &Template) -> Result<Vec<Parameter>, Failure> {

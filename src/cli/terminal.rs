@@ -3,10 +3,11 @@
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::family::{self, OpenOrder};
-use crankstar::layout::{Family, Layout};
-use crankstar::loads::{BearingLoads, Loads, Needed};
+use crankstar::layout::{Family, Layout, WHY_NOT};
+use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
-use crankstar::report::{self, AccuracyCase, Compared};
+use crankstar::report::{self, AccuracyCase, Compared, Numbers};
+use crankstar::text::Format;
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
@@ -22,10 +23,14 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
             verdict_cell(report::force_summary(order), order.force.is_balanced()),
             verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
         ];
-        row.extend(order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(torque), torque.vanishes())));
+        row.extend(
+            order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(order, torque), torque.vanishes())),
+        );
         table.add_row(row);
     }
-    format!("{}\n{table}\n{}\n", layout.title, report::LEGEND)
+    let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));
+    let why = if missing { format!("{WHY_NOT}\n") } else { String::new() };
+    format!("{}\n{table}\n{}\n{why}", layout.title.escaped(Format::Plain), report::LEGEND)
 }
 
 /// The title of a family and a table: for which angles each order vanishes.
@@ -41,15 +46,15 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
     let lines = evenly.map(|line| format!("{line}\n")).unwrap_or_default();
     format!(
         "{}\n{table}\n0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).\n{lines}",
-        family.title
+        family.title.escaped(Format::Plain)
     )
 }
 
 /// The title and a table of the largest values, a row an order, with the peaks of the sums.
-pub fn loads(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> String {
-    let table = coloured(report::loads_rows(layout, loads));
-    let lines = report::loads_lines(layout, loads, needed).join("\n");
-    format!("{}\n{table}\n{lines}\n", layout.title)
+pub fn loads(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> String {
+    let table = coloured(report::loads_rows(layout, &numbers.loads));
+    let lines = report::loads_lines(layout, numbers, needed).join("\n");
+    format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// The title, the peaks of every bearing, and the largest value of each order.
@@ -57,7 +62,7 @@ pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &Bearin
     let peaks = coloured(report::bearings_rows(layout, continuous, determinate));
     let orders = coloured(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
-    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title)
+    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// Engines side by side: a column an engine.
@@ -73,7 +78,7 @@ pub fn compare(engines: &[Compared]) -> String {
 
 /// A table a rod ratio and load: a row a method.
 pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
-    let mut out = format!("{}\n", layout.title);
+    let mut out = format!("{}\n", layout.title.escaped(Format::Plain));
     for case in cases {
         for study in &case.studies {
             out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
@@ -97,14 +102,14 @@ pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
     let lines = report::remedy_lines(remedy).join("\n");
     let rows = report::remedy_rows(remedy);
     if rows.rows.is_empty() {
-        return format!("{}\n{lines}\n", layout.title);
+        return format!("{}\n{lines}\n", layout.title.escaped(Format::Plain));
     }
     let mut table = ruled();
     table.set_header(rows.header);
     for row in rows.rows {
         table.add_row(row);
     }
-    format!("{}\n{table}\n{lines}\n", layout.title)
+    format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// The title, the front, and what uniform balance factors reach.
@@ -116,7 +121,7 @@ pub fn optimise(layout: &Layout, front: &crankstar::optimise::Front, couple: &cr
         true => String::new(),
         false => format!("{}\n", coloured(report::optimise_compared(layout, front))),
     };
-    format!("{}\n{points}\n{compared}{lines}\n", layout.title)
+    format!("{}\n{points}\n{compared}{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// A table whose zeros are coloured as what is proved.

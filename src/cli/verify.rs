@@ -1,61 +1,162 @@
-//! `verify`: does every certificate of a file hold?
+//! `verify`: does all that a document says hold?
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crankstar::proof::{
-    Document, OpenDocument, RemedyDocument, check_document, check_open_document, check_remedy_document,
-};
-use serde::Deserialize;
-use serde::de::IgnoredAny;
+use crankstar::layout::Engine;
+use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Masses, Unreadable, read_document};
+use crankstar::report;
+
+use serde_json::Value;
 
 use super::failure::Failure;
-use super::write;
+use super::{layouts, write};
 
-/// Checks a `classify --json` or `remedy --json` output.
-pub fn run(file: &Path) -> Result<(), Failure> {
-    let name = if file == Path::new("-") { "standard input".to_owned() } else { format!("`{}`", file.display()) };
-    let mut json = Vec::new();
-    let read = if file == Path::new("-") {
-        std::io::stdin().read_to_end(&mut json)
-    } else {
-        std::fs::File::open(file).and_then(|mut file| file.read_to_end(&mut json))
-    };
-    read.map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
-    let no_output = |error| Failure::new(format!("{name} is no `classify --json` output: {error}"));
-    let fault = |fault| Failure::new(format!("{name}: {fault}"));
-    let (title, count) = if is_family(&json) {
-        let document: OpenDocument = serde_json::from_slice(&json).map_err(no_output)?;
-        let count = check_open_document(&document).map_err(fault)?;
-        (document.title, count)
-    } else if is_remedy(&json) {
-        let document: RemedyDocument = serde_json::from_slice(&json).map_err(no_output)?;
-        let count = check_remedy_document(&document).map_err(fault)?;
-        (document.title, count)
-    } else {
-        let document: Document = serde_json::from_slice(&json).map_err(no_output)?;
-        let count = check_document(&document).map_err(fault)?;
-        (document.title, count)
-    };
-    write::to_stdout(&format!("{title}: all {count} certificates hold\n"))
+/// Arguments of `verify`.
+#[derive(clap::Args)]
+pub struct Verify {
+    /// The JSON file, or - for standard input
+    file: PathBuf,
+    /// Compare the document's engine with this layout: a name of the catalogue, or the path of a layout file
+    #[arg(long, value_name = "LAYOUT")]
+    engine: Option<PathBuf>,
 }
 
-/// The documents of families have a list of another name.
-fn is_family(json: &[u8]) -> bool {
-    #[derive(Deserialize)]
-    struct Names {
-        #[serde(rename = "open_verdicts")]
-        _open_verdicts: IgnoredAny,
+impl Verify {
+    /// Checks a document that `classify --json` or `remedy --json` printed.
+    pub fn run(&self) -> Result<(), Failure> {
+        let name = match self.file == Path::new("-") {
+            true => "standard input".to_owned(),
+            false => format!("`{}`", self.file.display()),
+        };
+        let json = self.read().map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
+        let document = read_document(&json).map_err(|error| unreadable(&name, &error))?;
+        let checked = document.check().map_err(|fault| Failure::new(format!("{name}: {fault}")))?;
+        let engine = match &self.engine {
+            None => "the engine: the document's own; --engine LAYOUT compares it with one that you trust".to_owned(),
+            Some(layout) => {
+                compare(&name, &document, layout)?;
+                format!("the engine: that of {}", layouts::shown(layout))
+            }
+        };
+        write::to_stdout(&summary(document.title(), &checked, &engine))
     }
-    serde_json::from_slice::<Names>(json).is_ok()
+
+    /// One byte more than is read of a document tells that it is too large.
+    fn read(&self) -> std::io::Result<Vec<u8>> {
+        let mut json = Vec::new();
+        let most = LARGEST_DOCUMENT as u64 + 1;
+        match self.file == Path::new("-") {
+            true => std::io::stdin().take(most).read_to_end(&mut json)?,
+            false => std::fs::File::open(&self.file)?.take(most).read_to_end(&mut json)?,
+        };
+        Ok(json)
+    }
 }
 
-/// Remedies have weights and sums instead of verdicts.
-fn is_remedy(json: &[u8]) -> bool {
-    #[derive(Deserialize)]
-    struct Names {
-        #[serde(rename = "remedied_orders")]
-        _remedied_orders: IgnoredAny,
+fn unreadable(name: &str, error: &Unreadable) -> Failure {
+    match error {
+        Unreadable::TooLarge(_) => Failure::new(format!("{name} is larger than 4 MiB, which is not read")),
+        error => Failure::new(format!("{name} is no `classify --json` or `remedy --json` output: {error}")),
     }
-    serde_json::from_slice::<Names>(json).is_ok()
+}
+
+/// Refuses a document whose engine is not that of the layout.
+fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Failure> {
+    let shown = layouts::shown(layout);
+    let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {shown} is not"));
+    let right = match (document, layouts::read(layout)?) {
+        (AnyDocument::Classify(own), Engine::Known(layout, _)) => {
+            AnyDocument::Classify(report::document(&layout, &[], &own.quantities, None))
+        }
+        (AnyDocument::Remedy(_), Engine::Known(layout, _)) => {
+            AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)
+        }
+        (AnyDocument::Family(_), Engine::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
+        (AnyDocument::Family(_), Engine::Known(..)) => return Err(other("a family with open angles or lengths")),
+        (AnyDocument::Classify(_) | AnyDocument::Remedy(_), Engine::Open(_)) => {
+            return Err(other("an engine without unknowns"));
+        }
+    };
+    match document.engine_difference(&right) {
+        None => Ok(()),
+        Some(Difference { place, found, right }) => {
+            let said = |value: Option<Value>| value.map_or("nothing".to_owned(), |value| value.to_string());
+            let words = format!("{place} is {}, in {shown} it is {}", said(found), said(right));
+            Err(Failure::new(format!("{name}: the engine is not that of {shown}: {words}")))
+        }
+    }
+}
+
+/// What holds, what it is about, and what is not covered.
+fn summary(title: &str, checked: &Checked, engine: &str) -> String {
+    let Counts { polygons, residues, splittings, decimals } = checked.counts;
+    let title = crankstar::text::harmless(title);
+    let orders: Vec<String> = checked.orders.iter().map(u32::to_string).collect();
+    let quantities: Vec<&str> = checked.quantities.iter().map(|quantity| quantity.name()).collect();
+    let masses = match checked.masses {
+        Masses::Reciprocating => "the reciprocating masses",
+        Masses::All => "all masses, with the weights of the remedy",
+    };
+    let mut lines = vec![
+        format!("{title}: all {} certificates hold", checked.counts.certificates()),
+        format!("  about: {} of {masses}", quantities.join(", ")),
+        format!("  orders: {}, each with all its verdicts", orders.join(", ")),
+        format!("  zero: {polygons}, by polygons; not zero: {residues} by a residue, {splittings} by a splitting"),
+        format!(
+            "  besides: {decimals} decimals, {} shapes, {} statements on every order",
+            checked.shapes, checked.theorems
+        ),
+        format!("  {engine}"),
+    ];
+    lines.extend(checked.not_covered.iter().map(|what| format!("  not covered: {what}")));
+    lines.join("\n") + "\n"
+}
+
+/// The text of a document that the checker accepts.
+///
+/// # Errors
+/// Where it is too large for `verify`, and where it does not hold, which is a fault of this program.
+pub fn proved(document: &impl serde::Serialize) -> Result<String, Failure> {
+    let tree = serde_json::to_value(document).map_err(Failure::new)?;
+    if is_beyond_decimals(&tree) {
+        return Err(Failure::new(
+            "a length is beyond the range of decimals; write the masses and lengths in other units",
+        ));
+    }
+    let json = super::json(document)?;
+    let too_large = |why: &dyn std::fmt::Display| {
+        Failure::new(format!(
+            "the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"
+        ))
+    };
+    let fault = |why: &dyn std::fmt::Display| {
+        Failure::new(format!(
+            "this is a fault of crankstar, so nothing is printed: its checker refuses the proof: {why}"
+        ))
+    };
+    let read = read_document(json.as_bytes()).map_err(|error| match &error {
+        Unreadable::TooLarge(_) | Unreadable::TooManyDigits(_) => too_large(&error),
+        Unreadable::NotJson(_) | Unreadable::Format(_) | Unreadable::Malformed(_) => fault(&error),
+    })?;
+    match read.check() {
+        Ok(_) => Ok(json),
+        Err(error) => Err(match error.reason {
+            crankstar::proof::Reason::TooManySteps => too_large(&error),
+            crankstar::proof::Reason::Wrong(_) => fault(&error),
+        }),
+    }
+}
+
+/// Whether the length of a sum that is not zero has no decimal: JSON writes those that are infinite as null.
+fn is_beyond_decimals(tree: &Value) -> bool {
+    match tree {
+        Value::Array(list) => list.iter().any(is_beyond_decimals),
+        Value::Object(map) => {
+            let is_zero = map.get("vanishes").and_then(Value::as_bool).unwrap_or(false);
+            let beyond = |modulus: &Value| modulus.as_f64().is_none_or(|size| size == 0.0) && !is_zero;
+            map.get("modulus").is_some_and(beyond) || map.values().any(is_beyond_decimals)
+        }
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => false,
+    }
 }

@@ -1,5 +1,7 @@
 //! What does a sum look like over one denominator? Like directions collected, weights whole.
 
+use std::collections::BTreeMap;
+
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -10,7 +12,7 @@ use super::turn::Turn;
 
 /// The sum `Σ weight · e^{2πi·exponent/conductor}` with whole weights: a [`super::PhasorSum`] scaled by
 /// `scale`, with each direction once, no weight zero, in order of the exponents.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct IntegerSum {
     /// The common denominator of the angles.
     pub conductor: BigUint,
@@ -51,6 +53,26 @@ impl IntegerSum {
         let conductor = u64::try_from(self.conductor.to_i64()?).ok()?;
         let terms = self.terms.iter().map(|(e, w)| Some((e.to_u64()?, w.to_i64()?))).collect::<Option<Vec<_>>>()?;
         Some((conductor, terms))
+    }
+
+    /// The product of both sums, over the least common conductor.
+    pub fn times(&self, other: &Self) -> Self {
+        let conductor = self.conductor.lcm(&other.conductor);
+        let over = |sum: &Self| -> Vec<(BigUint, BigInt)> {
+            let factor = &conductor / &sum.conductor;
+            sum.terms.iter().map(|(exponent, weight)| (exponent * &factor, weight.clone())).collect()
+        };
+        let (left, right) = (over(self), over(other));
+        let mut products: BTreeMap<BigUint, BigInt> = BTreeMap::new();
+        for (exponent, weight) in &left {
+            for (other_exponent, other_weight) in &right {
+                let sum = exponent + other_exponent;
+                let exponent = if sum < conductor { sum } else { sum - &conductor };
+                *products.entry(exponent).or_default() += weight * other_weight;
+            }
+        }
+        let terms = products.into_iter().filter(|(_, weight)| !weight.is_zero()).collect();
+        IntegerSum { conductor, scale: &self.scale * &other.scale, terms }
     }
 
     /// The collected terms as angles and rational weights.

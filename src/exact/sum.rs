@@ -19,10 +19,33 @@ pub struct Term {
 }
 
 /// The sum `Σ weight · e^{2πi·angle}`, with its terms as they were given.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// Two sums are equal (`==`) where they are the same number, however they are written. Collecting like directions is not
+/// enough to tell, since roots of unity are not independent (`1 + e^{2πi/3} = e^{2πi/6}`), so their difference is decided:
+///
+/// ```standalone_crate
+/// use crankstar::exact::{PhasorSum, Term, Turn};
+/// let unit = |numerator, denominator| {
+///     PhasorSum::new(vec![Term { angle: Turn::fraction(numerator, denominator), weight: num_traits::One::one() }])
+/// };
+/// assert_eq!(unit(0, 1).plus(&unit(1, 3)), unit(1, 6));
+/// assert_ne!(unit(0, 1).plus(&unit(1, 3)), unit(1, 7));
+/// ```
+///
+/// Where the way of writing matters, as in a document with one term per cylinder, compare [`PhasorSum::terms`].
+#[derive(Clone, Debug)]
 pub struct PhasorSum {
     terms: Vec<Term>,
 }
+
+impl PartialEq for PhasorSum {
+    fn eq(&self, other: &Self) -> bool {
+        self.minus(other).vanishes()
+    }
+}
+
+/// Equality of numbers, decided exactly, is reflexive, symmetric and transitive.
+impl Eq for PhasorSum {}
 
 impl PhasorSum {
     /// The sum of these terms, in this order.
@@ -89,11 +112,8 @@ impl PhasorSum {
 
     /// The product of both sums, collected.
     pub fn times(&self, other: &Self) -> Self {
-        let (left, right) = (self.collected(), other.collected());
-        let products = left.iter().flat_map(|a| {
-            right.iter().map(move |b| Term { angle: &a.angle + &b.angle, weight: &a.weight * &b.weight })
-        });
-        PhasorSum { terms: PhasorSum::new(products.collect()).collected() }
+        let (left, right) = (IntegerSum::collect(&self.terms), IntegerSum::collect(&other.terms));
+        PhasorSum { terms: left.times(&right).to_terms() }
     }
 
     /// `|S|² = S S̄ = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`, collected: again a phasor sum.

@@ -1,16 +1,18 @@
 //! What is an angle? A rational fraction of a turn, taken modulo 1.
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, Neg, Sub};
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// An angle as a fraction of a turn, always in `[0, 1)`: 45° is `1/8`.
 ///
 /// Turns form the group Q/Z: they add, and an integer multiplies them, but two turns have no product.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Turn(BigRational);
 
 impl Turn {
@@ -28,6 +30,10 @@ impl Turn {
     /// assert_eq!(Turn::new(nine_eighths), Turn::fraction(1, 8));
     /// ```
     pub fn new(turns: BigRational) -> Self {
+        // By far the most angles are in range already.
+        if !turns.is_negative() && turns.numer() < turns.denom() {
+            return Turn(turns);
+        }
         let whole = turns.floor();
         Turn(turns - whole)
     }
@@ -57,12 +63,30 @@ impl Turn {
 
     /// The angle taken `factor` times.
     pub fn times(&self, factor: i64) -> Self {
-        Turn::new(&self.0 * BigRational::from_integer(factor.into()))
+        match self.in_words() {
+            Some((numerator, denominator)) => {
+                let product = numerator * u128::from(factor.unsigned_abs()) % denominator;
+                Turn::from_words(if factor < 0 { (denominator - product) % denominator } else { product }, denominator)
+            }
+            None => Turn::new(&self.0 * BigRational::from_integer(factor.into())),
+        }
     }
 
     /// The opposite direction.
     pub fn opposite(&self) -> Self {
         self + &Turn::fraction(1, 2)
+    }
+
+    /// Numerator and denominator in words, where twice the product of two such fits into a long word.
+    fn in_words(&self) -> Option<(u128, u128)> {
+        let word = |number: &BigInt| number.to_u64().filter(|&word| word < 1 << 62).map(u128::from);
+        Some((word(self.0.numer())?, word(self.0.denom())?))
+    }
+
+    /// A fraction below 1 that is not reduced.
+    fn from_words(numerator: u128, denominator: u128) -> Turn {
+        let common = numerator.gcd(&denominator);
+        Turn(BigRational::new_raw((numerator / common).into(), (denominator / common).into()))
     }
 
     /// The smallest `n` with `n` times the angle a whole number of turns.
@@ -74,21 +98,39 @@ impl Turn {
 impl Add for &Turn {
     type Output = Turn;
     fn add(self, other: &Turn) -> Turn {
-        Turn::new(&self.0 + &other.0)
+        match self.in_words().zip(other.in_words()) {
+            Some(((a, b), (c, d))) => Turn::from_words((a * d + c * b) % (b * d), b * d),
+            None => Turn::new(&self.0 + &other.0),
+        }
     }
 }
 
 impl Sub for &Turn {
     type Output = Turn;
     fn sub(self, other: &Turn) -> Turn {
-        Turn::new(&self.0 - &other.0)
+        self + &-other
     }
 }
 
 impl Neg for &Turn {
     type Output = Turn;
     fn neg(self) -> Turn {
-        Turn::new(-&self.0)
+        if self.0.is_zero() { self.clone() } else { Turn(BigRational::one() - &self.0) }
+    }
+}
+
+impl Ord for Turn {
+    fn cmp(&self, other: &Turn) -> Ordering {
+        match self.in_words().zip(other.in_words()) {
+            Some(((a, b), (c, d))) => (a * d).cmp(&(c * b)),
+            None => self.0.cmp(&other.0),
+        }
+    }
+}
+
+impl PartialOrd for Turn {
+    fn partial_cmp(&self, other: &Turn) -> Option<Ordering> {
+        Some(self.cmp(other))
     }
 }
 

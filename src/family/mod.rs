@@ -4,11 +4,13 @@
 //! symbols. So every sum is `Σ_s s Σ_{j,l} e^{i(jφ + lδ)} S_{s,j,l}` with phasor sums S without unknowns: it vanishes for
 //! all values of the symbols iff each `Σ_{j,l}` does, and for all angles iff every S does (theory, section 5).
 
+mod comparable;
 mod component;
 mod firing;
 mod left;
 mod solve;
 
+pub use comparable::{NotComparable, comparable};
 pub use component::{Component, Zeros, component_zeros};
 pub use firing::even_firing;
 pub use left::{Left, left};
@@ -106,7 +108,7 @@ pub struct OpenOrder {
     pub moment: [OpenVerdict; 2],
 }
 
-/// Judges the given orders of a family.
+/// Judges the given orders of a family that is [`comparable`].
 pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
     let judge = |quantity, order| [Sense::Direct, Sense::Reverse].map(|sense| verdict(family, quantity, order, sense));
     let order = |&order: &u32| OpenOrder {
@@ -114,7 +116,8 @@ pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
         force: judge(Quantity::Force, order),
         moment: judge(Quantity::Moment, order),
     };
-    orders.iter().map(order).collect()
+    // There is no order 0.
+    orders.iter().filter(|order| **order > 0).map(order).collect()
 }
 
 fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {

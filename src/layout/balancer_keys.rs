@@ -7,8 +7,8 @@ use serde_spanned::Spanned;
 
 use super::crankshaft::Balancer;
 use super::error::LayoutError;
-use super::file::HIGHEST_ORDER;
 use super::number::parse_number;
+use super::order::HIGHEST_ORDER;
 use super::quantities::{self, mass, metres, misread, not_negative, positive_metres};
 use super::units;
 use super::written::{Table, Text, place};

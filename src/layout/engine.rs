@@ -8,6 +8,7 @@ use super::firing::Firing;
 use super::mechanism::{Mechanism, Rod};
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
+use crate::text::Untrusted;
 
 /// One cylinder with its crank throw.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,9 +73,9 @@ pub enum Form {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
     /// Title of the report.
-    pub title: String,
+    pub title: Untrusted,
     /// Where the crank star is published, if the file says so.
-    pub source: Option<String>,
+    pub source: Option<Untrusted>,
     /// Which form the file used.
     pub form: Form,
     /// The cylinders, in the order of the file.
@@ -87,8 +88,10 @@ pub struct Layout {
     pub length_unit: LengthUnit,
     /// Whether the file says where the cylinders stand; else they stand one spacing apart.
     pub positions_given: bool,
-    /// The orders that the file asks for, rising.
+    /// The orders that the file asks for, rising; the usual ones where it asks for none.
     pub orders: Vec<u32>,
+    /// Whether the file asks for them.
+    pub orders_given: bool,
     /// When the cylinders fire, where the file says enough.
     pub firing: Option<Firing>,
     /// Positions of the main bearings, in the order of the file; none where the file says nothing of them.
@@ -102,7 +105,7 @@ pub struct Layout {
     /// What stands in the title block of a calculation report.
     pub title_block: TitleBlock,
     /// The layout file itself.
-    pub file: String,
+    pub file: Untrusted,
 }
 
 /// What a layout file asks for beyond the forces and moments of its masses: `effects = ["torque", "remedy"]`.
@@ -139,8 +142,8 @@ impl Layout {
     /// The same engine with only the masses that work on this rod; the others are 0.
     pub fn only_with(&self, rod: &Rod) -> Layout {
         let mut part = self.clone();
-        for (cylinder, of) in part.cylinders.iter_mut().zip(&self.mechanism.rods) {
-            if of != rod {
+        for (index, cylinder) in part.cylinders.iter_mut().enumerate() {
+            if self.mechanism.rods.get(index) != Some(rod) {
                 cylinder.reciprocating_mass = BigRational::zero();
             }
         }

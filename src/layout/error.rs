@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
+use crate::text::{harmless, of_equal_length};
+
 /// One mistake in a layout file or a file of claims, told with the place where it stands.
 #[derive(Clone, Debug)]
 pub struct LayoutError {
@@ -46,15 +48,17 @@ impl LayoutError {
 
 impl fmt::Display for LayoutError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let title = Level::ERROR.primary_title(self.message.as_str());
+        let (message, right, file) = (harmless(&self.message), harmless(&self.right), harmless(&self.file));
+        let source = of_equal_length(&self.source);
+        let title = Level::ERROR.primary_title(message.as_str());
         // A span that is empty, or ends inside a character, still has to point at something.
         let span = self.span.clone().filter(|span| self.source.get(span.clone()).is_some());
         let group = match span {
             Some(span) => {
-                let annotation = AnnotationKind::Primary.span(span).label(self.right.as_str());
-                title.element(Snippet::source(self.source.as_str()).path(self.file.as_str()).annotation(annotation))
+                let annotation = AnnotationKind::Primary.span(span).label(right.as_str());
+                title.element(Snippet::source(source.as_str()).path(file.as_str()).annotation(annotation))
             }
-            None => title.element(Level::HELP.message(format!("{}: {}", self.file, self.right))),
+            None => title.element(Level::HELP.message(format!("{file}: {right}"))),
         };
         f.write_str(&Renderer::plain().render(&[group]))
     }

@@ -11,6 +11,7 @@ use super::linear::Linear;
 use super::mechanism::Mechanism;
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
+use crate::text::Untrusted;
 
 /// The unknown bank angle.
 pub const PHI: &str = "phi";
@@ -67,9 +68,9 @@ impl SymbolicCylinder {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Family {
     /// Title of the report.
-    pub title: String,
+    pub title: Untrusted,
     /// Where the crank star is published, if the file says so.
-    pub source: Option<String>,
+    pub source: Option<Untrusted>,
     /// Which form the file used.
     pub form: Form,
     /// The cylinders, in the order of the file.
@@ -79,8 +80,10 @@ pub struct Family {
     pub reference_plane: Linear,
     /// What positions without a symbol are counted in.
     pub length_unit: LengthUnit,
-    /// The orders that the file asks for, rising.
+    /// The orders that the file asks for, rising; the usual ones where it asks for none.
     pub orders: Vec<u32>,
+    /// Whether the file asks for them.
+    pub orders_given: bool,
     /// Two-stroke or four-stroke, if the file says so.
     pub cycle: Option<Cycle>,
     /// Whether the file says where the cylinders stand.
@@ -94,7 +97,7 @@ pub struct Family {
     /// What stands in the title block of a calculation report.
     pub title_block: TitleBlock,
     /// The layout file itself.
-    pub file: String,
+    pub file: Untrusted,
 }
 
 impl Family {
@@ -134,6 +137,7 @@ impl Family {
             reference_plane_given: true,
             length_unit: self.length_unit,
             orders: self.orders.clone(),
+            orders_given: self.orders_given,
             positions_given: self.positions_given,
             bearings: self.bearings.clone(),
             mechanism: self.mechanism.clone(),

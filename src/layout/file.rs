@@ -18,14 +18,15 @@ use super::firing::{self, Cycle, Firing};
 use super::forms::{self, Expanded, MOST_CYLINDERS};
 use super::linear::Linear;
 use super::mechanism::{self, Mechanism};
+use super::order::ORDERS;
 use super::quantities;
 use super::title_block;
 use super::written::{Table, Text, place, read, read_table};
+use crate::proof::Quantity;
+use crate::text::Untrusted;
 
-/// The highest order that is answered.
-pub(crate) const HIGHEST_ORDER: u32 = 1000;
-/// The orders of a file that names none.
-const USUAL_ORDERS: [u32; 4] = [1, 2, 4, 6];
+/// The orders of a file that names none are those that exist, up to this one.
+const USUALLY_UP_TO: u32 = 6;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -122,12 +123,13 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
     let family = Family {
-        title: file.title.as_ref().map_or_else(|| name.to_owned(), |title| title.get_ref().0.clone()),
-        source: file.source.as_ref().map(|source| source.get_ref().0.clone()),
+        title: file.title.as_ref().map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
+        source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
         reference_plane: given_plane.clone().unwrap_or_else(|| middle(&expanded.cylinders)),
         length_unit,
-        orders: file.orders.as_ref().map_or(Ok(USUAL_ORDERS.to_vec()), orders)?,
+        orders: file.orders.as_ref().map_or_else(|| Ok(usual_orders(&mechanism)), orders)?,
+        orders_given: file.orders.is_some(),
         cylinders: expanded.cylinders,
         cycle,
         positions_given: expanded.positions_given,
@@ -135,7 +137,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
         mechanism,
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
-        file: source.to_owned(),
+        file: Untrusted::new(source),
     };
     check_values(&file.values, &family)?;
     let turning = crankshaft_keys::Tables {
@@ -340,13 +342,18 @@ fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
     }
 }
 
+/// 1, 2, 4, 6, and 3 and 5 where a pin offset brings them.
+fn usual_orders(mechanism: &Mechanism) -> Vec<u32> {
+    (1..=USUALLY_UP_TO).filter(|&order| mechanism.has_order(Quantity::Force, order)).collect()
+}
+
 fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
-    let right = || format!("whole numbers from 1 to {HIGHEST_ORDER}, such as [1, 2, 4, 6]");
+    let right = || format!("whole numbers from 1 to {}, such as [1, 2, 4, 6]", ORDERS.end());
     let mut orders = Vec::new();
     for text in list.get_ref() {
         let written = &text.get_ref().0;
         match written.parse() {
-            Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => orders.push(order),
+            Ok(order) if ORDERS.contains(&order) => orders.push(order),
             _ => return Err(quantities::misread("order", written, right(), text)),
         }
     }

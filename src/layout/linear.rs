@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::number::parse_number;
+use super::units::has_a_size;
 
 /// `constant + Σ coefficient · symbol`, with exact coefficients, none of them zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -149,7 +150,8 @@ fn symbol_term(text: &str, is_symbol: &impl Fn(&str) -> bool) -> Option<Linear> 
         "" => BigRational::one(),
         rest => parse_number(rest.strip_prefix('/')?).ok().filter(|divisor| !divisor.is_zero())?,
     };
-    is_symbol(name).then(|| Linear::symbol(name, coefficient / divisor))
+    let coefficient = coefficient / divisor;
+    (is_symbol(name) && has_a_size(&coefficient)).then(|| Linear::symbol(name, coefficient))
 }
 
 /// `2a + b + 2c`, `-3/2 a`; the known part last.

@@ -9,6 +9,7 @@ use super::family::SymbolicCylinder;
 use super::quantities::misread;
 use super::units;
 use super::written::{self, Text, Values, place};
+use crate::text::Untrusted;
 
 /// What an engine measures and weighs, as far as its file says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,7 +27,7 @@ pub struct Mechanism {
     /// What the file says, as written.
     pub given: Vec<Given>,
     /// Where the numbers come from, if the file says so.
-    pub source: Option<String>,
+    pub source: Option<Untrusted>,
 }
 
 /// A connecting rod and how its cylinder stands to the crankshaft.
@@ -48,7 +49,7 @@ pub struct Given {
     /// In metres, kilograms, revolutions a minute, or a pure number.
     pub value: BigRational,
     /// As it was written.
-    pub written: String,
+    pub written: Untrusted,
 }
 
 /// What can be given.
@@ -145,7 +146,7 @@ impl Keys {
             rods,
             rotating_masses: rotating.unwrap_or_default(),
             given: table.given,
-            source: self.source.as_ref().map(|source| source.get_ref().0.clone()),
+            source: self.source.as_ref().map(|source| source.get_ref().untrusted()),
         })
     }
 
@@ -307,7 +308,12 @@ pub(super) fn speed(text: &Text) -> Result<(BigRational, Given), LayoutError> {
     if value.is_negative() {
         return Err(misread("speed", written, "a speed is 0 or more".to_owned(), text));
     }
-    let given = Given { quantity: Measure::Speed, cylinder: None, value: value.clone(), written: written.clone() };
+    let given = Given {
+        quantity: Measure::Speed,
+        cylinder: None,
+        value: value.clone(),
+        written: Untrusted::new(written.as_str()),
+    };
     Ok((value, given))
 }
 
@@ -333,7 +339,7 @@ impl Reading {
         for (index, (value, text)) in values.iter().zip(&texts).enumerate() {
             let written = text.get_ref().0.clone();
             let cylinder = (!of_all).then_some(index);
-            self.given.push(Given { quantity, cylinder, value: value.clone(), written });
+            self.given.push(Given { quantity, cylinder, value: value.clone(), written: Untrusted::new(written) });
         }
         let spread = |index: usize| if of_all { 0 } else { index };
         Ok(Some(Column {

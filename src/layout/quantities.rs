@@ -129,6 +129,9 @@ pub(super) fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
 pub(super) fn factor(text: &Text) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
     let value = parse_number(written).map_err(|error| misread("balance factor", written, error.to_string(), text))?;
+    if !units::has_a_size(&value) {
+        return Err(misread("balance factor", written, "out of range; such as 0.5".to_owned(), text));
+    }
     not_negative(value, "balance factor", text)
 }
 

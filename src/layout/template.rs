@@ -29,7 +29,8 @@ impl Key {
         let parts: Vec<String> = text.split('.').map(|part| part.trim().to_owned()).collect();
         let named =
             |part: &String| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
-        match parts.len() <= DEEPEST && parts.iter().all(named) {
+        let is_place = |part: &String| part.parse::<usize>().is_ok();
+        match parts.len() <= DEEPEST && parts.iter().all(named) && !parts.first().is_some_and(is_place) {
             true => Ok(Key(parts)),
             false => Err(format!("cannot read the key `{text}`; such as vee.bank_angle, speed or vee.throws.2")),
         }

@@ -3,16 +3,17 @@
 use serde::Deserialize;
 
 use super::written::Text;
+use crate::text::Untrusted;
 
 /// Title block and objective, as far as the file gives them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TitleBlock {
     /// Rows of the title block: what it is, and what was written.
-    pub rows: Vec<(&'static str, String)>,
+    pub rows: Vec<(&'static str, Untrusted)>,
     /// What the calculation is for.
-    pub objective: Option<String>,
+    pub objective: Option<Untrusted>,
     /// What was assumed by the author of the file.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Untrusted>,
 }
 
 /// `[document]`.
@@ -39,7 +40,7 @@ impl Keys {
             ("Checked", &self.checked),
             ("Date", &self.date),
         ];
-        let written = |text: &Text| text.get_ref().0.clone();
+        let written = |text: &Text| text.get_ref().untrusted();
         TitleBlock {
             rows: rows.into_iter().filter_map(|(name, text)| Some((name, written(text.as_ref()?)))).collect(),
             objective: self.objective.as_ref().map(written),

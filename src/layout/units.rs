@@ -1,6 +1,8 @@
 //! What quantity did a person write? A number with a unit that a person would put behind it.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::{Pow, Signed, Zero};
 
 use super::number::parse_number;
 
@@ -10,6 +12,28 @@ pub(crate) struct Length {
     pub value: BigRational,
     /// Whether a unit stands behind it.
     pub has_unit: bool,
+}
+
+/// Quantities beyond 10^40 of their base unit, or below its 10^-40th part, are refused: no engine has them, and their products
+/// would leave the range of decimals.
+const LARGEST_POWER: u32 = 40;
+/// Larger angles than this, in turns, are refused: whoever writes one means another number.
+const MOST_TURNS: u32 = 1_000_000;
+
+/// Whether a quantity is 0 or has a size that decimals of its products can show.
+pub(crate) fn has_a_size(value: &BigRational) -> bool {
+    let largest = BigRational::from_integer(Pow::pow(BigInt::from(10), LARGEST_POWER));
+    let size = value.abs();
+    size.is_zero() || (size <= largest && size.recip() <= largest)
+}
+
+fn sized(value: BigRational) -> Result<BigRational, String> {
+    match has_a_size(&value) {
+        true => Ok(value),
+        false => {
+            Err(format!("out of range; 0, or a size between 10^-{LARGEST_POWER} and 10^{LARGEST_POWER} in SI units"))
+        }
+    }
 }
 
 /// The units of a kind of quantity, by name, with their size in the base unit as a fraction.
@@ -39,8 +63,11 @@ const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 10
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
-    let size = unit.unwrap_or((1, 360));
-    Ok(number * ratio(size))
+    let turns = number * ratio(unit.unwrap_or((1, 360)));
+    match turns.abs() <= BigRational::from_integer(MOST_TURNS.into()) {
+        true => Ok(turns),
+        false => Err(format!("more than {MOST_TURNS} turns; an angle is meant modulo a turn, such as \"45\"")),
+    }
 }
 
 /// Turns in this unit of an angle, the degree where none is named; none where it is no unit of an angle.
@@ -51,25 +78,25 @@ pub fn turns_per_unit(unit: &str) -> Option<BigRational> {
 /// A length; without a unit, metres or multiples of the spacing.
 pub(crate) fn length(text: &str) -> Result<Length, String> {
     let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\" or \"4.4 in\"")?;
-    Ok(Length { value: number * ratio(unit.unwrap_or((1, 1))), has_unit: unit.is_some() })
+    Ok(Length { value: sized(number * ratio(unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
 }
 
 /// A mass; kilograms where no unit stands.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")?;
-    Ok(number * ratio(unit.unwrap_or((1, 1))))
+    sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 
 /// A mass times a radius in kilogram-metres; kilogram-metres where no unit stands.
 pub(crate) fn mass_radius(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, MASS_RADII, "\"0.012\", \"0.012 kg m\", \"12 kg mm\" or \"1200 g cm\"")?;
-    Ok(number * ratio(unit.unwrap_or((1, 1))))
+    sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 
 /// A speed in revolutions a minute, which is also what a number without a unit means.
 pub(crate) fn speed(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, SPEEDS, "\"6000\", \"6000 rpm\" or \"100 Hz\"")?;
-    Ok(number * ratio(unit.unwrap_or((1, 1))))
+    sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 
 fn ratio((numerator, denominator): (i64, i64)) -> BigRational {

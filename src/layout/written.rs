@@ -10,10 +10,18 @@ use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::LayoutError;
+use crate::text::Untrusted;
 
 /// A number or a text, as written.
 #[derive(Clone, Debug)]
 pub(crate) struct Written(pub String);
+
+impl Written {
+    /// The text, as what it is: a person's.
+    pub fn untrusted(&self) -> Untrusted {
+        Untrusted::new(self.0.as_str())
+    }
+}
 
 /// A number or a text with its place in the file.
 pub(crate) type Text = Spanned<Written>;

@@ -82,6 +82,7 @@ pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<
     if layout.bearings.is_empty() {
         return Err(Missing::Bearings);
     }
+    super::are_orders(orders)?;
     let beam = Beam::new(layout.bearings.clone()).map_err(Missing::Beam)?;
     let motion = Motion::new(layout)?;
     let shares = Shares::new(beam, method);

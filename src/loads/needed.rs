@@ -1,151 +1,236 @@
-//! Which orders does a wanted accuracy of the peak call for? Those that a rigorous bound cannot do without.
-//!
-//! The coefficients of the root of the motion have one sign at the dead point where they all add up, so that
-//! `Σ_{k≥1} |c_k − [k=1]| = (λ+|δ|)/√(1−(λ+|δ|)²)`, the acceleration there. What the first K leave of that bounds all
-//! the orders above K, whatever the star of the engine.
+//! Which orders does a wanted accuracy of the peaks call for? Those that a rigorous bound cannot do without.
 
-use std::collections::BTreeMap;
-
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
-
-use super::{Loads, Missing, OrderLoads, Swing, loads};
-use crate::layout::{Effects, Layout, Rod};
-use crate::motion::SliderCrank;
-use crate::order;
-use crate::verdict;
+use super::{Missing, Spectrum};
+use crate::layout::Layout;
+use crate::proof::Quantity;
 
 /// Orders that are looked at one by one; the rest is bounded together.
-const LOOKED_AT: [u32; 3] = [24, 60, 100];
-/// Roundings of the floats of a bound, relative to the sum that it is the rest of.
-const ROUNDING: f64 = 1e-13;
+const LOOKED_AT: [u32; 5] = [12, 24, 60, 100, LAST];
+const LAST: u32 = 200;
+/// The part of the accuracy that the orders above those may take.
+const FOR_THE_REST: f64 = 0.25;
+/// The accuracy of the orders that are shown where none are asked for.
+const USUAL: f64 = 1e-3;
+/// Orders of a load that are kept at most where none are asked for.
+const MOST_USUAL: usize = 16;
+/// The orders of the torque that are shown at least.
+const FIRST_OF_TORQUE: [u32; 4] = [1, 2, 3, 4];
 
 /// The orders that a wanted accuracy calls for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Needed {
-    /// Orders to keep, rising.
+    /// The accuracy, as a part of each peak.
+    pub accuracy: f64,
+    /// Whether the bounds hold it.
+    pub reached: bool,
+    /// Orders of force and moment to keep, rising.
     pub kept: Vec<u32>,
     /// Orders that do not vanish and are left out all the same, among those that were looked at.
     pub dropped: Vec<u32>,
+    /// The same of the torque, where the file asks for it.
+    pub torque_kept: Vec<u32>,
+    /// And those left out.
+    pub torque_dropped: Vec<u32>,
     /// Orders up to this one were looked at; all above it are left out.
     pub looked_at: u32,
-    /// What is left out is at most this part of the peak force; none where no order has a force; infinite where orders above
-    /// those that were looked at may have more than these.
-    pub force_bound: Option<f64>,
-    /// The same of the moment.
-    pub moment_bound: Option<f64>,
+    /// What is left out.
+    pub left: LeftOut,
 }
 
-/// Finds the orders that keep the peaks of force and moment to this relative accuracy.
+/// What is left out of the loads where only some orders are shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftOut {
+    /// Of the force; none where nothing is.
+    pub force: Option<Bound>,
+    /// Of the moment.
+    pub moment: Option<Bound>,
+    /// Of the inertia torque, where the file asks for it.
+    pub torque: Option<Bound>,
+}
+
+/// A bound of what is left out of a load, in its multiples of m r ω².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// It is at most this.
+    pub most: f64,
+    /// The load peaks at least at this.
+    pub peak: f64,
+}
+
+impl Bound {
+    /// The part of the peak; none where it might be all of it.
+    pub fn part(&self) -> Option<f64> {
+        (self.most < self.peak).then(|| (self.most / self.peak).next_up())
+    }
+}
+
+/// A load of which some orders are looked at.
+struct Choice {
+    /// What the orders have, those that do not vanish.
+    lengths: Vec<(u32, f64)>,
+    /// What those above and all doubts have.
+    rest: f64,
+    /// The load peaks at least at this.
+    peak: f64,
+}
+
+impl Choice {
+    fn new(spectrum: &Spectrum, quantity: Quantity) -> Self {
+        let rest = spectrum.rest(quantity) + spectrum.doubt(quantity);
+        let waveform = spectrum.waveform(quantity);
+        let peak = match quantity {
+            Quantity::Force | Quantity::Moment => waveform.peak(),
+            Quantity::Torque => waveform.real_peak(),
+        };
+        Choice { lengths: spectrum.lengths(quantity), rest, peak: (peak.value - rest).max(0.0) }
+    }
+
+    /// What is left out where just these orders are kept.
+    fn bound(&self, kept: &[u32]) -> Option<Bound> {
+        let dropped = self.lengths.iter().filter(|(order, _)| !kept.contains(order)).map(|(_, length)| length);
+        let most = dropped.sum::<f64>() + self.rest;
+        (most > 0.0).then(|| Bound { most: most.next_up(), peak: self.peak })
+    }
+
+    fn length(&self, order: u32) -> f64 {
+        self.lengths.iter().find(|(of, _)| *of == order).map_or(0.0, |(_, length)| *length)
+    }
+}
+
+/// The loads of an engine, enough orders of each for an accuracy, if there are.
+struct Choices {
+    /// Force and moment.
+    swings: [Choice; 2],
+    torque: Option<Choice>,
+    looked_at: u32,
+}
+
+impl Choices {
+    fn new(layout: &Layout, accuracy: f64, at_least: u32) -> Result<Self, Missing> {
+        let with_torque = layout.effects.torque;
+        let mut spectrum = Spectrum::new(layout)?;
+        let mut found = None;
+        let mut ladder: Vec<u32> = LOOKED_AT.into_iter().filter(|&highest| highest >= at_least).collect();
+        if ladder.is_empty() {
+            ladder.push(at_least);
+        }
+        for highest in ladder {
+            spectrum.raise(highest, with_torque);
+            let of = |quantity| {
+                let mut choice = Choice::new(&spectrum, quantity);
+                if super::vanishes_at_every_order(layout, quantity) {
+                    choice.rest = 0.0;
+                }
+                choice
+            };
+            let choices = Choices {
+                swings: [of(Quantity::Force), of(Quantity::Moment)],
+                torque: with_torque.then(|| of(Quantity::Torque)),
+                looked_at: highest,
+            };
+            let few = |choice: &Choice| choice.rest <= FOR_THE_REST * accuracy * choice.peak;
+            let enough = choices.swings.iter().chain(&choices.torque).all(few);
+            // Where the orders fall so slowly that the last of these would not do, more of them tell nothing.
+            let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+            let hopeless =
+                quantities.into_iter().zip(choices.swings.iter().chain(&choices.torque)).any(|(quantity, choice)| {
+                    !choice.lengths.is_empty()
+                        && spectrum.rest_above(quantity, LAST) > accuracy * (choice.peak + 2.0 * choice.rest)
+                });
+            found = Some(choices);
+            if enough || hopeless {
+                break;
+            }
+        }
+        found.ok_or(Missing::Order(at_least))
+    }
+
+    fn left_out(&self, kept: &[u32], torque_kept: &[u32]) -> LeftOut {
+        let [force, moment] = &self.swings;
+        LeftOut {
+            force: force.bound(kept),
+            moment: moment.bound(kept),
+            torque: self.torque.as_ref().and_then(|torque| torque.bound(torque_kept)),
+        }
+    }
+}
+
+/// Of these loads, the orders to keep and to leave out: the shortest go as long as the accuracy allows.
+fn choose(choices: &[Choice], accuracy: f64) -> [Vec<u32>; 2] {
+    let mut orders: Vec<u32> = choices.iter().flat_map(|choice| &choice.lengths).map(|(order, _)| *order).collect();
+    orders.sort_unstable();
+    orders.dedup();
+    // In parts of the peaks, the larger of force and moment decides.
+    let share = |sizes: &[f64]| {
+        let parts = sizes.iter().zip(choices).map(|(size, choice)| if *size > 0.0 { size / choice.peak } else { 0.0 });
+        parts.fold(0.0, f64::max)
+    };
+    let sizes = |order: u32| choices.iter().map(|choice| choice.length(order)).collect::<Vec<_>>();
+    let mut rising = orders.clone();
+    rising.sort_by(|a, b| share(&sizes(*a)).total_cmp(&share(&sizes(*b))));
+    let mut sums: Vec<f64> = choices.iter().map(|choice| choice.rest).collect();
+    let mut dropped = Vec::new();
+    for order in rising {
+        let with: Vec<f64> = sums.iter().zip(sizes(order)).map(|(sum, size)| sum + size).collect();
+        if share(&with) > accuracy {
+            break;
+        }
+        sums = with;
+        dropped.push(order);
+    }
+    dropped.sort_unstable();
+    orders.retain(|order| !dropped.contains(order));
+    [orders, dropped]
+}
+
+/// Finds the orders that keep the peaks of force, moment and, where the file asks for it, torque to this relative accuracy.
 ///
 /// # Errors
 /// What the layout lacks for numbers.
 pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> {
-    // The torque has no part in the choice.
-    let layout = &Layout { effects: Effects::default(), ..layout.clone() };
-    let mut found = None;
-    for highest in LOOKED_AT {
-        let orders: Vec<u32> = (1..=highest).collect();
-        let all = loads(layout, &orders)?;
-        let mut rest = rest(layout, highest)?;
-        // The exact sums repeat after a period: what is proved to vanish for a whole one vanishes for ever, if no balancer shaft
-        // hides an order of the pistons.
-        if layout.crankshaft.balancers.is_empty() && BigInt::from(highest) > verdict::period(layout) {
-            let swings: [fn(&OrderLoads) -> &Swing; 2] = [|loads| &loads.force, |loads| &loads.moment];
-            for (rest, swing) in rest.iter_mut().zip(swings) {
-                if all.orders.iter().all(|loads| swing(loads).vanishes()) {
-                    *rest = 0.0;
-                }
-            }
-        }
-        let (needed, holds) = choose(&all, rest, accuracy, highest);
-        found = Some(needed);
-        if holds {
-            break;
-        }
+    let choices = Choices::new(layout, accuracy, 1)?;
+    let [kept, dropped] = choose(&choices.swings, accuracy);
+    let [torque_kept, torque_dropped] = choose(choices.torque.as_slice(), accuracy);
+    let left = choices.left_out(&kept, &torque_kept);
+    let holds = |bound: &Option<Bound>| bound.is_none_or(|bound| bound.part().is_some_and(|part| part <= accuracy));
+    let reached = [&left.force, &left.moment, &left.torque].into_iter().all(holds);
+    Ok(Needed { accuracy, reached, kept, dropped, torque_kept, torque_dropped, looked_at: choices.looked_at, left })
+}
+
+/// What is left out where just these orders are shown.
+///
+/// # Errors
+/// What the layout lacks for numbers.
+pub fn left_out(layout: &Layout, orders: &[u32], torque_orders: &[u32]) -> Result<LeftOut, Missing> {
+    let highest = orders.iter().chain(torque_orders).copied().max().unwrap_or(1);
+    Ok(Choices::new(layout, USUAL, highest)?.left_out(orders, torque_orders))
+}
+
+/// The orders to judge where none are asked for: those of the layout file, else the first that exist and, where the engine has
+/// numbers, those that a thousandth of its peaks needs.
+pub fn usual_orders(layout: &Layout) -> Vec<u32> {
+    if layout.orders_given {
+        return layout.orders.clone();
     }
-    found.ok_or(Missing::Rods)
+    let Ok(choices) = Choices::new(layout, USUAL, 1) else { return layout.orders.clone() };
+    with_largest(layout.orders.clone(), &choices.swings)
 }
 
-/// Bounds of force and moment of all orders above the highest, in multiples of m r ω².
-fn rest(layout: &Layout, highest: u32) -> Result<[f64; 2], Missing> {
-    let mut bounds = faster_shafts(layout, highest).map(|size| size.to_f64().unwrap_or(f64::INFINITY));
-    let mut known: BTreeMap<&Rod, f64> = BTreeMap::new();
-    for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
-        let left = match known.get(rod) {
-            Some(left) => *left,
-            None => *known.entry(rod).or_insert(rest_of_one(rod, highest)?),
-        };
-        let size = |number: BigRational| number.abs().to_f64().unwrap_or(f64::INFINITY);
-        let weight = order::mass_radius(layout, cylinder);
-        bounds[1] += left * size(&weight * layout.arm(cylinder));
-        bounds[0] += left * size(weight);
-    }
-    Ok(bounds)
+/// The orders of the torque that go with those of force and moment: the first four, these, and those that a thousandth of its peak
+/// needs.
+pub(super) fn usual_torque_orders(layout: &Layout, orders: &[u32]) -> Result<Vec<u32>, Missing> {
+    let choices = Choices::new(layout, USUAL, 1)?;
+    let first = FIRST_OF_TORQUE.into_iter().chain(orders.iter().copied()).collect();
+    Ok(with_largest(first, choices.torque.as_slice()))
 }
 
-/// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
-/// multiples of m r ω²: what they add where higher orders are left out.
-fn faster_shafts(layout: &Layout, highest: u32) -> [BigRational; 2] {
-    let half = BigRational::new(1.into(), 2.into());
-    let shafts = order::turning_masses(layout).into_iter().filter(|mass| mass.order > highest);
-    shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
-        let size = shaft.weight() * &half;
-        let arm = (&shaft.position - &layout.reference_plane).abs();
-        [force + &size, moment + size * arm]
-    })
-}
-
-/// What the orders above the highest of one cylinder add up to at most, in multiples of its m r ω².
-fn rest_of_one(rod: &Rod, highest: u32) -> Result<f64, Missing> {
-    let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
-    let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
-    let one = BigRational::one();
-    let reach = &rod.ratio + rod.offset.abs();
-    // Exact as long as it can cancel: near the end of reach a float would not tell the gap.
-    let squared = &reach * &reach / ((&one - &reach) * (&one + &reach));
-    let whole = squared.to_f64().unwrap_or(f64::INFINITY).sqrt();
-    let known = (1..=highest).map(|order| {
-        let c = crank.coefficient(order);
-        // c_1 has the crank's own 1, exactly, in its real part.
-        if order == 1 { c.im.to_float().abs() } else { c.to_complex().norm() }
-    });
-    Ok((whole - known.sum::<f64>()).max(0.0) + ROUNDING * whole)
-}
-
-/// Leaves out the shortest vectors as long as the bound allows; the flag says whether it holds at all.
-fn choose(all: &Loads, rest: [f64; 2], accuracy: f64, highest: u32) -> (Needed, bool) {
-    let peaks = [all.force.peak().value - rest[0], all.moment.peak().value - rest[1]];
-    let largest = |loads: &OrderLoads| [loads.force.largest(), loads.moment.largest()];
-    let is_left = |swing: &Swing| !swing.vanishes();
-    let mut left: Vec<&OrderLoads> =
-        all.orders.iter().filter(|loads| is_left(&loads.force) || is_left(&loads.moment)).collect();
-    // In parts of the peaks, the larger of force and moment decides.
-    let share = |sizes: [f64; 2]| {
-        let parts =
-            sizes.into_iter().zip(peaks).map(|(size, peak)| if size > 0.0 { size / peak.max(0.0) } else { 0.0 });
-        parts.fold(0.0, f64::max)
-    };
-    left.sort_by(|a, b| share(largest(a)).total_cmp(&share(largest(b))));
-    let exists =
-        [!all.force.harmonics().is_empty() || rest[0] > 0.0, !all.moment.harmonics().is_empty() || rest[1] > 0.0];
-    let mut sums = rest;
-    let holds = share(sums) <= accuracy;
-    let mut dropped = Vec::new();
-    for loads in &left {
-        let more = largest(loads);
-        let with = [sums[0] + more[0], sums[1] + more[1]];
-        if share(with) > accuracy {
-            break;
-        }
-        sums = with;
-        dropped.push(loads.order);
-    }
-    let mut kept: Vec<u32> = left.iter().map(|loads| loads.order).filter(|order| !dropped.contains(order)).collect();
-    kept.sort_unstable();
-    dropped.sort_unstable();
-    let bound = |place: usize| exists[place].then(|| sums[place] / peaks[place].max(0.0));
-    let needed = Needed { kept, dropped, looked_at: highest, force_bound: bound(0), moment_bound: bound(1) };
-    (needed, holds)
+/// These orders and the largest of those that are needed.
+fn with_largest(mut orders: Vec<u32>, choices: &[Choice]) -> Vec<u32> {
+    let [mut kept, _] = choose(choices, USUAL);
+    let size = |order: &u32| choices.iter().map(|choice| choice.length(*order) / choice.peak).fold(0.0, f64::max);
+    kept.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    orders.extend(kept.into_iter().take(MOST_USUAL));
+    orders.sort_unstable();
+    orders.dedup();
+    orders
 }

@@ -46,6 +46,11 @@ impl Swing {
         self.direct.outcome == Outcome::Zero && self.reverse.outcome == Outcome::Zero
     }
 
+    /// How much longer than its decimals it may be, where a vector is not decided.
+    pub fn doubt(&self) -> f64 {
+        (self.direct.doubt() + self.reverse.doubt()) / 2.0
+    }
+
     /// Largest length in a revolution, zero to peak: `½(|P⁺| + |P⁻|)`.
     pub fn largest(&self) -> f64 {
         (self.direct.value.norm() + self.reverse.value.norm()) / 2.0

@@ -30,6 +30,8 @@ pub struct Vector {
     pub value: Complex<f64>,
     /// Whether it is zero.
     pub outcome: Outcome,
+    /// How far the value may be off, besides its roundings.
+    doubt: f64,
 }
 
 impl Vector {
@@ -43,13 +45,23 @@ impl Vector {
     ///
     /// `nonzero` says that no coefficient is zero; else that is read from their enclosures.
     pub(super) fn of(pairs: &[(Coefficient, &PhasorSum)], nonzero: bool) -> Self {
-        let value = pairs.iter().map(|(c, sum)| c.to_complex() * numbers::evaluate(sum)).sum();
-        let outcome = match pairs {
-            [] => Outcome::Zero,
-            [(c, _)] if nonzero || excludes_zero(&[c.re.clone(), c.im.clone()]) => Outcome::NotZero,
+        match pairs {
+            [] => Vector { value: Complex::new(0.0, 0.0), outcome: Outcome::Zero, doubt: 0.0 },
+            [(c, sum)] if nonzero || excludes_zero(&[c.re.clone(), c.im.clone()]) => {
+                Vector { value: c.to_complex() * numbers::evaluate(sum), outcome: Outcome::NotZero, doubt: 0.0 }
+            }
             _ => enclosed(pairs),
-        };
-        Vector { value, outcome }
+        }
+    }
+
+    /// Whether it is proved to be zero.
+    pub fn vanishes(&self) -> bool {
+        self.outcome == Outcome::Zero
+    }
+
+    /// How far the decimals may be off, besides their roundings.
+    pub fn doubt(&self) -> f64 {
+        self.doubt
     }
 
     /// The mirror image of the coefficients: what a reverse vector has.
@@ -62,7 +74,7 @@ impl Vector {
 /// Bits behind the point of the sums that an enclosure is made from.
 const BITS: u32 = 192;
 
-fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Outcome {
+fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Vector {
     let mut total = [Enclosure::zero(), Enclosure::zero()];
     for (c, sum) in pairs {
         let [(re_low, re_high), (im_low, im_high)] = numbers::enclose(sum, BITS);
@@ -71,14 +83,20 @@ fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Outcome {
         total[0] = total[0].plus(&c.re.product(&re)).plus(&c.im.product(&im).times(&minus));
         total[1] = total[1].plus(&c.re.product(&im)).plus(&c.im.product(&re));
     }
-    if excludes_zero(&total) {
-        return Outcome::NotZero;
-    }
     let reach = |part: &Enclosure| {
         let reach = if -&part.low > part.high { -part.low.clone() } else { part.high.clone() };
         reach.to_f64().unwrap_or(f64::INFINITY)
     };
-    Outcome::Undecided { below: reach(&total[0]).hypot(reach(&total[1])).next_up() }
+    let width = |part: &Enclosure| part.width().to_f64().unwrap_or(f64::INFINITY);
+    let [re, im] = &total;
+    let (outcome, doubt) = match excludes_zero(&total) {
+        true => (Outcome::NotZero, width(re).hypot(width(im)).next_up()),
+        false => {
+            let below = reach(re).hypot(reach(im)).next_up();
+            (Outcome::Undecided { below }, 2.0 * below)
+        }
+    };
+    Vector { value: Complex::new(re.to_float(), im.to_float()), outcome, doubt }
 }
 
 fn excludes_zero(parts: &[Enclosure; 2]) -> bool {

@@ -8,7 +8,7 @@ use super::ball::Ball;
 use super::closed::ClosedForm;
 use super::enclosure::{Coefficient, Enclosure};
 use super::error::NoFullTurn;
-use super::{centric, offset, torque};
+use super::{centric, offset, small, torque};
 
 /// A slider-crank that can make a full turn: its rod ratio `λ = r/l` and its pin offset `δ = e/l`, exact.
 ///
@@ -118,8 +118,11 @@ impl SliderCrank {
         let k_squared = BigRational::from_integer(BigInt::from(k) * k * 2);
         let factor = k_squared / &self.ratio;
         if is_centric {
-            let sign = if k.is_multiple_of(4) { 1 } else { -1 };
-            let factor = factor * BigRational::from_integer(sign.into());
+            let sign = BigRational::from_integer(if k.is_multiple_of(4) { 1.into() } else { (-1).into() });
+            if let Some(harmonic) = u32::try_from(k).ok().and_then(|k| small::harmonic(&self.ratio, k)) {
+                return harmonic.times(&sign);
+            }
+            let factor = factor * sign;
             Enclosure::refine(&factor, None, |bits| centric::harmonic(&self.ratio, k / 2, bits))
         } else {
             Enclosure::refine(&factor, None, |bits| offset::harmonic(&self.ratio, &self.offset, k, bits))

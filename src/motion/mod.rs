@@ -26,6 +26,8 @@ mod error;
 mod fast;
 mod offset;
 mod series;
+mod small;
+mod tail;
 mod torque;
 
 pub use crank::SliderCrank;
@@ -33,3 +35,4 @@ pub use enclosure::{Coefficient, Enclosure};
 pub use error::NoFullTurn;
 pub use fast::coefficients_fast;
 pub use series::{Series, series};
+pub use tail::Tail;

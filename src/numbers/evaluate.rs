@@ -1,15 +1,22 @@
 //! Where does a sum point, and how long is it?
 
+use std::cell::RefCell;
+use std::sync::LazyLock;
+
 use num_bigint::BigInt;
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::fixed::FixedPoint;
+use super::memory::{self, Memory};
 use crate::exact::{PhasorSum, Turn};
 
 /// Bits behind the point that every evaluation starts with.
 const FIRST_BITS: u32 = 128;
+
+/// Its arithmetic, with 2π worked out once.
+static FIRST: LazyLock<FixedPoint> = LazyLock::new(|| FixedPoint::new(FIRST_BITS));
 
 /// Each cosine of the fixed-point arithmetic is off by less than this many units: some hundred roundings of its series.
 const DOUBT: i64 = 1 << 16;
@@ -18,6 +25,20 @@ const DOUBT: i64 = 1 << 16;
 ///
 /// What is exactly zero comes out as zero: the sum, its real part, its imaginary part.
 pub fn evaluate(sum: &PhasorSum) -> Complex<f64> {
+    let star = memory::star(sum);
+    if let Some(known) = VALUES.with_borrow(|values| values.get(&star)) {
+        return known;
+    }
+    let value = evaluated(sum);
+    VALUES.with_borrow_mut(|values| values.keep(star, value));
+    value
+}
+
+thread_local! {
+    static VALUES: RefCell<Memory<Complex<f64>>> = const { RefCell::new(Memory::new()) };
+}
+
+fn evaluated(sum: &PhasorSum) -> Complex<f64> {
     let mirrored = sum.conjugate();
     let re = if sum.plus(&mirrored).vanishes() { 0.0 } else { part(sum, |(cos, _)| cos) };
     let im = if sum.minus(&mirrored).vanishes() { 0.0 } else { part(sum, |(_, sin)| sin) };
@@ -26,7 +47,7 @@ pub fn evaluate(sum: &PhasorSum) -> Complex<f64> {
 
 /// A unit vector in decimals.
 pub fn direction(angle: &Turn) -> Complex<f64> {
-    let (cos, sin) = FixedPoint::new(FIRST_BITS).cos_sin(angle);
+    let (cos, sin) = FIRST.cos_sin(angle);
     let to_float = |scaled: BigInt| BigRational::new(scaled, BigInt::from(1) << FIRST_BITS).to_f64().unwrap_or(0.0);
     Complex::new(to_float(cos), to_float(sin))
 }
@@ -36,7 +57,13 @@ fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
     let terms = sum.collected();
     let mut bits = FIRST_BITS;
     loop {
-        let fixed = FixedPoint::new(bits);
+        let more;
+        let fixed = if bits == FIRST_BITS {
+            &*FIRST
+        } else {
+            more = FixedPoint::new(bits);
+            &more
+        };
         let products = terms.iter().map(|term| {
             let cosine = BigRational::from_integer(choose(fixed.cos_sin(&term.angle)));
             &term.weight * cosine

@@ -18,8 +18,10 @@ pub enum Root {
     Whole(BigInt),
     /// The square root of a form that is no rational number.
     Nested(Form),
-    /// The cosine of an angle.
+    /// The cosine of an angle between 0 and a quarter of a turn.
     Cosine(Turn),
+    /// The product of one of the first three and cosines in rising order of their angles: two or more with 1.
+    Product(Box<Root>, Vec<Turn>),
 }
 
 /// `Σ coefficient · root`, each root once, no coefficient zero.
@@ -28,6 +30,9 @@ pub struct Form {
     terms: Vec<(Root, BigRational)>,
 }
 
+/// Products of more terms, or of more cosines, are nobody's number.
+const MOST_TERMS: usize = 64;
+const MOST_COSINES: usize = 8;
 /// Square factors of larger numbers than this are not looked for: the form is right, though perhaps not the shortest.
 const LARGEST_FACTOR: u32 = 10_000;
 
@@ -37,9 +42,20 @@ impl Form {
         Form::new([(Root::One, value)])
     }
 
-    /// A rational multiple of a cosine.
+    /// A rational multiple of a cosine; those of whole multiples of 30° and 45° are roots.
     pub fn cosine(coefficient: BigRational, angle: Turn) -> Self {
-        Form::new([(Root::Cosine(angle), coefficient)])
+        let (half, quarter) = (Turn::fraction(1, 2), Turn::fraction(1, 4));
+        let upper = if angle > half { -&angle } else { angle };
+        let (angle, sign) = if upper > quarter { (&half - &upper, -BigRational::one()) } else { (upper, One::one()) };
+        let known = [(0, 1), (1, 12), (1, 8), (1, 6), (1, 4)].map(|(part, of)| Turn::fraction(part, of));
+        // 2 cos of 0°, 30°, 45°, 60°, 90° are the roots of 4, 3, 2, 1, 0.
+        match known.iter().zip([4, 3, 2, 1, 0]).find(|(known, _)| **known == angle) {
+            Some((_, square)) => {
+                let root = root_of_rational(&BigRational::from_integer(square.into()));
+                root.scaled(&(coefficient * sign / BigRational::from_integer(2.into())))
+            }
+            None => Form::new([(Root::Cosine(angle), coefficient * sign)]),
+        }
     }
 
     fn new(terms: impl IntoIterator<Item = (Root, BigRational)>) -> Self {
@@ -74,8 +90,11 @@ impl Form {
         Form::new(self.terms.iter().map(|(root, coefficient)| (root.clone(), coefficient * by)))
     }
 
-    /// The product of two numbers; `None` where a cosine meets a root or another cosine.
+    /// The product of two numbers; `None` where it has too many terms or cosines to be one that is written.
     pub fn times(&self, other: &Form) -> Option<Form> {
+        if self.terms.len() * other.terms.len() > MOST_TERMS {
+            return None;
+        }
         let mut sum = Form::new([]);
         for (root, coefficient) in &self.terms {
             for (other_root, other_coefficient) in &other.terms {
@@ -130,12 +149,38 @@ impl Form {
             Root::Whole(n) => n.to_f64().unwrap_or(f64::NAN).sqrt(),
             Root::Nested(form) => form.to_float().max(0.0).sqrt(),
             Root::Cosine(angle) => super::direction(angle).re,
+            Root::Product(root, cosines) => {
+                let root = Form::new([((**root).clone(), BigRational::one())]).to_float();
+                cosines.iter().fold(root, |product, angle| product * super::direction(angle).re)
+            }
         };
         self.terms.iter().map(|(r, coefficient)| coefficient.to_f64().unwrap_or(f64::NAN) * root(r)).sum()
     }
 }
 
+/// Multiplies what stands before the cosines, and puts the cosines of both behind it.
 fn product(a: &Root, b: &Root) -> Option<Form> {
+    let ((a, mut cosines), (b, others)) = (a.parts(), b.parts());
+    cosines.extend(others);
+    cosines.sort_unstable();
+    let roots = product_of_roots(&a, &b)?;
+    if cosines.is_empty() {
+        return Some(roots);
+    }
+    let with_cosines = |(root, coefficient): (Root, BigRational)| {
+        let (root, mut all) = root.parts();
+        all.extend(cosines.iter().cloned());
+        all.sort_unstable();
+        let root = match (&root, all.as_slice()) {
+            (Root::One, [only]) => Root::Cosine(only.clone()),
+            _ => Root::Product(Box::new(root), all),
+        };
+        (root, coefficient)
+    };
+    (cosines.len() <= MOST_COSINES).then(|| Form::new(roots.terms.into_iter().map(with_cosines)))
+}
+
+fn product_of_roots(a: &Root, b: &Root) -> Option<Form> {
     let one = BigRational::one();
     Some(match (a, b) {
         (Root::One, other) | (other, Root::One) => Form::new([(other.clone(), one)]),
@@ -145,8 +190,19 @@ fn product(a: &Root, b: &Root) -> Option<Form> {
         }
         (Root::Nested(f), Root::Nested(g)) if f == g => f.clone(),
         (Root::Nested(f), Root::Nested(g)) => f.times(g)?.square_root(),
-        (Root::Cosine(_), _) | (_, Root::Cosine(_)) => return None,
+        (Root::Cosine(_) | Root::Product(..), _) | (_, Root::Cosine(_) | Root::Product(..)) => return None,
     })
+}
+
+impl Root {
+    /// The root before the cosines, and the cosines.
+    fn parts(&self) -> (Root, Vec<Turn>) {
+        match self {
+            Root::One | Root::Whole(_) | Root::Nested(_) => (self.clone(), Vec::new()),
+            Root::Cosine(angle) => (Root::One, vec![angle.clone()]),
+            Root::Product(root, cosines) => ((**root).clone(), cosines.clone()),
+        }
+    }
 }
 
 fn root_of_rational(value: &BigRational) -> Form {

@@ -1,11 +1,27 @@
 //! How large is it? Closed forms, and decimals for reading: no verdict is made from a decimal.
 
+mod banks;
+mod budget;
 mod closed;
+mod cosines;
+mod cost;
+mod direction;
 mod evaluate;
 mod fixed;
 mod form;
+mod memory;
+mod nested;
+mod products;
+mod quadratic;
+mod radicals;
+mod star;
+mod trace;
 mod written;
 
-pub use closed::{Direction, direction_of, mean_of_conjugates, modulus, real};
+pub use budget::Budget;
+pub use closed::{modulus, modulus_within, plainer, real, real_within};
+pub use direction::{Direction, direction_of};
 pub use evaluate::{direction, enclose, evaluate};
 pub use form::{Form, Root};
+pub use radicals::{as_sum, number, square_as_sum};
+pub use trace::mean_of_conjugates;

@@ -1,4 +1,4 @@
-//! How is an exact number written, and read back? `2√3`, `(3√2 − √6)/4`, `√(5 − 2√5)`, `3·cos(40°)`.
+//! How is an exact number written, and read back? `2√3`, `(3√2 − √6)/4`, `√(5 − 2√5)`, `3·cos(40°)`, `2√3·sin(4.5°)`.
 
 use std::fmt;
 
@@ -32,7 +32,7 @@ impl Form {
     /// assert!(Form::parse("2√").is_none());
     /// ```
     ///
-    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)` and brackets are understood; `None` for all
+    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)`, `sin(…°)` and brackets are understood; `None` for all
     /// else, and for the root of a negative number.
     pub fn parse(text: &str) -> Option<Form> {
         let spaced = text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)");
@@ -48,7 +48,8 @@ struct Style {
     minus: &'static str,
     fraction: fn(&str, &BigInt, bool) -> String,
     root: fn(&str, bool) -> String,
-    cosine: fn(&BigRational) -> String,
+    function: fn(&str, &str) -> String,
+    times: &'static str,
 }
 
 const TEXT: Style = Style {
@@ -58,14 +59,16 @@ const TEXT: Style = Style {
         false => format!("{numerator}/{denominator}"),
     },
     root: |inside, is_number| if is_number { format!("√{inside}") } else { format!("√({inside})") },
-    cosine: |degrees| format!("·cos({degrees}°)"),
+    function: |name, degrees| format!("{name}({degrees}°)"),
+    times: "·",
 };
 
 const TEX: Style = Style {
     minus: "-",
     fraction: |numerator, denominator, _| format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
     root: |inside, _| format!("\\sqrt{{{inside}}}"),
-    cosine: |degrees| format!("\\cos({degrees}^\\circ)"),
+    function: |name, degrees| format!("\\{name}({degrees}^\\circ)"),
+    times: "",
 };
 
 fn write(form: &Form, style: &Style) -> String {
@@ -101,16 +104,47 @@ fn write(form: &Form, style: &Style) -> String {
 }
 
 fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
+    let (root, cosines): (&Root, &[Turn]) = match root {
+        Root::One | Root::Whole(_) | Root::Nested(_) => (root, &[]),
+        Root::Cosine(angle) => (&Root::One, std::slice::from_ref(angle)),
+        Root::Product(root, cosines) => (root, cosines),
+    };
     let root = match root {
-        Root::One => return coefficient.to_string(),
+        Root::One => String::new(),
         Root::Whole(n) => (style.root)(&n.to_string(), true),
         Root::Nested(form) => (style.root)(&write(form, style), false),
-        Root::Cosine(angle) => {
-            let cosine = (style.cosine)(&angle.degrees());
-            return format!("{coefficient}{cosine}");
-        }
+        Root::Cosine(_) | Root::Product(..) => unreachable!("cosines stand behind a root of numbers"),
     };
-    if coefficient.is_one() { root } else { format!("{coefficient}{root}") }
+    let number = if coefficient.is_one() && !(root.is_empty() && cosines.is_empty()) {
+        String::new()
+    } else {
+        coefficient.to_string()
+    };
+    let first = format!("{number}{root}");
+    let factors = cosines.iter().map(|angle| function(angle, style));
+    let factors: Vec<String> = Some(first).filter(|first| !first.is_empty()).into_iter().chain(factors).collect();
+    factors.join(style.times)
+}
+
+/// A cosine, of an angle above 45° the sine of what is missing to 90°.
+fn function(angle: &Turn, style: &Style) -> String {
+    let degrees = angle.degrees();
+    let right = BigRational::from_integer(90.into());
+    match &degrees + &degrees > right {
+        true => (style.function)("sin", &plain_degrees(&(right - degrees))),
+        false => (style.function)("cos", &plain_degrees(&degrees)),
+    }
+}
+
+/// `22.5`, `180/7`: a decimal where it ends after three places.
+fn plain_degrees(degrees: &BigRational) -> String {
+    let thousandths = degrees * BigRational::from_integer(1000.into());
+    if !thousandths.is_integer() {
+        return degrees.to_string();
+    }
+    let (whole, rest) = thousandths.to_integer().div_rem(&BigInt::from(1000));
+    let text = format!("{whole}.{:0>3}", rest.to_string());
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// Brackets and roots nested deeper than this are nobody's number.
@@ -154,7 +188,7 @@ impl Parser {
             if self.takes('/') {
                 let divisor = self.factor()?.as_rational().filter(|divisor| *divisor.numer() != BigInt::from(0))?;
                 product = product.scaled(&divisor.recip());
-            } else if self.takes('*') || matches!(self.peek(), Some('√' | '(' | 'c')) {
+            } else if self.takes('*') || matches!(self.peek(), Some('√' | '(' | 'c' | 's')) {
                 product = product.times(&self.factor()?)?;
             } else {
                 return Some(product);
@@ -181,11 +215,15 @@ impl Parser {
             let inside = self.sum()?;
             return self.takes(')').then_some(inside);
         }
-        if self.letters[self.at..].starts_with(&['c', 'o', 's', '(']) {
-            self.at += 4;
-            let degrees = self.number()?;
-            (self.takes('°') && self.takes(')')).then_some(())?;
-            return Some(Form::cosine(BigRational::one(), Turn::from_degrees(&degrees)));
+        for (name, is_sine) in [("cos(", false), ("sin(", true)] {
+            if self.letters[self.at..].iter().copied().take(4).eq(name.chars()) {
+                self.at += 4;
+                let degrees = self.number()?;
+                (self.takes('°') && self.takes(')')).then_some(())?;
+                let angle = Turn::from_degrees(&degrees);
+                let angle = if is_sine { &Turn::fraction(1, 4) - &angle } else { angle };
+                return Some(Form::cosine(BigRational::one(), angle));
+            }
         }
         self.number().map(Form::rational)
     }

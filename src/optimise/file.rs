@@ -16,7 +16,7 @@ pub(super) fn with_counterweights(
     head: &str,
     notes: &[String],
 ) -> Result<Layout, Refused> {
-    let mut text = format!("{}{}\n", comment(head), without_counterweights(&layout.file).trim_end());
+    let mut text = format!("{}{}\n", comment(head), without_counterweights(layout.file.written()).trim_end());
     for (parts, note) in weights.iter().zip(notes) {
         if !parts.is_empty() {
             text += &format!("\n{}", comment(note));

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::layout::Rod;
+use crate::proof::Quantity;
 
 /// The number that a sum stands before in an order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,7 +39,7 @@ impl Factor {
         match order {
             1 if rod.offset.is_zero() => Some((Factor::One, one)),
             1 => Some((Factor::Motion(rod.clone()), one)),
-            _ if rod.ratio.is_zero() || (rod.offset.is_zero() && is_odd) => None,
+            _ if !rod.has_order(Quantity::Force, order) => None,
             _ => {
                 let sign = if rod.offset.is_negative() && is_odd { -one } else { one };
                 Some((Factor::Motion(Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() }), sign))
@@ -46,8 +47,9 @@ impl Factor {
         }
     }
 
-    /// What the inertia torque of a cylinder with this rod stands before.
-    pub fn of_torque(rod: Option<&Rod>) -> Factor {
-        rod.map_or(Factor::Open, |rod| Factor::Torque(rod.clone()))
+    /// What the inertia torque of a cylinder with this rod stands before; none where it is zero.
+    pub fn of_torque(rod: Option<&Rod>, order: u32) -> Option<Factor> {
+        let Some(rod) = rod else { return Some(Factor::Open) };
+        rod.has_order(Quantity::Torque, order).then(|| Factor::Torque(rod.clone()))
     }
 }

@@ -9,9 +9,10 @@ use crate::layout::Layout;
 
 /// The inertia torque of one order: `Σ m r² e^{ik(β−α)}` before t_k of each rod, in multiples of m r².
 pub fn torque(layout: &Layout, order: u32) -> OrderSum {
-    OrderSum::new(layout.cylinders.iter().enumerate().map(|(index, cylinder)| {
+    OrderSum::new(layout.cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
+        let factor = Factor::of_torque(layout.mechanism.rods.get(index), order)?;
         let weight = mass_radius(layout, cylinder) * &cylinder.crank_radius;
         let term = Term { angle: phase(cylinder, order, None), weight };
-        (Factor::of_torque(layout.mechanism.rods.get(index)), term)
+        Some((factor, term))
     }))
 }

@@ -8,7 +8,7 @@ use super::fraction;
 
 /// Evidence that a sum `S = Σ weight · e^{2πi·angle}` is zero, or that it is not.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
+#[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
 pub enum Certificate {
     /// `S = 0`: the corners of these regular polygons, collected, are the collected terms.
     Polygons {
@@ -27,12 +27,16 @@ pub enum Certificate {
 impl Certificate {
     /// Which verdict the certificate is evidence for.
     pub fn claims_zero(&self) -> bool {
-        matches!(self, Certificate::Polygons { .. })
+        match self {
+            Certificate::Polygons { .. } => true,
+            Certificate::Residue(_) | Certificate::Splitting { .. } => false,
+        }
     }
 }
 
 /// A regular polygon with a prime number of sides: corners at `rotation + j/sides`, each of the same weight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Polygon {
     /// How many sides: a prime; 2 is an opposed pair.
     pub sides: u64,
@@ -46,6 +50,7 @@ pub struct Polygon {
 
 /// `Σ (weight·scale) · root^(angle·conductor) ≡ residue (mod prime)`, and not 0.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Residue {
     /// A common denominator of the angles.
     #[serde(with = "fraction")]
@@ -66,7 +71,7 @@ pub struct Residue {
 
 /// One step of a splitting, from a sum of `n` collected terms to a part of it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum Step {
     /// Keep the terms whose angle differs from `angle` by a multiple of `1/modulus`, and turn them by `−angle`.
     ///

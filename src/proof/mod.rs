@@ -5,24 +5,46 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod audit;
 mod certificate;
 mod check;
+mod checked;
+mod collected;
+mod decimals;
 mod document;
+mod enclosure;
+mod engine;
 mod fraction;
 mod open;
+mod open_check;
+mod reading;
+mod refusal;
 mod remedy;
+mod shape;
+mod splitting;
 mod theorem;
+mod verdict;
+mod when;
+mod whole;
 
+pub use audit::{Counts, Fault, MOST_STEPS, Reason};
 pub use certificate::{Certificate, Polygon, Residue, Step};
-pub use check::{Refusal, check_certificate};
-pub use document::{
-    Cylinder, Decimal, Document, Fault, Quantity, Sense, Shape, ShapeClaim, Vector, VerdictClaim, check_document,
-};
+pub use check::check_certificate;
+pub use checked::Checked;
+pub use decimals::Decimal;
+pub use document::{Document, check_document};
+pub use engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, Sense};
 pub use open::{
     AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
-    SumClaim, WhenClaim, check_open_document,
+    SumClaim, WhenClaim,
 };
+pub use open_check::check_open_document;
+pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
+pub use refusal::Refusal;
 pub use remedy::{
-    CorrectedClaim, RemedyDocument, RodClaim, RodCylinder, TurningClaim, WeightClaim, WeightPart, check_remedy_document,
+    Coefficient, CorrectedClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart,
+    check_remedy_document,
 };
+pub use shape::{Shape, ShapeClaim};
 pub use theorem::{OrderClaim, Survivors, TheoremClaim};
+pub use verdict::{Vector, VerdictClaim};

@@ -1,52 +1,53 @@
 //! What does a remedy claim, and does it hold? The engine, the weights, and the corrected sums with their evidence.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
+use super::audit::{Audit, Fault, Reason};
 use super::certificate::Certificate;
-use super::check::{Collected, check_certificate, collect};
-use super::document::{Fault, Quantity, Sense, Vector};
+use super::check::certify;
+use super::checked::Checked;
+use super::collected::{Collected, collect, collected, vectors};
+use super::decimals::{Decimal, check_decimals};
+use super::engine::{Masses, Quantity, RodClaim, RodStatement, Sense, check_asked, rods};
 use super::fraction;
+use super::reading::Format;
+use super::verdict::{Vector, phase};
 
-/// A remedy as data: what `verify` reads beside the verdicts on engines.
+/// A remedy as data: the JSON document of `remedy --json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RemedyDocument {
-    /// Title of the engine.
+    /// `crankstar remedy 2`.
+    pub format: Format,
+    /// Title of the engine: free text.
     pub title: String,
-    /// The orders that are claimed to vanish.
-    pub remedied_orders: Vec<u32>,
+    /// Whose masses the sums are about: all of the corrected engine.
+    pub masses: Masses,
+    /// The orders that are claimed to vanish, rising.
+    pub orders: Vec<u32>,
+    /// The quantities that are claimed to vanish: force and moment.
+    pub quantities: Vec<Quantity>,
     /// Position of the plane that moments are taken about.
     #[serde(with = "fraction")]
     pub reference_plane: BigRational,
-    /// Whether the engine names its rods; else those of the cylinders stand for any.
-    pub rods_known: bool,
     /// The cylinders.
     pub cylinders: Vec<RodCylinder>,
     /// The masses of the engine that turn.
-    pub masses: Vec<TurningClaim>,
+    pub turning_masses: Vec<TurningClaim>,
     /// The weights of the remedy.
     pub weights: Vec<WeightClaim>,
-    /// The sums of the corrected engine.
+    /// The sums of the corrected engine, by order, quantity, sense and coefficient.
     pub sums: Vec<CorrectedClaim>,
-}
-
-/// A rod, which names a coefficient c_k.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct RodClaim {
-    /// λ = r/l.
-    #[serde(with = "fraction")]
-    pub ratio: BigRational,
-    /// δ = e/l.
-    #[serde(with = "fraction")]
-    pub offset: BigRational,
 }
 
 /// A cylinder with its rod.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RodCylinder {
     /// Crank-throw angle β in turns.
     #[serde(with = "fraction")]
@@ -61,11 +62,12 @@ pub struct RodCylinder {
     #[serde(with = "fraction")]
     pub weight: BigRational,
     /// Its rod.
-    pub rod: RodClaim,
+    pub rod: RodStatement,
 }
 
 /// A mass that turns at a multiple of the crank speed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct TurningClaim {
     /// The multiple.
     pub order: u32,
@@ -84,6 +86,7 @@ pub struct TurningClaim {
 
 /// A weight of the remedy: `Σ coefficient · Σ weight e^{2πi·angle}`, its mass-radius in multiples of m r.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct WeightClaim {
     /// Which multiple of the crank speed it turns at.
     pub order: u32,
@@ -92,21 +95,39 @@ pub struct WeightClaim {
     /// Position z.
     #[serde(with = "fraction")]
     pub position: BigRational,
-    /// Its parts.
+    /// Its parts, by coefficient.
     pub parts: Vec<WeightPart>,
 }
 
 /// The part of a weight with one coefficient.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct WeightPart {
-    /// None is 1, else c_k of this rod.
-    pub coefficient: Option<RodClaim>,
-    /// The sum that it stands before.
+    /// The coefficient.
+    pub coefficient: Coefficient,
+    /// The sum that it stands before, collected.
     pub terms: Vec<Vector>,
+    /// The length of this sum, to a few units in the last place.
+    pub modulus: Decimal,
+    /// Its direction in degrees, in `(−180, 180]`, as accurate.
+    pub angle_deg: Decimal,
+}
+
+/// What stands before a sum.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub enum Coefficient {
+    /// 1.
+    One,
+    /// The c_k that all rods have, where none is named.
+    Common,
+    /// The c_k of this rod.
+    Rod(RodClaim),
 }
 
 /// One sum of the corrected engine, which is zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CorrectedClaim {
     /// Force or moment.
     pub quantity: Quantity,
@@ -114,83 +135,130 @@ pub struct CorrectedClaim {
     pub order: u32,
     /// Direct or reverse.
     pub sense: Sense,
-    /// None is 1, else c_k of this rod.
-    pub coefficient: Option<RodClaim>,
-    /// The sum, in multiples of m r.
+    /// What stands before it.
+    pub coefficient: Coefficient,
+    /// The sum, in multiples of m r, collected.
     pub terms: Vec<Vector>,
     /// The evidence that it is zero.
     pub certificate: Certificate,
 }
 
-/// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that none is left out,
-/// and that each is zero.
-///
-/// Returns how many certificates were checked.
+/// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that each order has all
+/// of them, and that each is zero.
 ///
 /// # Errors
-/// The first sum that does not hold.
-pub fn check_remedy_document(document: &RemedyDocument) -> Result<usize, Fault> {
-    if document.remedied_orders.is_empty() {
-        return Err(Fault {
-            place: "remedied_orders".into(),
-            reason: "the list is empty, there is nothing to check".into(),
-        });
+/// The first entry that does not hold.
+pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault> {
+    let audit = Audit::new();
+    let rods_known = check_head(document)?;
+    for (index, weight) in document.weights.iter().enumerate() {
+        let place = || format!("weights[{index}]");
+        check_weight(document, weight, &audit).map_err(|reason| Fault { place: place(), reason })?;
     }
-    let mut claimed = BTreeSet::new();
-    for (index, claim) in document.sums.iter().enumerate() {
-        let place =
-            || format!("sums[{index}] ({}, order {}, {})", claim.quantity.name(), claim.order, claim.sense.name());
-        let fault = |reason: String| Fault { place: place(), reason };
-        let expected = document.expected(claim.quantity, claim.order, claim.sense);
-        let expected = expected.get(&claim.coefficient).cloned().unwrap_or_default();
-        let terms = collect(claim.terms.iter().map(|term| (term.angle.clone(), term.weight.clone())));
-        if terms != expected {
-            return Err(fault("its terms are not those of the engine and the weights".into()));
-        }
-        check_certificate(&claim.terms, true, &claim.certificate).map_err(|refusal| fault(refusal.to_string()))?;
-        if !claimed.insert((claim.quantity, claim.order, claim.sense, claim.coefficient.clone())) {
-            return Err(fault("this sum is in the list twice".into()));
-        }
-    }
-    for &order in &document.remedied_orders {
-        for (quantity, sense) in [Quantity::Force, Quantity::Moment]
-            .into_iter()
-            .flat_map(|quantity| [Sense::Direct, Sense::Reverse].map(|sense| (quantity, sense)))
-        {
-            let sums = document.expected(quantity, order, sense);
-            let open = sums.into_keys().find(|key| !claimed.contains(&(quantity, order, sense, key.clone())));
-            if open.is_some() {
-                let place = format!("sums ({}, order {order}, {})", quantity.name(), sense.name());
-                return Err(Fault { place, reason: "this sum is left out".into() });
+    let mut found = document.sums.iter().enumerate();
+    for &order in &document.orders {
+        for quantity in [Quantity::Force, Quantity::Moment] {
+            for sense in Sense::BOTH {
+                let about = format!("({}, order {order}, {})", quantity.name(), sense.name());
+                let expected = document.expected(quantity, order, sense, &audit);
+                for (coefficient, sum) in expected.map_err(|reason| Fault::new(about.clone(), reason))? {
+                    let Some((index, claim)) = found.next() else {
+                        return Err(Fault::new(format!("sums {about}"), "this sum is left out"));
+                    };
+                    let place = format!("sums[{index}] {about}");
+                    if (claim.quantity, claim.order, claim.sense) != (quantity, order, sense)
+                        || claim.coefficient != coefficient
+                    {
+                        return Err(Fault::new(place, "another sum stands here"));
+                    }
+                    check_sum(claim, sum, &audit).map_err(|reason| Fault { place, reason })?;
+                }
             }
         }
     }
-    Ok(document.sums.len())
+    match found.next() {
+        None => Ok(Checked::remedy(document, rods_known, audit.counts())),
+        Some(_) => Err(Fault::new("sums", "there are more than the orders have")),
+    }
+}
+
+/// Whether the rods are known.
+fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
+    match document.format {
+        Format::Remedy => (),
+        Format::Classify | Format::Family => return Err(Fault::new("format", "remedies are in `crankstar remedy 2`")),
+    }
+    match document.masses {
+        Masses::All => (),
+        Masses::Reciprocating => return Err(Fault::new("masses", "a remedy is about all masses of the engine")),
+    }
+    check_asked(&document.orders, &document.quantities)?;
+    if document.quantities != [Quantity::Force, Quantity::Moment] {
+        return Err(Fault::new("quantities", "a remedy is about force and moment, both"));
+    }
+    if document.cylinders.is_empty() {
+        return Err(Fault::new("cylinders", "an engine has one at least"));
+    }
+    if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
+        return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
+    }
+    let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod));
+    rods.map(|rods| rods.is_some()).map_err(|reason| Fault::new("cylinders", reason))
+}
+
+/// A weight turns at an order that is asked for, and each part is a sum of some length.
+fn check_weight(document: &RemedyDocument, weight: &WeightClaim, audit: &Audit) -> Result<(), Reason> {
+    if !document.orders.contains(&weight.order) {
+        return Err(format!("it turns at order {}, which is not asked for", weight.order).into());
+    }
+    if weight.parts.is_empty() || weight.parts.windows(2).any(|pair| pair[0].coefficient >= pair[1].coefficient) {
+        return Err("it has parts, rising by their coefficients, each once".into());
+    }
+    for part in &weight.parts {
+        let sum = collected(&part.terms, audit)?;
+        if vectors(sum.clone()) != part.terms {
+            return Err("its terms are not collected, at rising angles".into());
+        }
+        check_decimals(&sum, false, part.modulus, Some(part.angle_deg), audit)?;
+    }
+    Ok(())
+}
+
+fn check_sum(claim: &CorrectedClaim, expected: Collected, audit: &Audit) -> Result<(), Reason> {
+    certify(&expected, true, &claim.certificate, audit)?;
+    match vectors(expected) == claim.terms {
+        true => Ok(()),
+        false => Err("its terms are not those of the engine and the weights, collected".into()),
+    }
 }
 
 impl RemedyDocument {
-    /// The collected sums of one quantity, order and sense by coefficient (theory, sections 3 and 7).
-    fn expected(&self, quantity: Quantity, order: u32, sense: Sense) -> BTreeMap<Option<RodClaim>, Collected> {
-        let mut sums: BTreeMap<Option<RodClaim>, Vec<(BigRational, BigRational)>> = BTreeMap::new();
-        let k = BigRational::from_integer(BigInt::from(order));
-        let one = BigRational::one;
+    /// The collected sums of one quantity, order and sense by coefficient (theory, sections 3 and 7), those that have a
+    /// term; an empty one where none has.
+    fn expected(
+        &self,
+        quantity: Quantity,
+        order: u32,
+        sense: Sense,
+        audit: &Audit,
+    ) -> Result<BTreeMap<Coefficient, Collected>, Reason> {
+        let mut sums: BTreeMap<Coefficient, Vec<(BigRational, BigRational)>> = BTreeMap::new();
         let arm = |position: &BigRational| match quantity {
             Quantity::Moment => position - &self.reference_plane,
-            Quantity::Force | Quantity::Torque => one(),
+            Quantity::Force | Quantity::Torque => BigRational::one(),
         };
+        audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         for cylinder in &self.cylinders {
             let Some((coefficient, sign)) = coefficient(&cylinder.rod, order) else { continue };
-            let angle = match sense {
-                Sense::Direct => &k * &cylinder.throw - (&k - one()) * &cylinder.bank,
-                Sense::Reverse => (&k + one()) * &cylinder.bank - &k * &cylinder.throw,
-            };
             let weight = &cylinder.weight * arm(&cylinder.position) * sign;
+            let angle = phase(&cylinder.throw, &cylinder.bank, order, Some(sense));
             sums.entry(coefficient).or_default().push((angle, weight));
         }
+        let k = BigRational::from_integer(BigInt::from(order));
         let double = &k * &k * BigRational::from_integer(2.into());
-        for mass in self.masses.iter().filter(|mass| (mass.order, mass.sense) == (order, sense)) {
+        for mass in self.turning_masses.iter().filter(|mass| (mass.order, mass.sense) == (order, sense)) {
             let weight = &double * &mass.mass_radius * arm(&mass.position);
-            sums.entry(None).or_default().push((mass.angle.clone(), weight));
+            sums.entry(Coefficient::One).or_default().push((mass.angle.clone(), weight));
         }
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
             let share = &double * arm(&weight.position);
@@ -199,21 +267,36 @@ impl RemedyDocument {
                 sums.entry(part.coefficient.clone()).or_default().extend(terms);
             }
         }
-        sums.into_iter().map(|(coefficient, terms)| (coefficient, collect(terms))).collect()
+        let mut left: BTreeMap<Coefficient, Collected> = BTreeMap::new();
+        for (coefficient, terms) in sums {
+            left.insert(coefficient, collect(terms, audit)?);
+        }
+        left.retain(|_, sum| !sum.is_empty());
+        if left.is_empty() {
+            left.insert(Coefficient::One, Collected::new());
+        }
+        Ok(left)
     }
 }
 
 /// The coefficient of a rod at an order, with a sign; none where it is zero. Centric rods have c_1 = 1 and no other odd
 /// order; with the offset's sign the coefficients of odd orders above 1 change theirs.
-fn coefficient(rod: &RodClaim, order: u32) -> Option<(Option<RodClaim>, BigRational)> {
-    let centric = rod.offset.is_zero();
+fn coefficient(rod: &RodStatement, order: u32) -> Option<(Coefficient, BigRational)> {
+    let one = BigRational::one;
     let odd = order % 2 == 1;
+    let rod = match rod {
+        RodStatement::Unknown if order == 1 => return Some((Coefficient::One, one())),
+        RodStatement::Unknown => return (!odd).then(|| (Coefficient::Common, one())),
+        RodStatement::Known(rod) => rod,
+    };
+    let centric = rod.offset.is_zero();
     if order == 1 {
-        return Some((if centric { None } else { Some(rod.clone()) }, BigRational::one()));
+        let coefficient = if centric { Coefficient::One } else { Coefficient::Rod(rod.clone()) };
+        return Some((coefficient, one()));
     }
     if rod.ratio.is_zero() || (centric && odd) {
         return None;
     }
-    let sign = if rod.offset.is_negative() && odd { -BigRational::one() } else { BigRational::one() };
-    Some((Some(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() }), sign))
+    let sign = if rod.offset.is_negative() && odd { -one() } else { one() };
+    Some((Coefficient::Rod(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() }), sign))
 }

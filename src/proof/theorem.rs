@@ -1,20 +1,24 @@
 //! What does a statement on every order say, and does one period prove it?
 
-use std::collections::BTreeSet;
-
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 use serde::{Deserialize, Serialize};
 
+use super::audit::{Audit, Reason};
 use super::certificate::Certificate;
-use super::check::check_certificate;
-use super::document::{Document, Quantity, Sense};
+use super::check::certify;
+use super::collected::collected;
+use super::document::Document;
+use super::engine::{Quantity, Sense};
 use super::fraction;
+use super::verdict::Subject;
+use super::whole::prime_divisors;
 
 /// The orders that do not vanish, out of those that exist: order 1 and the even ones.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Survivors {
     /// Whether order 1 is left.
     pub order_one: bool,
@@ -36,6 +40,7 @@ impl Survivors {
 
 /// A statement on one vector at every order that exists, with the verdicts of one period that prove it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct TheoremClaim {
     /// Force or moment.
     pub quantity: Quantity,
@@ -46,12 +51,13 @@ pub struct TheoremClaim {
     pub period: BigInt,
     /// The statement.
     pub survivors: Survivors,
-    /// Order 1, and one even order of each class modulo the period.
+    /// Order 1, and the even orders up to the period.
     pub verdicts: Vec<OrderClaim>,
 }
 
 /// The verdict on one order; its terms are those of the cylinders.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct OrderClaim {
     /// The order k.
     pub order: u32,
@@ -62,74 +68,84 @@ pub struct OrderClaim {
 }
 
 /// Every angle is a whole multiple of `1/period`, so one verdict a class proves all; each is checked, then the statement.
-pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim) -> Result<(), String> {
-    if document.cylinders.is_empty() {
-        return Err("a statement on every order needs the cylinders".into());
-    }
-    if claim.quantity == Quantity::Torque {
-        return Err("a statement on every order is about force or moment".into());
+pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &Audit) -> Result<(), Reason> {
+    if !document.has_equal_centric_rods() {
+        return Err("a statement on every order needs rods that are equal and centric".into());
     }
     check_period(document, &claim.period)?;
-    check_classes(claim)?;
+    check_orders(claim)?;
     for verdict in &claim.verdicts {
-        let terms = document.terms(claim.quantity, verdict.order, Some(claim.sense));
-        check_certificate(&terms, verdict.vanishes, &verdict.certificate)
-            .map_err(|refusal| format!("order {}: {refusal}", verdict.order))?;
+        let (quantity, sense) = (claim.quantity, Some(claim.sense));
+        let subject = Subject { quantity, order: verdict.order, sense, of: Vec::new() };
+        let sum = collected(&document.terms(&subject), audit)?;
+        certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(|refusal| {
+            match Reason::from(refusal) {
+                Reason::Wrong(words) => Reason::Wrong(format!("order {}: {words}", verdict.order)),
+                Reason::TooManySteps => Reason::TooManySteps,
+            }
+        })?;
     }
     check_statement(claim)
 }
 
-fn check_period(document: &Document, period: &BigInt) -> Result<(), String> {
+fn check_period(document: &Document, period: &BigInt) -> Result<(), Reason> {
     if !period.is_positive() || period.is_odd() {
-        return Err(format!("the period {period} is not a positive even number"));
+        return Err(format!("the period {period} is not a positive even number").into());
     }
     let times = BigRational::from_integer(period.clone());
     for cylinder in &document.cylinders {
         let angles = [&cylinder.throw, &cylinder.bank];
         if let Some(angle) = angles.into_iter().find(|&angle| !(angle * &times).is_integer()) {
-            return Err(format!(
-                "the period {period} times the angle {angle} of cylinder {} is not whole",
-                cylinder.name
-            ));
+            let name = &cylinder.name;
+            return Err(format!("the period {period} times the angle {angle} of cylinder {name} is not whole").into());
         }
     }
     Ok(())
 }
 
-/// Order 1 once, and each even class modulo the period once.
-fn check_classes(claim: &TheoremClaim) -> Result<(), String> {
-    let (mut has_one, mut classes) = (false, BTreeSet::new());
-    for &OrderClaim { order, .. } in &claim.verdicts {
-        let is_new = match order {
-            1 => !std::mem::replace(&mut has_one, true),
-            _ if order == 0 || order.is_odd() => return Err(format!("there is no order {order}: 1 and the even ones")),
-            _ => classes.insert(BigInt::from(order) % &claim.period),
-        };
-        if !is_new {
-            return Err(format!("order {order}: its class is in the list twice"));
+/// Order 1, and the even ones up to the period: one of each class.
+fn check_orders(claim: &TheoremClaim) -> Result<(), Reason> {
+    let mut found = claim.verdicts.iter();
+    let even = |index: u32| 2 * index;
+    let last = (&claim.period / 2_u32).to_u32().filter(|half| *half < u32::MAX / 2);
+    let Some(last) = last else {
+        return Err(format!("the period {} has more classes than verdicts", claim.period).into());
+    };
+    for order in std::iter::once(1).chain((1..=last).map(even)) {
+        match found.next() {
+            None => return Err(format!("order {order} is missing").into()),
+            Some(verdict) if verdict.order != order => {
+                return Err(format!("order {} stands in the place of order {order}", verdict.order).into());
+            }
+            Some(_) => (),
         }
     }
-    if !has_one {
-        return Err("order 1 is missing".into());
-    }
-    match BigInt::from(2 * classes.len()) == claim.period {
-        true => Ok(()),
-        false => Err(format!("{} even classes modulo the period {}, which has more", classes.len(), claim.period)),
+    match found.next() {
+        None => Ok(()),
+        Some(verdict) => Err(format!("order {} is beyond the period {}", verdict.order, claim.period).into()),
     }
 }
 
-/// The modulus divides the period, so the statement is right once it is on every order of the list.
-fn check_statement(claim: &TheoremClaim) -> Result<(), String> {
+/// The modulus is the least, and divides the period, so the statement is right once it is on every order of the list.
+fn check_statement(claim: &TheoremClaim) -> Result<(), Reason> {
     let Survivors { modulus, residues, .. } = &claim.survivors;
     if *modulus == 0 || modulus.is_odd() || !(&claim.period % modulus).is_zero() {
-        return Err(format!("the modulus {modulus} is not an even divisor of the period {}", claim.period));
+        return Err(format!("the modulus {modulus} is not an even divisor of the period {}", claim.period).into());
     }
     let is_rising = residues.windows(2).all(|pair| pair[0] < pair[1]);
     if !is_rising || residues.iter().any(|residue| residue >= modulus || residue.is_odd()) {
-        return Err(format!("the residues are not rising even numbers below {modulus}"));
+        return Err(format!("the residues are not rising even numbers below {modulus}").into());
+    }
+    let repeats = |prime: &u64| {
+        let step = u64::from(*modulus) / prime;
+        let is_left = |residue: u64| residues.binary_search(&u32::try_from(residue).unwrap_or(u32::MAX)).is_ok();
+        residues.iter().all(|&residue| is_left((u64::from(residue) + step) % u64::from(*modulus)))
+    };
+    if prime_divisors(u64::from(modulus / 2)).iter().any(repeats) {
+        return Err(format!("the same is said with a smaller modulus than {modulus}").into());
     }
     match claim.verdicts.iter().find(|verdict| claim.survivors.contains(verdict.order) == verdict.vanishes) {
-        Some(verdict) => Err(format!("order {}: the statement contradicts the verdict", verdict.order)),
+        Some(verdict) => Err(format!("order {}: the statement contradicts the verdict", verdict.order).into()),
         None => Ok(()),
     }
 }

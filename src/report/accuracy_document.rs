@@ -31,6 +31,8 @@ struct Load {
     peak_low: String,
     peak_high: String,
     rounding: f64,
+    /// The peak is known to this part of itself.
+    reference_error: f64,
     methods: Vec<Entry>,
 }
 
@@ -41,6 +43,8 @@ struct Entry {
     setting: Option<u32>,
     value: f64,
     error: f64,
+    /// Whether the reference is too coarse to tell the error.
+    below_reference_error: bool,
     bound: Option<f64>,
     looked_at: Option<usize>,
     seconds: Option<f64>,
@@ -53,7 +57,7 @@ pub fn accuracy_document(layout: &Layout, cases: &[AccuracyCase]) -> AccuracyDoc
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(layout, study)).collect(),
     };
-    AccuracyDocument { title: layout.title.clone(), cases: cases.iter().map(case).collect() }
+    AccuracyDocument { title: layout.title.written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
 fn load(layout: &Layout, study: &Study) -> Load {
@@ -72,6 +76,7 @@ fn load(layout: &Layout, study: &Study) -> Load {
             setting,
             value: row.value * multiple,
             error: row.error,
+            below_reference_error: study.is_below_reference(row),
             bound: row.bound,
             looked_at: row.looked_at,
             seconds: row.time.map(|time| time.as_secs_f64()),
@@ -86,6 +91,7 @@ fn load(layout: &Layout, study: &Study) -> Load {
         peak_low: accuracy_words::decimals(&study.peak.low, false),
         peak_high: accuracy_words::decimals(&study.peak.high, true),
         rounding: study.rounding,
+        reference_error: study.doubt,
         methods: study.rows.iter().enumerate().map(entry).collect(),
     }
 }

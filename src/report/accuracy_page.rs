@@ -1,6 +1,6 @@
 //! What stands on a page about accuracy? Per load a table of methods and a plot of error against time, or errors alone.
 
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 use serde::Serialize;
 
 use super::accuracy_words::{self, AccuracyCase, HEADER};
@@ -12,6 +12,7 @@ use super::table::Table;
 use super::{render, svg};
 use crate::accuracy::{Method, Row, Study};
 use crate::layout::Layout;
+use crate::text::Format;
 
 /// Errors smaller than this stand at the lower edge of a plot.
 const LEAST: f64 = 1e-18;
@@ -20,7 +21,7 @@ const LEAST: f64 = 1e-18;
 const EXPLAINED: &str = "Each method looks for the same peak. Orders are summed in doubles; what the higher orders can add is bounded \
 by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound. The closed form is the acceleration of each piston without any series, at equal \
 steps of the crank angle. Intervals enclose load and slope over spans of the crank angle and cut the highest span in two; they are stopped at 4000 spans. \
-Intervals of fractions carry some fifty digits, fewer where the load is nearly constant, and are what the others are compared with; the searches in intervals miss their aim there, and their bound says by how much. Errors are parts of the peak.";
+Intervals of fractions carry some fifty digits, fewer where the load is nearly constant; narrowed by whatever else is guaranteed, they are the reference of the others, and an error that is smaller than its own is said to be below it; the searches in intervals miss their aim there, and their bound says by how much. Errors are parts of the peak.";
 
 /// A part of a report: the errors of all methods, by load and rod ratio; no times, so that it is the same on every machine.
 #[derive(Clone, Debug, Serialize)]
@@ -89,6 +90,10 @@ fn guaranteed(row: &Row) -> String {
 }
 
 fn vanishing_words(study: &Study) -> String {
+    if study.peak.high.is_zero() {
+        let name = accuracy_words::quantity(study.quantity);
+        return format!("The {name} vanishes at every order, proved: there is no peak to compare.");
+    }
     let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
     format!(
         "The {} vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare.",
@@ -221,7 +226,8 @@ pub fn accuracy_errors_page(engines: &[(Layout, Vec<AccuracyCase>)]) -> Vec<File
             }
             let name = accuracy_words::quantity(studies[0].1.quantity);
             let file = format!("engine-{}-{}.svg", number + 1, name.replace(' ', "-"));
-            let caption = format!("{}: what the orders leave of the peak {name}", layout.title);
+            let title = layout.title.escaped(Format::Plain);
+            let caption = format!("{title}: what the orders leave of the peak {name}");
             drawings.push(File { name: file.clone(), text: svg(&orders_plot(&caption, &studies).figure(), &caption) });
             figures.push(PageFigure { file, caption });
         }

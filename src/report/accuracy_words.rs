@@ -4,13 +4,13 @@ use std::time::Duration;
 
 use num_rational::BigRational;
 
-use super::dialect::SUPERSCRIPTS;
 use super::loads_document::units;
 use super::typeset;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::layout::Layout;
 use crate::loads;
 use crate::proof::Quantity;
+use crate::text::SUPERSCRIPTS;
 
 /// An engine at one rod ratio, with its loads by all methods.
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ pub(super) fn shown_error(study: &Study, row: &Row) -> f64 {
     match row.method {
         Method::Intervals(_) | Method::Fractions => row.bound.unwrap_or(row.error),
         Method::Orders(_) | Method::Doubles(_) => row.error.max(study.rounding),
-        Method::Singles(_) => row.error,
+        Method::Singles(_) => row.error.max(study.doubt),
     }
 }
 
@@ -115,6 +115,7 @@ pub(super) fn quantity(quantity: Quantity) -> &'static str {
 pub(super) fn measured(study: &Study, row: &Row) -> String {
     match row.method {
         Method::Fractions => String::new(),
+        _ if study.is_below_reference(row) => "below the reference's own error".to_owned(),
         Method::Singles(_) => power(row.error),
         _ if study.rounding.is_infinite() => "not known".to_owned(),
         _ if row.error < study.rounding => format!("below {}", power_of_ten(study.rounding.log10().round() as i64)),
@@ -183,8 +184,11 @@ struct Significant(f64);
 impl std::fmt::Display for Significant {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let digits = f.precision().unwrap_or(6) as i32;
-        if self.0 == 0.0 || !self.0.is_finite() {
-            return write!(f, "{}", self.0);
+        if !self.0.is_finite() {
+            return f.write_str("(overflow)");
+        }
+        if self.0 == 0.0 {
+            return f.write_str("0");
         }
         let power = self.0.abs().log10().floor() as i32;
         if !(-6..12).contains(&power) {

@@ -2,7 +2,7 @@
 
 use super::left;
 use super::typeset;
-use crate::layout::Firing;
+use crate::layout::{DOES_NOT_EXIST, Firing};
 use crate::proof::Sense;
 use crate::remedy::{Kind, Refused, Remedy, Shaft};
 use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, Theorem};
@@ -48,8 +48,11 @@ pub(super) fn by_class(classes: &[&OrderBalance], words: fn(&OrderBalance) -> St
         None => words(order),
         Some(class) => format!("{}: {}", left::class_cylinders(class), words(order)),
     };
-    match classes.iter().all(|order| words(order) == "0") {
-        true => "0".to_owned(),
+    // What every class has is said once: that it is 0, or that the order does not exist.
+    let first = classes.first().map_or_else(String::new, |order| words(order));
+    let is_alike = first == "0" || first == DOES_NOT_EXIST;
+    match is_alike && classes.iter().all(|order| words(order) == first) {
+        true => first,
         false => classes.iter().map(cell).collect::<Vec<_>>().join("; "),
     }
 }

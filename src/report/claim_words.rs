@@ -3,15 +3,19 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::dialect::Dialect;
 use super::left;
 use super::typeset::{self, Amount};
 use crate::claim::{
-    Absolute, Answer, Condition, Evidence, Finding, StarTable, Statement, Status, Subject, TableVerdict,
+    Absolute, Answer, Condition, Evidence, Finding, Provenance, Quote, StarTable, Statement, Status, Subject,
+    TableVerdict, Witness,
 };
 use crate::layout::Layout;
+use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
 use crate::order;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense};
+use crate::text::Untrusted;
 use crate::verdict::{Balance, OrderBalance, Verdict};
 
 /// `true`, `false`, `true only if …`.
@@ -59,14 +63,23 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
         }
         (Finding::Mass(mass), _) => format!("The crankshaft's mass is {} kg.", kilograms(mass)),
         (Finding::Bearings(loads), _) => super::bearings::peaks_in_words(loads),
+        (Finding::Witness(found), _) => witness(found),
         (Finding::Nothing(reason), _) => format!("{reason}."),
     }
 }
 
 fn about_order(subject: Subject, order: &OrderBalance) -> String {
+    let (exists, name) = match subject.quantity {
+        Quantity::Force => (order.exists, "force"),
+        Quantity::Moment => (order.exists, "moment"),
+        Quantity::Torque => (order.torque_exists, "torque"),
+    };
+    if !exists {
+        return format!("Order {} of the {name} {DOES_NOT_EXIST}. {WHY_NOT}", subject.order);
+    }
     if subject.quantity == Quantity::Torque {
         return order.torque.as_ref().map_or_else(String::new, |torque| {
-            format!("Order {} of the torque is {}.", subject.order, left::torque_summary(torque))
+            format!("Order {} of the torque is {}.", subject.order, left::torque_summary(order, torque))
         });
     }
     let is_force = subject.quantity == Quantity::Force;
@@ -97,6 +110,42 @@ fn about_order(subject: Subject, order: &OrderBalance) -> String {
             let largest = left::largest(balance).plain();
             format!("The {name} of order {} is {shape}, its largest value {largest}{}.", subject.order, line(balance))
         }
+    }
+}
+
+/// The counterweights that were found, with their masses where the layout gives numbers.
+fn witness(found: &Witness) -> String {
+    let masses = found.masses.as_ref();
+    let each = found.weights.iter().enumerate().map(|(index, weight)| {
+        let position = typeset::number(&weight.position);
+        let bearing = weight.vector.only().map(|(_, sum)| format!(", angle {}", left::bearing(sum).plain()));
+        let size = match (masses.and_then(|masses| masses.get(index)), weight.vector.only()) {
+            (Some(mass), _) => format!("≈ {} kg at the crank radius", typeset::decimal(*mass)),
+            (None, Some((_, sum))) => format!("mass-radius {} in multiples of m r", left::modulus_of(sum).plain()),
+            (None, None) => "none".to_owned(),
+        };
+        format!("at z = {position}, {size}{}", bearing.unwrap_or_default())
+    });
+    let each: Vec<String> = each.collect();
+    let shaft =
+        found.crankshaft_mass.map(|mass| format!(" The crankshaft's mass is then ≈ {} kg.", typeset::decimal(mass)));
+    match each.as_slice() {
+        [] => format!("No counterweight is needed.{}", shaft.unwrap_or_default()),
+        each => format!("Counterweights that do it: {}.{}", each.join("; "), shaft.unwrap_or_default()),
+    }
+}
+
+/// Where a claim is said, in one cell of a table, with its source where that is not the one that stands above; nothing of
+/// the file's own.
+pub(super) fn said(provenance: &Provenance, above: Option<&Untrusted>, dialect: Dialect) -> Option<String> {
+    match provenance {
+        Provenance::Quoted(Quote { source, place, words }) => {
+            let [shown, place, words] = [source, place, words].map(|text| dialect.quoted(text));
+            let source = if above == Some(source) { String::new() } else { format!("{shown}, ") };
+            Some(format!("{source}{place}: “{words}”"))
+        }
+        Provenance::Folklore => Some("folklore: no source found".to_owned()),
+        Provenance::Own => None,
     }
 }
 
@@ -159,15 +208,26 @@ fn orders(
         None => format!("Of the {judged} orders"),
     };
     let Some(first) = first else {
-        return match period {
-            Some(period) => format!("All of them vanish: one period of {period} orders shows it."),
-            None => format!("All {judged} of them vanish."),
+        return match (period, statement) {
+            (Some(period), Statement::NoFreeMoment) => format!(
+                "No order leaves one: its moment vanishes, or is that of its force in one plane; one period of {period} orders shows it."
+            ),
+            (Some(period), _) => format!("All of them vanish: one period of {period} orders shows it."),
+            (None, _) => format!("All {judged} of them vanish."),
         };
     };
     let shown: Vec<String> = surviving.iter().take(6).map(u32::to_string).collect();
     let more = if surviving.len() > 6 { ", …" } else { "" };
-    let with_moment =
-        matches!(statement, Statement::Vanish { quantities, .. } if quantities.contains(&Quantity::Moment));
+    let with_moment = match statement {
+        Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::Moment),
+        Statement::NoFreeMoment => true,
+        Statement::Order { .. }
+        | Statement::CanBalance(_)
+        | Statement::CrankshaftMass(_)
+        | Statement::BearingLoad(_)
+        | Statement::WorstBearings(_)
+        | Statement::FiresEvenly { .. } => false,
+    };
     let force = (!first.force.is_balanced()).then(|| format!("force {}", left::force_summary(first)));
     let moment = (with_moment && !first.moment.is_balanced()).then(|| left::moment_summary(first));
     let what: Vec<String> = [force, moment].into_iter().flatten().collect();

@@ -2,21 +2,22 @@
 
 use num_complex::Complex;
 
-use crate::layout::Layout;
+use crate::exact::Term;
+use crate::layout::{self, Layout, Rod};
 use crate::numbers;
-use crate::proof::{Cylinder, Document, OrderClaim, ShapeClaim, TheoremClaim, Vector, VerdictClaim};
+use crate::proof::{
+    Cylinder, Document, Format, Masses, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, Vector,
+    VerdictClaim,
+};
 use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
-/// The verdicts on an engine as data: what `verify` reads.
-pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
-    let cylinder = |cylinder: &crate::layout::Cylinder| Cylinder {
-        name: cylinder.name.clone(),
-        throw: cylinder.throw.turns().clone(),
-        bank: cylinder.bank.turns().clone(),
-        position: cylinder.position.clone(),
-        reciprocating_mass: cylinder.reciprocating_mass.clone(),
-        crank_radius: cylinder.crank_radius.clone(),
-    };
+/// The verdicts on an engine as data: what `verify` reads. Statements on every order stand in it where they are given.
+pub fn document(
+    layout: &Layout,
+    orders: &[OrderBalance],
+    quantities: &[Quantity],
+    every_order: Option<&Theorem>,
+) -> Document {
     let of = |order: &OrderBalance| order.class.as_ref().map_or_else(Vec::new, |class| class.cylinders.clone());
     let verdicts = orders.iter().flat_map(|order| {
         let verdicts = [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).chain(&order.torque);
@@ -24,27 +25,65 @@ pub fn document(layout: &Layout, orders: &[OrderBalance]) -> Document {
     });
     let shapes =
         orders.iter().flat_map(|order| [&order.force, &order.moment].map(|balance| shape_claim(balance, of(order))));
+    let mut numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();
+    numbers.dedup();
     Document {
-        title: layout.title.clone(),
+        format: Format::Classify,
+        title: layout.title.written().to_owned(),
+        masses: Masses::Reciprocating,
+        orders: numbers,
+        quantities: quantities.to_vec(),
+        all_orders: every_order.is_some(),
         reference_plane: layout.reference_plane.clone(),
-        cylinders: layout.cylinders.iter().map(cylinder).collect(),
+        cylinders: layout
+            .cylinders
+            .iter()
+            .enumerate()
+            .map(|(at, one)| cylinder(one, layout.mechanism.rods.get(at)))
+            .collect(),
         verdicts: verdicts.collect(),
         shapes: shapes.collect(),
-        theorems: Vec::new(),
+        theorems: every_order.map(theorem_claims).unwrap_or_default(),
     }
+}
+
+/// The quantities that `classify` judges.
+pub fn quantities(with_torque: bool) -> Vec<Quantity> {
+    [Quantity::Force, Quantity::Moment].into_iter().chain(with_torque.then_some(Quantity::Torque)).collect()
+}
+
+fn cylinder(cylinder: &layout::Cylinder, rod: Option<&Rod>) -> Cylinder {
+    Cylinder {
+        name: cylinder.name.clone(),
+        throw: cylinder.throw.turns().clone(),
+        bank: cylinder.bank.turns().clone(),
+        position: cylinder.position.clone(),
+        reciprocating_mass: cylinder.reciprocating_mass.clone(),
+        crank_radius: cylinder.crank_radius.clone(),
+        rod: rod.map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
+    }
+}
+
+/// A rod as data.
+pub(super) fn rod_claim(rod: &Rod) -> RodClaim {
+    RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() }
+}
+
+/// The terms of a sum as data.
+pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
+    terms.iter().map(|term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() }).collect()
 }
 
 fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
     let vanishes = verdict.vanishes();
     let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&verdict.sum) };
-    let term = |term: &crate::exact::Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
     VerdictClaim {
         quantity: verdict.quantity,
         order: verdict.order,
         sense: verdict.sense,
         of,
         vanishes,
-        terms: verdict.sum.terms().iter().map(term).collect(),
+        terms: vectors(verdict.sum.terms()),
         modulus: sum.norm(),
         angle_deg: (!vanishes).then(|| sum.arg().to_degrees()),
         certificate: verdict.certificate.clone(),
@@ -61,8 +100,8 @@ fn shape_claim(balance: &Balance, of: Vec<String>) -> ShapeClaim {
     }
 }
 
-/// The statements as data, with the verdicts that prove them: what `verify` reads.
-pub fn theorem_claims(theorem: &Theorem) -> Vec<TheoremClaim> {
+/// The statements as data, with the verdicts that prove them.
+fn theorem_claims(theorem: &Theorem) -> Vec<TheoremClaim> {
     let claim = |verdicts: &Vec<Verdict>| {
         let first = verdicts.first()?;
         let order = |verdict: &Verdict| OrderClaim {

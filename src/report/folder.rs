@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::calculation;
+use super::calculation::{self, Numbers};
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
 use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
@@ -23,8 +23,8 @@ pub struct File {
 
 /// A report with its diagrams: `report.md` with SVG files, or `report.tex`, which holds its own.
 pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
-    let loads = subject.loads();
-    let text = render::report(&Page::new(subject, loads.as_ref(), dialect), dialect);
+    let numbers = subject.numbers();
+    let text = render::report(&Page::new(subject, numbers.as_ref(), dialect), dialect);
     if dialect == Dialect::Latex {
         return vec![File { name: "report.tex".into(), text }];
     }
@@ -37,9 +37,9 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
             figure,
         }));
     }
-    let torque = torque_verdicts(subject.layout, subject.orders);
+    let torque = torque_verdicts(subject.layout, subject.orders, numbers.as_ref());
     drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
-    if let Some(Ok(loads)) = &loads {
+    if let Some(Ok(Numbers { loads, .. })) = &numbers {
         drawn.extend(calculation::figures(subject.layout, loads));
         drawn.extend(calculation::bearing_figures(loads));
     }

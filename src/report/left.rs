@@ -5,6 +5,7 @@ use num_traits::Zero;
 
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
 use crate::exact::{PhasorSum, Turn};
+use crate::layout::DOES_NOT_EXIST;
 use crate::numbers::{self, Direction};
 use crate::proof::{Quantity, Shape};
 use crate::verdict::{Balance, Class, OrderBalance, Verdict};
@@ -64,29 +65,43 @@ pub(super) fn class_cylinders(class: &Class) -> String {
     format!("cylinder{several} {}", typeset::names(&names))
 }
 
-/// The force of an order in a few words: `0` or `= 4, planar`.
+/// The force of an order in a few words: `0`, `= 4, planar`, or that the order does not exist.
 pub fn force_summary(order: &OrderBalance) -> String {
-    summary(&order.force, "", Amount::plain)
+    force_words(order, Amount::plain)
 }
 
 /// The moment of an order in a few words: `0` or `couple = √10 ≈ 3.1623, rotating`.
 pub fn moment_summary(order: &OrderBalance) -> String {
-    summary(&order.moment, moment_name(order), Amount::plain)
+    moment_words(order, Amount::plain)
 }
 
 /// The inertia torque of an order in a few words: `0` or `= 4`.
-pub fn torque_summary(torque: &Verdict) -> String {
-    if torque.vanishes() { "0".to_owned() } else { modulus(torque).plain() }
+pub fn torque_summary(order: &OrderBalance, torque: &Verdict) -> String {
+    if !order.torque_exists {
+        DOES_NOT_EXIST.to_owned()
+    } else if torque.vanishes() {
+        "0".to_owned()
+    } else {
+        modulus(torque).plain()
+    }
 }
 
 /// The same two cells as prose, with formulas.
 pub(super) fn summary_prose(order: &OrderBalance) -> [String; 2] {
-    [summary(&order.force, "", Amount::prose), summary(&order.moment, moment_name(order), Amount::prose)]
+    [force_words(order, Amount::prose), moment_words(order, Amount::prose)]
 }
 
 /// What the summaries are counted in.
 pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
                           times the unit of the positions; = exact, ≈ decimal.";
+
+fn force_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
+    if order.exists { summary(&order.force, "", set) } else { DOES_NOT_EXIST.to_owned() }
+}
+
+fn moment_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
+    if order.exists { summary(&order.moment, moment_name(order), set) } else { DOES_NOT_EXIST.to_owned() }
+}
 
 fn summary(balance: &Balance, kind: &str, set: fn(&Amount) -> String) -> String {
     let space = if kind.is_empty() { "" } else { " " };

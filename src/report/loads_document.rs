@@ -4,8 +4,10 @@ use num_complex::Complex;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
+use super::calculation::Numbers;
+use crate::accuracy::Largest;
 use crate::layout::Layout;
-use crate::loads::{Arm, Loads, Needed, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::loads::{Arm, Bound, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
 use crate::order::MassGroup;
 
 /// The loads of an engine as data.
@@ -23,7 +25,12 @@ pub struct LoadsDocument {
     /// On the frame: −torque and the balancer shafts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     roll: Vec<TorqueEntry>,
+    /// Of the exact motion, all orders.
+    largest: LargestEntries,
+    /// Of the orders that are listed.
     peaks: Peaks,
+    /// What is not listed adds at most this, as a part of each peak; null where it might be all of it.
+    left_out: LeftOutEntry,
     coefficients_computed: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     auto: Option<AutoEntry>,
@@ -58,6 +65,8 @@ struct CoefficientEntry {
 struct OrderEntry {
     quantity: &'static str,
     order: u32,
+    /// Whether some piston or shaft has the order at all.
+    exists: bool,
     /// `true` proved zero, `false` proved not zero, null not decided.
     vanishes: Option<bool>,
     direct: VectorEntry,
@@ -107,21 +116,77 @@ struct PeakEntry {
 
 #[derive(Clone, Debug, Serialize)]
 struct AutoEntry {
+    /// As a part of each peak.
+    accuracy: f64,
+    reached: bool,
     kept: Vec<u32>,
     dropped: Vec<u32>,
+    torque_kept: Vec<u32>,
+    torque_dropped: Vec<u32>,
     looked_at: u32,
-    force_bound: Option<f64>,
-    moment_bound: Option<f64>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct LargestEntries {
+    force: LargestEntry,
+    moment: LargestEntry,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inertia_torque: Option<LargestEntry>,
+}
+
+/// A largest value: the truth lies within the error bound of it.
+#[derive(Clone, Debug, Serialize)]
+struct LargestEntry {
+    value: f64,
+    theta_deg: Option<f64>,
+    error_bound: f64,
+    /// `true` proved zero at every order, `false` not zero, null not decided.
+    vanishes: Option<bool>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct LeftOutEntry {
+    force: Option<BoundEntry>,
+    moment: Option<BoundEntry>,
+    inertia_torque: Option<BoundEntry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct BoundEntry {
+    /// In the unit of the load.
+    at_most: f64,
+    /// Of the peak; null where it might be all of it.
+    part: Option<f64>,
+}
+
+fn bound_entry(bound: &Option<Bound>, factor: f64) -> Option<BoundEntry> {
+    let bound = bound.as_ref()?;
+    Some(BoundEntry { at_most: bound.most * factor, part: bound.part() })
+}
+
+fn largest_entry(largest: &Largest, factor: f64) -> LargestEntry {
+    match *largest {
+        Largest::Zero => LargestEntry { value: 0.0, theta_deg: None, error_bound: 0.0, vanishes: Some(true) },
+        Largest::Known { value, angle, error } => {
+            LargestEntry { value: value * factor, theta_deg: angle, error_bound: error * factor, vanishes: Some(false) }
+        }
+        // Between nothing and the bound.
+        Largest::Below(bound) => {
+            let middle = bound * factor / 2.0;
+            LargestEntry { value: middle, theta_deg: None, error_bound: middle, vanishes: None }
+        }
+    }
 }
 
 /// The loads of an engine as data, in newtons where the layout gives mass, crank radius and speed.
-pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> LoadsDocument {
+pub fn loads_document(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> LoadsDocument {
+    let Numbers { loads, largest, left } = numbers;
     let factor = loads.scale.as_ref().map_or(1.0, |scale| scale.force());
     let torque_factor = loads.scale.as_ref().map_or(1.0, |scale| scale.torque());
     let rows = [("force", 0), ("moment", 1)].into_iter().flat_map(|(quantity, place)| {
         loads.orders.iter().map(move |order| {
             let swing = [&order.force, &order.moment][place];
-            order_entry(quantity, order.order, swing, factor)
+            order_entry(quantity, order, layout, swing, factor)
         })
     });
     let coefficient = |order: &crate::loads::OrderLoads| {
@@ -149,7 +214,7 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
     };
     let (force, moment) = (loads.force.peak(), loads.moment.peak());
     LoadsDocument {
-        title: layout.title.clone(),
+        title: layout.title.written().to_owned(),
         reference_plane: layout.reference_plane.to_string(),
         amplitudes: "zero-to-peak",
         units: units(layout, loads.scale.as_ref()),
@@ -165,6 +230,16 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         orders: rows.collect(),
         torque: torque_orders(&loads.torque),
         roll: torque_orders(&loads.roll),
+        largest: LargestEntries {
+            force: largest_entry(&largest.force, factor),
+            moment: largest_entry(&largest.moment, factor),
+            inertia_torque: largest.torque.as_ref().map(|torque| largest_entry(torque, torque_factor)),
+        },
+        left_out: LeftOutEntry {
+            force: bound_entry(&left.force, factor),
+            moment: bound_entry(&left.moment, factor),
+            inertia_torque: bound_entry(&left.torque, torque_factor),
+        },
         peaks: Peaks {
             force: entry(force, effects(|group| &group.force, &force), factor),
             moment: entry(moment, effects(|group| &group.moment, &moment), factor),
@@ -172,11 +247,13 @@ pub fn loads_document(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -
         },
         coefficients_computed: loads.coefficients,
         auto: needed.map(|needed| AutoEntry {
+            accuracy: needed.accuracy,
+            reached: needed.reached,
             kept: needed.kept.clone(),
             dropped: needed.dropped.clone(),
+            torque_kept: needed.torque_kept.clone(),
+            torque_dropped: needed.torque_dropped.clone(),
             looked_at: needed.looked_at,
-            force_bound: needed.force_bound,
-            moment_bound: needed.moment_bound,
         }),
     }
 }
@@ -191,7 +268,7 @@ pub(super) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
     there.re * along.re + there.im * along.im
 }
 
-fn order_entry(quantity: &'static str, order: u32, swing: &Swing, factor: f64) -> OrderEntry {
+fn order_entry(quantity: &'static str, order: &OrderLoads, layout: &Layout, swing: &Swing, factor: f64) -> OrderEntry {
     let vector = |vector: &Vector| VectorEntry {
         amplitude: vector.value.norm() / 2.0 * factor,
         angle_deg: angle(vector),
@@ -204,7 +281,8 @@ fn order_entry(quantity: &'static str, order: u32, swing: &Swing, factor: f64) -
     let (direct, reverse) = (vector(&swing.direct), vector(&swing.reverse));
     OrderEntry {
         quantity,
-        order,
+        order: order.order,
+        exists: order.exists(layout),
         vanishes: match (direct.vanishes, reverse.vanishes) {
             (Some(true), Some(true)) => Some(true),
             (Some(false), _) | (_, Some(false)) => Some(false),

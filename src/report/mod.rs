@@ -47,12 +47,12 @@ pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{
     BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
 };
-pub use calculation::{Rows, loads_lines, loads_rows};
+pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
 pub use dialect::Dialect;
-pub use document::{document, theorem_claims};
+pub use document::{document, quantities};
 pub use folder::{File, index, open_report, report};
 pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary};
 pub use loads_document::{LoadsDocument, loads_document};
@@ -64,7 +64,9 @@ pub use optimise::{
     optimise_summary,
 };
 pub use page::Subject;
-pub use remedy::{RemedyPage, remedy_document, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section};
+pub use remedy::{
+    remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
+};
 pub use svg::svg;
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
 pub use tikz::tikz;

@@ -1,11 +1,11 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
-use crate::exact::{PhasorSum, Term};
+use super::document::vectors;
 use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
 use crate::layout::{Family, Linear, SymbolicCylinder};
 use crate::proof::{
-    AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
-    SumClaim, Vector, WhenClaim,
+    AlternativeClaim, ConditionClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim,
+    PartClaim, Quantity, SumClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -19,7 +19,11 @@ pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
         crank_radius: cylinder.crank_radius.clone(),
     };
     OpenDocument {
-        title: family.title.clone(),
+        format: Format::Family,
+        masses: Masses::Reciprocating,
+        orders: orders.iter().map(|order| order.order).collect(),
+        quantities: vec![Quantity::Force, Quantity::Moment],
+        title: family.title.written().to_owned(),
         reference_plane: linear(&family.reference_plane),
         cylinders: family.cylinders.iter().map(cylinder).collect(),
         open_verdicts: orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)).map(verdict).collect(),
@@ -49,14 +53,9 @@ fn part(part: &Part) -> PartClaim {
     PartClaim {
         phi: part.phi.clone(),
         delta: part.delta.clone(),
-        terms: vectors(&part.sum),
+        terms: vectors(part.sum.terms()),
         certificate: part.certificate.clone(),
     }
-}
-
-fn vectors(sum: &PhasorSum) -> Vec<Vector> {
-    let vector = |term: &Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
-    sum.terms().iter().map(vector).collect()
 }
 
 fn when(when: &When) -> WhenClaim {

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::accuracy_page::{AccuracySection, accuracy_section};
 use super::accuracy_words::AccuracyCase;
-use super::calculation::{self, Calculation};
+use super::calculation::{self, Calculation, Numbers};
 use super::dialect::Dialect;
 use super::figure::Figure;
 use super::folder::File;
@@ -17,8 +17,8 @@ use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
 use super::{argument, firmness, left, tikz, typeset};
 use crate::family::OpenOrder;
-use crate::layout::{Cycle, Family, Firing, Layout};
-use crate::loads::{Loads, Missing, Needed};
+use crate::layout::{Cycle, DOES_NOT_EXIST, Family, Firing, Layout, WHY_NOT};
+use crate::loads::{Missing, Needed};
 use crate::proof::Sense;
 use crate::remedy::{self, Refused, Remedy, Wish};
 use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
@@ -112,10 +112,10 @@ impl Subject<'_> {
     }
 
     /// The numbers of the engine, where its file gives any.
-    pub(super) fn loads(&self) -> Option<Result<Loads, Missing>> {
+    pub(super) fn numbers(&self) -> Option<Result<Numbers, Missing>> {
         let mut orders: Vec<u32> = self.orders.iter().map(|order| order.order).collect();
         orders.dedup();
-        calculation::loads_of(self.layout, &orders)
+        calculation::numbers_of(self.layout, &orders, self.needed)
     }
 }
 
@@ -163,16 +163,17 @@ pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigu
 
 impl Page {
     /// Sets a report in a dialect.
-    pub fn new(subject: Subject, loads: Option<&Result<Loads, Missing>>, dialect: Dialect) -> Self {
+    pub fn new(subject: Subject, numbers: Option<&Result<Numbers, Missing>>, dialect: Dialect) -> Self {
         let Subject { layout, orders, family, needed, accuracy } = subject;
         let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
         let theorem = verdict::theorem(layout);
-        let calculation = loads.map(|loads| {
-            let figures = loads.as_ref().map_or_else(|_| Vec::new(), |loads| calculation::figures(layout, loads));
+        let calculation = numbers.map(|numbers| {
+            let loads = numbers.as_ref().map(|numbers| &numbers.loads);
+            let figures = loads.map_or_else(|_| Vec::new(), |loads| calculation::figures(layout, loads));
             let plots = figures.into_iter().map(|figure| drawing(figure, dialect)).collect();
-            Calculation::new(layout, loads, needed, plots, dialect)
+            Calculation::new(layout, numbers, needed, plots, dialect)
         });
         let block = &layout.title_block;
         let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
@@ -195,7 +196,7 @@ impl Page {
             bank_remark: has_banks.then(|| dialect.prose(BANKS)),
             orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
             open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
-            torque: torque_section(layout, orders, dialect),
+            torque: torque_section(layout, orders, numbers, dialect),
             every_order: theorem::Section::new(layout, &theorem, dialect),
             calculation,
             remedy: subject.remedy().map(|remedy| match remedy {
@@ -203,18 +204,27 @@ impl Page {
                 Err(refused) => dialect.prose(&format!("No remedy: {refused}.")),
             }),
             accuracy: accuracy.map(|case| accuracy_section(dialect, std::slice::from_ref(case))),
-            file: layout.file.lines().map(|line| dialect.verbatim(line)).collect(),
-            fence: fence(&layout.file),
+            file: layout.file.written().lines().map(|line| dialect.verbatim(line)).collect(),
+            fence: fence(layout.file.written()),
         }
     }
 }
 
-/// The verdicts on the inertia torque, where the file asks for it and the rods are equal.
-pub(super) fn torque_verdicts(layout: &Layout, orders: &[OrderBalance]) -> Vec<Verdict> {
+/// The verdicts on the inertia torque, where the file asks for it and the rods are equal: at the orders that it has numbers of, else at
+/// the first and those of force and moment.
+pub(super) fn torque_verdicts(
+    layout: &Layout,
+    orders: &[OrderBalance],
+    numbers: Option<&Result<Numbers, Missing>>,
+) -> Vec<Verdict> {
     if !layout.effects.torque || layout.rods().len() > 1 {
         return Vec::new();
     }
-    let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+    let judged = numbers.and_then(|numbers| numbers.as_ref().ok()?.loads.torque.as_ref());
+    let orders: Vec<u32> = match judged {
+        Some(torque) => torque.orders.iter().map(|order| order.order).collect(),
+        None => verdict::torque_orders(&orders.iter().map(|order| order.order).collect::<Vec<_>>()),
+    };
     verdict::torque(layout, &orders)
 }
 
@@ -227,8 +237,13 @@ pub(super) fn torque_stars(layout: &Layout, verdicts: &[Verdict]) -> NamedFigure
     }
 }
 
-fn torque_section(layout: &Layout, orders: &[OrderBalance], dialect: Dialect) -> Option<TorqueSection> {
-    let verdicts = torque_verdicts(layout, orders);
+fn torque_section(
+    layout: &Layout,
+    orders: &[OrderBalance],
+    numbers: Option<&Result<Numbers, Missing>>,
+    dialect: Dialect,
+) -> Option<TorqueSection> {
+    let verdicts = torque_verdicts(layout, orders, numbers);
     (!verdicts.is_empty()).then(|| TorqueSection {
         formula: dialect.display(TORQUE),
         stars: drawing(torque_stars(layout, &verdicts), dialect),
@@ -263,11 +278,22 @@ impl Section {
             table: table::vector_star(dialect, layout, order),
             stars,
             force: paragraphs(&order.force, "P"),
-            force_left: dialect.prose(&left::sentence(&order.force)),
+            force_left: dialect.prose(&match order.exists {
+                true => left::sentence(&order.force),
+                false => missing(order),
+            }),
             moment: paragraphs(&order.moment, "C"),
-            moment_left: dialect.prose(&moment_left(layout, order)),
+            moment_left: dialect.prose(&match order.exists {
+                true => moment_left(layout, order),
+                false => missing(order),
+            }),
         }
     }
+}
+
+/// Of a star without an order.
+fn missing(order: &OrderBalance) -> String {
+    format!("Whatever the sums are, order {} {DOES_NOT_EXIST}. {WHY_NOT}", order.order)
 }
 
 fn moment_left(layout: &Layout, order: &OrderBalance) -> String {
@@ -335,6 +361,14 @@ pub(super) fn capital(word: &str) -> String {
 /// What a designer reads first: which orders are balanced, which are left, and which of all orders is the first left.
 fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
     let by_class = orders.iter().any(|order| order.class.is_some());
+    let mut missing: Vec<String> =
+        orders.iter().filter(|order| !order.exists).map(|order| order.order.to_string()).collect();
+    missing.dedup();
+    let orders: Vec<&OrderBalance> = orders.iter().filter(|order| order.exists).collect();
+    let missing = (!missing.is_empty()).then(|| {
+        let verb = if missing.len() == 1 { DOES_NOT_EXIST } else { "do not exist" };
+        format!("{} of force and moment {verb}. {WHY_NOT}", capital(&plural(&missing)))
+    });
     let line = |name: &str, balance: fn(&OrderBalance) -> &Balance| {
         let is_left = |order: u32| orders.iter().any(|other| other.order == order && !balance(other).is_balanced());
         let list = |left: bool| {
@@ -357,8 +391,11 @@ fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
             (zero, rest) => format!("The {name} vanishes at {}, and not at {}.", plural(zero), plural(rest)),
         }
     };
-    let judged = [line("force", |order| &order.force), line("moment", |order| &order.moment)];
-    judged.into_iter().chain(theorem.map(first_survivors)).collect()
+    let judged = match orders.is_empty() {
+        true => Vec::new(),
+        false => vec![line("force", |order| &order.force), line("moment", |order| &order.moment)],
+    };
+    judged.into_iter().chain(missing).chain(theorem.map(first_survivors)).collect()
 }
 
 fn plural(orders: &[String]) -> String {

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
+use crate::text::xml;
 
 /// Pixels a millimetre on the page.
 const SCALE: f64 = 4.8;
@@ -16,7 +17,7 @@ pub fn svg(figure: &Figure, title: &str) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{pixels_wide:.0}\" height=\"{pixels_high:.0}\" \
          viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"3\">\n\
          <title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
-        escape(title)
+        xml(title)
     );
     for mark in &figure.marks {
         // Writing to a string cannot fail.
@@ -80,7 +81,7 @@ fn element(mark: &Mark, height: f64) -> String {
             let weight = if *bold { " font-weight=\"bold\"" } else { "" };
             let baseline = Point::new(at.re, at.im - 1.05);
             let (x, y) = (x(&baseline), y(&baseline));
-            format!("<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{weight}>{}</text>", escape(text))
+            format!("<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{weight}>{}</text>", xml(text))
         }
     }
 }
@@ -132,8 +133,4 @@ fn colour(ink: Ink) -> Cow<'static, str> {
         }
     };
     known.into()
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

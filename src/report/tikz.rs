@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use super::dialect::{Dialect, latex_text};
+use super::dialect::Dialect;
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
+use crate::text::latex;
 
 /// Longer paths are split, so that TeX holds only so many points at a time.
 const LONGEST_PATH: usize = 500;
@@ -52,7 +53,7 @@ fn command(mark: &Mark) -> String {
                 Anchor::Middle => "center",
                 Anchor::End => "east",
             };
-            let text = prose.as_ref().map_or_else(|| latex_text(text), |prose| Dialect::Latex.prose(prose));
+            let text = prose.as_ref().map_or_else(|| latex(text), |prose| Dialect::Latex.prose(prose));
             let text = if *bold { format!("\\textbf{{{text}}}") } else { text };
             format!("\\node[anchor={anchor},inner sep=0pt] at {} {{{text}}};", point(at))
         }

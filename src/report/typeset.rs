@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::Turn;
-use crate::numbers::{Direction, Form};
+use crate::numbers::{self, Direction, Form};
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 4;
@@ -93,7 +93,8 @@ impl Amount {
     /// Half the sum of two amounts.
     pub fn mean(&self, other: &Amount) -> Amount {
         let half = BigRational::new(1.into(), 2.into());
-        let exact = self.exact.as_ref().zip(other.exact.as_ref()).map(|(a, b)| a.plus(b).scaled(&half));
+        let exact =
+            self.exact.as_ref().zip(other.exact.as_ref()).map(|(a, b)| numbers::plainer(a.plus(b).scaled(&half)));
         Amount { exact, decimal: (self.decimal + other.decimal) / 2.0 }
     }
 

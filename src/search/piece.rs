@@ -25,6 +25,13 @@ pub(super) struct Counts {
     pub cut: u64,
 }
 
+impl Counts {
+    /// Both together; none where that is more than can be counted.
+    pub fn plus(self, other: Counts) -> Option<Counts> {
+        Some(Counts { judged: self.judged.checked_add(other.judged)?, cut: self.cut.checked_add(other.cut)? })
+    }
+}
+
 /// All pieces, in the order of their numbers: a function of the space alone.
 pub(super) fn pieces(space: &Space, tables: &Tables) -> Vec<Piece> {
     let depth = if space.directions <= COARSE { 2 } else { 1 };

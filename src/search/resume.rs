@@ -1,6 +1,8 @@
 //! Which pieces are done already? The state file of a search, whole at any moment.
 
 use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::io::{Read, Write};
 use std::path::Path;
 use std::{fs, io};
 
@@ -9,10 +11,14 @@ use serde::{Deserialize, Serialize};
 use super::firing;
 use super::front::Point;
 use super::judged;
-use super::piece::Counts;
+use super::piece::{Counts, Piece};
 use super::problem::Problem;
 use super::space::Space;
 use super::tables::Tables;
+use crate::text::harmless;
+
+/// No search keeps more than this; what is beyond is not read.
+const LARGEST_FILE: u64 = 64 << 20;
 
 /// A finished piece.
 #[derive(Clone, Debug, Default)]
@@ -24,12 +30,14 @@ pub(super) struct Done {
 }
 
 #[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct StateFile {
     search: String,
     pieces: BTreeMap<usize, WrittenPiece>,
 }
 
 #[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct WrittenPiece {
     judged: u64,
     cut: u64,
@@ -37,6 +45,7 @@ struct WrittenPiece {
 }
 
 #[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct WrittenStar {
     throws: Vec<u16>,
     classes: u64,
@@ -50,43 +59,82 @@ fn signature(problem: &Problem, pieces: usize) -> String {
     let grid = problem.grid.map_or(String::new(), |grid| format!(", grid {grid}"));
     let neighbours = if problem.neighbours { ", neighbours" } else { "" };
     let (cycle, cylinders, orders) = (firing::cycle_name(problem.cycle), problem.cylinders, &problem.orders);
-    format!("1: {cylinders} cylinders, {cycle}{vee}{directions}{grid}{neighbours}, orders {orders:?}, {pieces} pieces")
+    format!("2: {cylinders} cylinders, {cycle}{vee}{directions}{grid}{neighbours}, orders {orders:?}, {pieces} pieces")
 }
 
-/// Reads the finished pieces; none if there is no file yet.
+/// Reads the finished pieces; none if there is no file yet. What does not fit the question is refused.
 pub(super) fn read(
     path: &Path,
     problem: &Problem,
     space: &Space,
     tables: &Tables,
-    count: usize,
+    pieces: &[Piece],
 ) -> Result<BTreeMap<usize, Done>, String> {
-    let text = match fs::read_to_string(path) {
-        Ok(text) => text,
+    let place = harmless(&path.to_string_lossy());
+    let file = match fs::File::open(path) {
+        Ok(file) => file,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
-        Err(error) => return Err(format!("cannot read `{}`: {error}", path.display())),
+        Err(error) => return Err(format!("cannot read `{place}`: {error}")),
     };
-    let place = path.display();
+    let mut bytes = Vec::new();
+    file.take(LARGEST_FILE).read_to_end(&mut bytes).map_err(|error| format!("cannot read `{place}`: {error}"))?;
+    let refused = |what: String| format!("`{place}` {what}; name another file, or remove it to search afresh");
+    let body = undamaged(&bytes).ok_or_else(|| refused("is not the state of a search, or is damaged".to_owned()))?;
     let file: StateFile =
-        serde_json::from_str(&text).map_err(|error| format!("`{place}` is not the state of a search: {error}"))?;
-    let expected = signature(problem, count);
+        serde_json::from_slice(body).map_err(|error| refused(format!("is not the state of a search: {error}")))?;
+    let expected = signature(problem, pieces.len());
     if file.search != expected {
-        return Err(format!("`{place}` belongs to another search ({}); this one is {expected}", file.search));
+        return Err(refused(format!("belongs to another search ({}); this one is {expected}", harmless(&file.search))));
     }
     let mut done = BTreeMap::new();
-    for (number, piece) in file.pieces {
-        let stars = &piece.stars;
-        if number >= count || stars.iter().any(|star| star.classes == 0 || !space.holds(&star.throws)) {
-            return Err(format!("`{place}` is damaged at piece {number}; remove it to search afresh"));
-        }
-        let point = |star: &WrittenStar| {
-            let (classes, stars) = (star.classes, star.stars);
-            Point { classes, stars, ..judged::judge(space, tables, &star.throws) }
-        };
-        let counts = Counts { judged: piece.judged, cut: piece.cut };
-        done.insert(number, Done { points: stars.iter().map(point).collect(), counts });
+    let mut sum = Counts::default();
+    for (number, written) in file.pieces {
+        let damaged = || refused(format!("does not fit this search at piece {number}"));
+        let piece = pieces.get(number).ok_or_else(damaged)?;
+        let finished = finished(&written, piece, space, tables).ok_or_else(damaged)?;
+        sum = sum.plus(finished.counts).filter(|sum| is_possible(*sum, space)).ok_or_else(damaged)?;
+        done.insert(number, finished);
     }
     Ok(done)
+}
+
+/// What stands before the digest, if it is that of the digest.
+fn undamaged(bytes: &[u8]) -> Option<&[u8]> {
+    let (body, digest) = bytes.split_at(bytes.len().checked_sub(DIGEST)?);
+    (digest == digest_of(body).as_bytes()).then_some(body)
+}
+
+/// Bytes of the line with the digest.
+const DIGEST: usize = "\ncrc32 01234567\n".len();
+
+fn digest_of(body: &[u8]) -> String {
+    format!("\ncrc32 {:08x}\n", crc32fast::hash(body))
+}
+
+/// A piece as it was written, if it can have come of this piece.
+fn finished(written: &WrittenPiece, piece: &Piece, space: &Space, tables: &Tables) -> Option<Done> {
+    let counts = Counts { judged: written.judged, cut: written.cut };
+    let mut points: Vec<Point> = Vec::new();
+    let mut classes = 0_u64;
+    for star in &written.stars {
+        let begins = |(at, &(a, b)): (usize, &(usize, usize))| {
+            usize::from(star.throws[at]) == a && usize::from(star.throws[space.places - 1 - at]) == b
+        };
+        let is_here = space.holds(&star.throws) && piece.pairs.iter().enumerate().all(begins);
+        // A class of rotation, mirror and reversal holds up to four stars with cylinder 1 at 0.
+        let is_counted = star.classes > 0 && (star.classes..=star.classes.checked_mul(4)?).contains(&star.stars);
+        let point = is_here.then(|| judged::judge(space, tables, &star.throws))?;
+        let is_new = points.iter().all(|known| known.compare(&point).is_none());
+        points.push((is_counted && is_new).then_some(Point { classes: star.classes, stars: star.stars, ..point })?);
+        classes = classes.checked_add(star.classes)?;
+    }
+    (classes <= counts.judged && is_possible(counts, space)).then_some(Done { points, counts })
+}
+
+/// Whether so many stars and starts exist.
+fn is_possible(counts: Counts, space: &Space) -> bool {
+    let all = space.count();
+    u128::from(counts.judged) <= all && u128::from(counts.cut) <= all * (space.pairs() as u128 + 1)
 }
 
 /// Writes the finished pieces: under another name first, so that the file is whole whenever the program stops.
@@ -99,11 +147,17 @@ pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>
     };
     let pieces = done.iter().map(|(number, done)| (*number, piece(done))).collect();
     let file = StateFile { search: signature(problem, count), pieces };
-    let fail = |error: String| format!("cannot write `{}`: {error}", path.display());
-    let text = serde_json::to_string(&file).map_err(|error| fail(error.to_string()))?;
-    let name = path.file_name().ok_or_else(|| fail("it names no file".into()))?.to_string_lossy();
-    let beside = path.with_file_name(format!(".{name}.partial"));
-    let written = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
+    let fail = |error: String| format!("cannot write `{}`: {error}", harmless(&path.to_string_lossy()));
+    let mut text = serde_json::to_string(&file).map_err(|error| fail(error.to_string()))?;
+    text.push_str(&digest_of(text.as_bytes()));
+    let mut name = OsString::from(".");
+    name.push(path.file_name().ok_or_else(|| fail("it names no file".into()))?);
+    // Of this process alone: another search may keep its pieces in the same file.
+    name.push(format!(".{}.partial", std::process::id()));
+    let beside = path.with_file_name(name);
+    let written = fs::File::create(&beside)
+        .and_then(|mut file| file.write_all(text.as_bytes()).and_then(|()| file.sync_all()))
+        .and_then(|()| fs::rename(&beside, path));
     written.map_err(|error| {
         // What was written beside is of no use; the first error is the one to tell.
         let _ = fs::remove_file(&beside);

@@ -80,7 +80,7 @@ pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError
     let space = Space::new(problem).map_err(SearchError::Question)?;
     let tables = Tables::new(&space);
     let pieces = piece::pieces(&space, &tables);
-    let read = |path| resume::read(path, problem, &space, &tables, pieces.len());
+    let read = |path| resume::read(path, problem, &space, &tables, &pieces);
     let known = options.resume.as_deref().map(read).transpose().map_err(SearchError::State)?;
     let hall = Hall { problem, space: &space, tables: &tables, pieces: &pieces, options };
     let state = Mutex::new(State { done: known.unwrap_or_default(), failure: None });
@@ -92,8 +92,7 @@ pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError
         let held = state.lock().unwrap_or_else(PoisonError::into_inner);
         for done in held.done.range(start..end).map(|(_, done)| done) {
             done.points.iter().for_each(|point| front.take(point.clone()));
-            counts.judged += done.counts.judged;
-            counts.cut += done.counts.cut;
+            counts = counts.plus(done.counts).unwrap_or_else(|| unreachable!("no search judges 2^64 stars"));
         }
     }
     Ok(answer::answer(problem, &space, front.points().to_vec(), counts))

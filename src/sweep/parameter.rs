@@ -50,7 +50,8 @@ pub const SHORT_CUTS: [ShortCut; 6] = [
 ];
 
 /// Keys of a layout file that hold no quantity.
-const TEXTS: [&str; 8] = ["title", "source", "document", "cycle", "effects", "orders", "firing_order", "firing_angles"];
+const TEXTS: [&str; 9] =
+    ["title", "source", "name", "document", "cycle", "effects", "orders", "firing_order", "firing_angles"];
 
 impl Parameter {
     /// Reads `KEY=FROM..TO:STEP`.
@@ -62,7 +63,7 @@ impl Parameter {
             Refused::new(format!("`{text}` sets nothing; write KEY=FROM..TO:STEP, such as vee.bank_angle=0..180:10"))
         })?;
         let key = Key::parse(key.trim()).map_err(Refused::new)?;
-        if TEXTS.iter().any(|text| key.to_string().split('.').next() == Some(text)) {
+        if key.to_string().split('.').any(|part| TEXTS.contains(&part)) {
             return Err(Refused::new(format!("`{key}` holds no quantity; such as vee.bank_angle=0..180:10")));
         }
         Ok(Parameter { label: key.name().replace('_', " "), key, range: Range::parse(range)?, instead_of: &[] })

@@ -121,6 +121,7 @@ pub(super) fn judge_with(
     motions: &mut Motions,
 ) -> Result<Point, Missing> {
     loads::comparable(layout)?;
+    loads::are_orders(orders)?;
     let whole = Whole::new(layout);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
@@ -209,7 +210,8 @@ fn amplitudes(
 }
 
 fn from_sums(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
-    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
+    let [direct, reverse] =
+        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
     let mirrored = reverse.mirrored();
     let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {

@@ -41,6 +41,9 @@ impl Range {
             Err(_) => rest.find(|letter: char| !is_of_a_number(letter)).unwrap_or(rest.len()),
         };
         let (step, unit) = rest.split_at(end);
+        if !unit.chars().all(|letter| letter.is_alphanumeric() || " °·/".contains(letter)) {
+            return Err(refuse(format!("has `{}` for its unit; such as mm, deg or rpm", shown(unit.trim()))));
+        }
         let number = |what: &str, text: &str| {
             parse_number(text).map_err(|error| refuse(format!("has `{}` for its {what}: {error}", shown(text.trim()))))
         };

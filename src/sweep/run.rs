@@ -13,7 +13,8 @@ use super::point::{Motions, Point, judge_with};
 use super::range::MOST_POINTS;
 use super::{Refused, ZeroSet, zeros};
 use crate::layout::{Engine, Key, Layout, Template};
-use crate::loads::Arm;
+use crate::loads::{self, Arm};
+use crate::text::Untrusted;
 
 /// Curves between the points of a coarse grid are drawn from about this many points.
 const SMOOTH: usize = 180;
@@ -24,7 +25,7 @@ const MOST_OF_CURVE: usize = 2000;
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// Title of the layout.
-    pub title: String,
+    pub title: Untrusted,
     /// The parameters; the last one runs fastest.
     pub parameters: Vec<Parameter>,
     /// The orders, rising.
@@ -74,7 +75,8 @@ pub fn sweep(
     };
     let reader = Reader::new(template, parameters);
     let first = reader.layout(&reader.values(0))?;
-    let orders = if orders.is_empty() { &first.orders } else { orders };
+    let usual = loads::usual_orders(&first);
+    let orders = if orders.is_empty() { usual.as_slice() } else { orders };
     let points = all(count, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
     let zeros = match parameters {
         [one] => zeros(template, one, orders),

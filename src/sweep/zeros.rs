@@ -5,14 +5,16 @@
 
 use std::collections::BTreeSet;
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
 use super::run::Reader;
 use crate::exact::Turn;
 use crate::family::{self, Component, OpenVerdict, component_zeros};
-use crate::layout::{self, Engine, Layout, PHI, Template};
+use crate::layout::{self, Engine, Family, Layout, PHI, Template};
 use crate::order;
 use crate::proof::{Quantity, Sense};
 
@@ -45,12 +47,20 @@ pub struct ZeroSet {
     pub order: u32,
     /// What vanishes.
     pub of: Zeros,
+    /// Whether the engine has the order at all.
+    pub exists: bool,
     /// Whether it vanishes for every value of the parameter.
     pub everywhere: bool,
     /// The values in the range at which it vanishes, rising, in the unit of the range; empty where it does everywhere.
     pub at: Vec<BigRational>,
     /// Whether these are proved to be all; else they are those found.
     pub complete: bool,
+}
+
+impl ZeroSet {
+    fn everywhere(quantity: Quantity, order: u32, of: Zeros) -> Self {
+        ZeroSet { quantity, order, of, exists: true, everywhere: true, at: Vec::new(), complete: true }
+    }
 }
 
 /// Where the vectors of these orders vanish; `None` where the parameter is no angle.
@@ -70,39 +80,62 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     for order in family::classify(&open, orders) {
         for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
             for of in Zeros::ALL {
-                let found = if is_gone(&engine, order.order) {
-                    Found::Everywhere
-                } else {
-                    find(&open, quantity, order.order, verdicts, of)
-                };
+                if is_gone(&engine, order.order) {
+                    sets.push(ZeroSet { exists: false, ..ZeroSet::everywhere(quantity, order.order, of) });
+                    continue;
+                }
+                let found = find(&open, quantity, order.order, verdicts, of);
                 let turns = same_rods && !with_turning_masses(&engine, order.order, of);
+                let is_so = |value: &BigRational| {
+                    let layout = reader.layout(std::slice::from_ref(value));
+                    layout.is_ok_and(|layout| vanishes(&layout, quantity, order.order, of))
+                };
+                let by_points = || {
+                    let mut places = distinct(&open, order.order, &per_unit);
+                    places.len() > 0 && places.all(|value| is_so(&value))
+                };
+                let found = match found {
+                    Found::Everywhere | Found::NotSolved if !turns && by_points() => {
+                        sets.push(ZeroSet::everywhere(quantity, order.order, of));
+                        continue;
+                    }
+                    other => other,
+                };
                 let (found, complete) = match found {
                     Found::NotSolved => (BTreeSet::new(), false),
                     Found::Everywhere if turns => {
-                        sets.push(ZeroSet {
-                            quantity,
-                            order: order.order,
-                            of,
-                            everywhere: true,
-                            at: Vec::new(),
-                            complete: true,
-                        });
+                        sets.push(ZeroSet::everywhere(quantity, order.order, of));
                         continue;
                     }
                     Found::Everywhere => (BTreeSet::new(), false),
                     Found::At(set) => (set, turns),
                 };
-                let holds = |value: &BigRational| {
-                    reader
-                        .layout(std::slice::from_ref(value))
-                        .is_ok_and(|layout| vanishes(&layout, quantity, order.order, of))
-                };
-                let at = in_range(&found, parameter, &per_unit).into_iter().filter(holds).collect();
-                sets.push(ZeroSet { quantity, order: order.order, of, everywhere: false, at, complete });
+                let at = in_range(&found, parameter, &per_unit).into_iter().filter(is_so).collect();
+                sets.push(ZeroSet { quantity, order: order.order, of, exists: true, everywhere: false, at, complete });
             }
         }
     }
     Some(sets)
+}
+
+/// More values than this are not tried.
+const MOST_TRIED: i64 = 2000;
+
+/// Values of the parameter at so many different angles that a vector of this order which vanishes at each vanishes everywhere; none
+/// where they would be too many.
+///
+/// Every term, of a piston or of a mass on a throw, turns by `kβ ± (k±1)α`, and β and α by whole multiples of φ/d. So each sum is a
+/// polynomial in `e^{±iφ/d}`, with at most twice its degree of zeros.
+fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSizeIterator<Item = BigRational> {
+    let angles = || open.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    let steps = angles().map(|angle| angle.coefficient(PHI));
+    let divisor = steps.clone().fold(BigInt::one(), |all, step| all.lcm(step.denom()));
+    let widest = steps.map(|step| step.abs()).max().unwrap_or_else(BigRational::zero);
+    let degree = widest * BigRational::from_integer(&divisor * BigInt::from(2 * order + 1));
+    let count = (degree.ceil().to_integer() * 2_i32 + 1_i32).to_i64().filter(|count| *count <= MOST_TRIED).unwrap_or(0);
+    // Inside one turn, so that no two of them are alike and every layout file reads them.
+    let step = BigRational::one() / per_unit / BigRational::from_integer((count + 1).into());
+    (0..count as i32).map(move |place| &step * BigRational::from_integer((place + 1).into()))
 }
 
 enum Found {
@@ -139,9 +172,8 @@ fn find(open: &layout::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
 
 /// Whether an order has the coefficient 0: the odd ones of centric rods.
 fn is_gone(layout: &Layout, order: u32) -> bool {
-    let rods = &layout.mechanism.rods;
     let balanced = layout.crankshaft.balancers.iter().all(|shaft| shaft.order != order);
-    order > 1 && order % 2 == 1 && balanced && !rods.is_empty() && rods.iter().all(|rod| rod.offset.is_zero())
+    balanced && !layout.mechanism.has_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.
@@ -162,7 +194,8 @@ fn with_turning_masses(layout: &Layout, order: u32, of: Zeros) -> bool {
 
 /// Whether a vector of this engine vanishes, decided exactly.
 fn vanishes(layout: &Layout, quantity: Quantity, order: u32, of: Zeros) -> bool {
-    let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
+    let [direct, reverse] =
+        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
     match of {
         Zeros::Direct => direct.vanishes(),
         Zeros::Reverse => reverse.vanishes(),

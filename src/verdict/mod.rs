@@ -106,6 +106,10 @@ pub struct Class {
 pub struct OrderBalance {
     /// The order k.
     pub order: u32,
+    /// Whether some of these pistons have the order; else its force and moment are 0 whatever the sums are.
+    pub exists: bool,
+    /// The same of the torque.
+    pub torque_exists: bool,
     /// Which cylinders it is about, where the engine has rods that differ; none where it is about all.
     pub class: Option<Class>,
     /// The shaking force.
@@ -123,7 +127,7 @@ impl OrderBalance {
     }
 }
 
-/// Judges the given orders of an engine; the inertia torque only where it is asked for.
+/// Judges the given orders of an engine; the inertia torque only where it is asked for. There is no order 0: it gets no verdict.
 ///
 /// Where rods differ, each class of equal ones is judged by itself: the sum of an order vanishes, whatever the
 /// coefficients, where each class does. All centric cranks have `c_1 = 1` in common.
@@ -131,18 +135,20 @@ pub fn classify(layout: &Layout, orders: &[u32], with_torque: bool) -> Vec<Order
     let rods = layout.rods();
     let judge = |layout: &Layout, order: u32, class: Option<Class>| OrderBalance {
         order,
+        exists: has_order(layout, class.as_ref(), Quantity::Force, order),
+        torque_exists: has_order(layout, class.as_ref(), Quantity::Torque, order),
         class,
         force: Balance::new(layout, Quantity::Force, order),
         moment: Balance::new(layout, Quantity::Moment, order),
         torque: with_torque.then(|| Verdict::new(layout, Quantity::Torque, order, None)),
     };
-    let by_class = |&order: &u32| match rods.as_slice() {
+    let by_class = |order: u32| match rods.as_slice() {
         rods if rods.len() > 1 && (order > 1 || layout.has_offset() || with_torque) => {
             rods.iter().map(|rod| judge(&layout.only_with(rod), order, Some(Class::new(layout, rod)))).collect()
         }
         _ => vec![judge(layout, order, None)],
     };
-    orders.iter().flat_map(by_class).collect()
+    judged(orders).flat_map(by_class).collect()
 }
 
 /// The orders that the inertia torque is judged at: the first four, and those of force and moment.
@@ -153,9 +159,21 @@ pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
     all
 }
 
-/// Judges the inertia torque of an engine with equal rods at [`torque_orders`].
+/// Judges the inertia torque of an engine with equal rods at these orders; 0 is no order and is not judged.
 pub fn torque(layout: &Layout, orders: &[u32]) -> Vec<Verdict> {
-    torque_orders(orders).into_iter().map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
+    judged(orders).map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
+}
+
+fn has_order(layout: &Layout, class: Option<&Class>, quantity: Quantity, order: u32) -> bool {
+    match class {
+        Some(class) => class.rod.has_order(quantity, order),
+        None => layout.mechanism.has_order(quantity, order),
+    }
+}
+
+/// The numbers of a list that are orders.
+fn judged(orders: &[u32]) -> impl Iterator<Item = u32> {
+    orders.iter().copied().filter(|order| *order > 0)
 }
 
 impl Class {

@@ -68,19 +68,19 @@ fn guarantees_hold(layout: &Layout, quantity: Quantity) {
         match row.method {
             Method::Orders(_) => {
                 let bound = row.bound.expect("a bound");
-                assert!(row.error <= bound + slack, "{}: {quantity:?} {row:?}", layout.title);
+                assert!(row.error <= bound + slack, "{}: {quantity:?} {row:?}", layout.title.written());
             }
             Method::Intervals(_) => {
                 let half = row.bound.expect("a bound") * peak / 2.0;
                 let (low, high) = (row.value - half, row.value + half);
                 let roundings = 4.0 * f64::EPSILON * peak;
-                assert!(study.peak.low.to_f64().unwrap() <= high + roundings, "{}: {row:?}", layout.title);
-                assert!(study.peak.high.to_f64().unwrap() >= low - roundings, "{}: {row:?}", layout.title);
+                assert!(study.peak.low.to_f64().unwrap() <= high + roundings, "{}: {row:?}", layout.title.written());
+                assert!(study.peak.high.to_f64().unwrap() >= low - roundings, "{}: {row:?}", layout.title.written());
             }
             // A sample is never above the peak, but for roundings, and one of 3600 comes near it.
             Method::Doubles(steps) => {
-                assert!(row.value <= peak * (1.0 + slack), "{}: {row:?}", layout.title);
-                assert!(steps < 3600 || row.error < 1e-3, "{}: {row:?}", layout.title);
+                assert!(row.value <= peak * (1.0 + slack), "{}: {row:?}", layout.title.written());
+                assert!(steps < 3600 || row.error < 1e-3, "{}: {row:?}", layout.title.written());
             }
             Method::Singles(_) | Method::Fractions => {}
         }

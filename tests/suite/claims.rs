@@ -1,8 +1,10 @@
 //! Are claims answered rightly, and is every answer proved?
 
-use crankstar::claim::{Status, answer, parse_statement};
-use crankstar::layout;
+use crankstar::claim::{Answer, Finding, Status, answer, parse_statement};
+use crankstar::layout::{self, Layout};
 use crankstar::proof::{Vector, check_certificate};
+
+use crate::support::dice::Dice;
 
 fn status(engine: &str, says: &str) -> Status {
     let layout = layout::find(engine).expect("an engine").layout().expect("reads");
@@ -39,7 +41,14 @@ fn claims_are_answered() {
         ("boxer-2", "no free moment", "False"),
         ("radial-4", "every higher order of the force vanishes", "True"),
         ("I6", "every order vanishes", "False"),
-        ("I6", "no free moment", "TrueOnlyIf"),
+        ("I6", "no free moment", "True"),
+        ("I6", "every order of the moment vanishes", "TrueOnlyIf"),
+        ("I4", "no free moment", "True"),
+        ("I1", "no free moment", "True"),
+        ("I2-180", "no free moment", "False"),
+        ("I2-360", "no free moment", "True"),
+        ("radial-9", "no free moment", "True"),
+        ("I5-12453", "no free moment", "False"),
         ("I8-242", "orders 1 and 2 vanish", "True"),
         ("I8-44", "fires evenly", "TrueOnlyIf"),
         ("I2-180", "fires evenly", "False"),
@@ -47,5 +56,109 @@ fn claims_are_answered() {
     for (engine, says, expected) in cases {
         let found = format!("{:?}", status(engine, says));
         assert_eq!(found.split([' ', '{']).next(), Some(expected), "{engine}: {says}: {found}");
+    }
+}
+
+fn written(text: &str) -> Layout {
+    layout::parse("layout.toml", text).expect("it reads")
+}
+
+/// The answer to a claim, its certificates checked.
+fn checked(layout: &Layout, says: &str) -> Answer {
+    let statement = parse_statement(says).unwrap_or_else(|mistake| panic!("{says}: {mistake:?}"));
+    let answer = answer(layout, &statement, None);
+    for evidence in &answer.evidence {
+        let vector = |t: &crankstar::exact::Term| Vector { angle: t.angle.turns().clone(), weight: t.weight.clone() };
+        let terms: Vec<Vector> = evidence.sum().terms().iter().map(vector).collect();
+        check_certificate(&terms, evidence.vanishes(), evidence.certificate()).expect("the certificate holds");
+    }
+    answer
+}
+
+/// All on one crankpin, whose force acts off the reference plane; two on pins of their own, whose couple turns.
+#[test]
+fn a_moment_is_free_where_no_plane_takes_it_away_wherever_moments_are_taken_about() {
+    for plane in ["-3", "0", "1/7", "12"] {
+        let single = |rest: &str| written(&format!("reference_plane = \"{plane}\"\n{rest}"));
+        let one_force = [
+            "inline.throws = [0]\n",
+            "inline.throws = [40, 40, 40]\n",
+            "inline.throws = [0, 180, 180, 0]\n",
+            "vee = { bank_angle = 70, throws = [0] }\n",
+        ];
+        for text in one_force {
+            assert!(checked(&single(text), "no free moment").status.holds(), "{plane}: {text}");
+        }
+        for text in ["inline.throws = [0, 90]\n", "inline.throws = [0, 180]\n", "inline.throws = [0, 120, 250]\n"] {
+            assert_eq!(checked(&single(text), "no free moment").status, Status::False, "{plane}: {text}");
+        }
+    }
+}
+
+const NUMBERS: &str = "speed = 1000\n[mechanism]\ncrank_radius = \"50 mm\"\nrod_ratio = 0.25\nreciprocating_mass = 1\nrotating_mass = 1\n";
+
+#[test]
+fn what_counterweights_can_do_is_answered_with_the_counterweights() {
+    let three = written(&format!("inline = {{ throws = [0, 120, 240], spacing = \"0.1 m\" }}\n{NUMBERS}"));
+    let can = |rest: &str| checked(&three, &format!("counterweights at {rest}"));
+    // 4.5 kg at the throws; a couple of √3 · 1.5 kg · 0.1 m takes two of √3 · 0.75 kg at ±0.1 m, 2.598 kg together.
+    for (rest, expected) in [
+        ("0.1 m and -0.1 m can balance the direct first-order force and moment", Status::True),
+        ("0.1 m and −0.1 m can balance the direct first-order moment", Status::True),
+        (
+            "0.1 m and -0.1 m can balance the direct first-order force and moment with a crankshaft lighter than 7.0981 kg",
+            Status::True,
+        ),
+        (
+            "0.1 m and -0.1 m can balance the direct first-order force and moment with a crankshaft lighter than 7.098 kg",
+            Status::False,
+        ),
+        (
+            "100 mm and 20 mm can balance the direct first-order force and moment with a crankshaft lighter than 7.1 kg",
+            Status::False,
+        ),
+        // Another couple might: one of these planes is nearer to the middle.
+        (
+            "100 mm and 20 mm can balance the direct first-order moment with a crankshaft lighter than 7.1 kg",
+            Status::NotDecided,
+        ),
+        ("0 can balance the direct first-order force and moment", Status::False),
+    ] {
+        let answer = can(rest);
+        assert_eq!(answer.status, expected, "{rest}");
+        assert!(matches!(answer.finding, Finding::Witness(_)), "{rest}");
+    }
+    for wrong in [
+        "counterweights at 1 and 1 can balance the direct first-order moment",
+        "counterweights at 1, 2 can balance the direct first-order moment",
+        "counterweights at 0 can balance the direct first-order moment",
+        "counterweights at 1 and -1 can balance the second-order moment",
+        "counterweights at 1 and -1 can balance the direct first-order moment with a crankshaft lighter than a feather",
+        "counterweights at 1 and 2 and 3 can balance the direct first-order force and moment",
+    ] {
+        assert!(parse_statement(wrong).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn any_engine_without_pin_offset_can_have_its_direct_first_order_balanced_in_two_planes() {
+    let mut dice = Dice::new(20_261_121);
+    for _ in 0..200 {
+        let throws: Vec<String> = (0..dice.below(6) + 1).map(|_| dice.below(360).to_string()).collect();
+        let (bank, offset) = (dice.below(180) + 1, dice.below(3));
+        let forms = [
+            format!("inline.throws = [{}]\n", throws.join(", ")),
+            format!(
+                "vee = {{ bank_angle = {bank}, throws = [{}], bank_offset = \"{offset}/10\" }}\n",
+                throws.join(", ")
+            ),
+        ];
+        for text in forms {
+            let answer = checked(
+                &written(&text),
+                "counterweights at 2 and -1/3 can balance the direct first-order force and moment",
+            );
+            assert_eq!(answer.status, Status::True, "{text}");
+        }
     }
 }

@@ -4,10 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crankstar::claim::{Claims, Status, TableVerdict, parse_claims};
+use crankstar::claim::{Claims, Provenance, Quote, Status, TableVerdict, parse_claims};
 use crankstar::layout::{self, LayoutError};
 use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
+use crankstar::text::Untrusted;
 
 fn claims(text: &str) -> Result<Claims, LayoutError> {
     parse_claims("claims.toml", text, &|name| match layout::find(name) {
@@ -145,7 +146,14 @@ fn every_answer_to_a_published_claim_is_decided_and_its_certificates_hold() {
     assert!(all.len() >= 40);
     for claim in all {
         let answer = claim.answer();
-        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine, claim.says);
+        assert_ne!(answer.status, Status::NotDecided, "{}: {}", claim.engine.written(), claim.says.written());
+        let is_own = claim.provenance == Provenance::Own;
+        assert!(
+            !is_own || answer.status.holds(),
+            "reckoned here, and false: {}: {}",
+            claim.engine.written(),
+            claim.says.written()
+        );
         for evidence in &answer.evidence {
             let vector = |term: &crankstar::exact::Term| Vector {
                 angle: term.angle.turns().clone(),
@@ -155,4 +163,98 @@ fn every_answer_to_a_published_claim_is_decided_and_its_certificates_hold() {
             check_certificate(&terms, evidence.vanishes(), evidence.certificate()).expect("the certificate holds");
         }
     }
+}
+
+fn provenance(text: &str) -> Vec<Provenance> {
+    let claims = claims(text).expect("it reads");
+    claims.statements.into_iter().flat_map(|statement| statement.claims).map(|claim| claim.provenance).collect()
+}
+
+#[test]
+fn only_a_claim_with_a_place_and_words_counts_as_that_of_its_source() {
+    let place = "place = \"section 4.1\"\nwords = \"is balanced\"\n";
+    let row = |rest: &str| format!("[[statement.claim]]\nlayout = \"I4\"\nsays = \"fires evenly\"\n{rest}");
+    let statement = |rest: &str| format!("[[statement]]\ntext = \"x\"\n{rest}");
+    let of = |text: &str| Untrusted::new(text);
+    let quoted =
+        |place: &str| Provenance::Quoted(Quote { source: of("a book"), place: of(place), words: of("is balanced") });
+    let source = "source = \"a book\"\n";
+    let text = [statement(&format!("{source}{place}")), row(""), row("kind = \"own\"\n"), row("place = \"page 7\"\n")]
+        .concat();
+    assert_eq!(provenance(&text), [quoted("section 4.1"), Provenance::Own, quoted("page 7")]);
+    // A source of the file, and a row that says nothing of itself.
+    let text = [source, &statement(""), &row(place), &row("")].concat();
+    assert_eq!(provenance(&text), [quoted("section 4.1"), Provenance::Own]);
+    let text = [statement("kind = \"folklore\"\n"), row(""), row("kind = \"own\"\n")].concat();
+    assert_eq!(provenance(&text), [Provenance::Folklore, Provenance::Own]);
+    for (wrong, keyword) in [
+        (row("place = \"page 7\"\n"), "words"),
+        (row("words = \"so\"\n"), "place"),
+        (row("kind = \"quoted\"\n"), "place"),
+        (row("kind = \"hearsay\"\n"), "folklore"),
+        (row(&format!("kind = \"own\"\n{place}")), "quoted"),
+    ] {
+        let message = claims(&[source, &statement(""), &wrong].concat()).map(|_| ()).expect_err(&wrong).to_string();
+        assert!(message.contains(keyword) && message.contains("claims.toml:"), "{wrong}\n{message}");
+    }
+    let message = claims(&[statement(""), row(place)].concat()).map(|_| ()).expect_err("no source").to_string();
+    assert!(message.contains("`source`"), "{message}");
+}
+
+#[test]
+fn a_page_counts_what_is_quoted_what_is_folklore_and_what_is_its_own_apart() {
+    let row = |says: &str, rest: &str| format!("[[statement.claim]]\nlayout = \"I4\"\nsays = \"{says}\"\n{rest}");
+    let quoted = "source = \"a book\"\nplace = \"page 7\"\nwords = \"fires as it should\"\n";
+    let text = [
+        "[[statement]]\ntext = \"x\"\n",
+        &row("fires evenly", quoted),
+        &row("second-order force vanishes", quoted),
+        &row("fourth-order force vanishes", "kind = \"folklore\"\n"),
+        &row("second-order force = 4", ""),
+    ];
+    let page = report::claims_page(&claims(&text.concat()).expect("it reads")).text;
+    for words in [
+        "Of 2 claims quoted from their sources 1 hold.",
+        "Of 1 claims of folklore, for which no source was found, 0 hold.",
+        "Of 1 statements that are reckoned here, and claimed by no source, 1 hold.",
+        "a book, page 7: “fires as it should”",
+    ] {
+        assert!(page.contains(words), "{words}\n{page}");
+    }
+    let (claimed, own) = page.split_once("Reckoned here:").expect("a table of its own");
+    assert!(claimed.contains("fires evenly") && own.contains("second-order force = 4"));
+    assert!(!claimed.contains("second-order force = 4 "), "{page}");
+}
+
+/// Each row that stands for a source on the published pages, with the section or equation that it is in.
+#[test]
+fn every_row_that_is_counted_as_a_source_s_claim_names_its_place_in_few_words() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    let mut quoted = 0;
+    for name in ["claims", "thesis"] {
+        let at = folder.join(name);
+        let text = fs::read_to_string(at.join("claims.toml")).expect("the claims");
+        let find = |name: &str| match layout::find(name) {
+            Some(entry) => entry.layout().map_err(|error| error.to_string()),
+            None => {
+                let text = fs::read_to_string(at.join(name)).map_err(|error| error.to_string())?;
+                layout::parse(name, &text).map_err(|error| error.to_string())
+            }
+        };
+        let claims = parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}"));
+        for claim in claims.statements.iter().flat_map(|statement| &statement.claims) {
+            let Provenance::Quoted(Quote { source, place, words }) = &claim.provenance else { continue };
+            let names_a_place =
+                ["section ", "eq. ", "example", "solution"].iter().any(|word| place.written().contains(word));
+            assert!(
+                names_a_place && !source.written().is_empty(),
+                "{name}: {}: {}",
+                claim.says.written(),
+                place.written()
+            );
+            assert!((1..=20).contains(&words.written().split_whitespace().count()), "{name}: {}", words.written());
+            quoted += 1;
+        }
+    }
+    assert!(quoted > 100);
 }

@@ -15,7 +15,8 @@ fn two_rods() -> Layout {
 }
 
 fn document(layout: &Layout) -> Document {
-    report::document(layout, &verdict::classify(layout, &[1, 2, 4], false))
+    let orders = verdict::classify(layout, &[1, 2, 4], false);
+    report::document(layout, &orders, &report::quantities(false), None)
 }
 
 #[test]
@@ -61,10 +62,13 @@ fn a_class_cannot_hide_a_cylinder_or_name_one_that_is_not_there() {
     let mut unknown = document(&two_rods());
     let index = place(&unknown);
     unknown.verdicts[index].of.push("7".to_owned());
-    assert!(check_document(&unknown).expect_err("refused").to_string().contains("no cylinder 7"));
+    assert!(check_document(&unknown).expect_err("refused").to_string().contains("here stands a verdict on"));
     let mut hidden = document(&two_rods());
     hidden.verdicts[index].of = vec!["3".to_owned()];
-    assert!(check_document(&hidden).expect_err("refused").to_string().contains("weight of cylinder 4"));
+    assert!(check_document(&hidden).expect_err("refused").to_string().contains("here stands a verdict on"));
+    let mut heavier = document(&two_rods());
+    heavier.verdicts[index].terms[0].weight = heavier.verdicts[index].terms[3].weight.clone();
+    assert!(check_document(&heavier).expect_err("refused").to_string().contains("weight of cylinder 1"));
 }
 
 #[test]

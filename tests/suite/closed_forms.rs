@@ -1,9 +1,10 @@
 //! Are lengths and directions in closed form the numbers that they stand for?
 
-use crate::support::decimals;
+use crate::support::dice::Dice;
+use crate::support::{decimals, whole_degrees};
 use crankstar::exact::{PhasorSum, Turn};
 use crankstar::layout::{self, Layout};
-use crankstar::numbers::{self, Direction, Form};
+use crankstar::numbers::{self, Budget, Direction, Form};
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use num_bigint::BigInt;
@@ -108,10 +109,13 @@ fn forms_are_read_as_a_person_writes_them() {
         ("1.5", "3/2"),
         ("3·cos(40°)", "3·cos(40°)"),
         ("√0", "0"),
+        ("cos(1°)cos(2°)", "cos(1°)·cos(2°)"),
+        ("2*sqrt(3)*sin(4.5°)", "2√3·sin(4.5°)"),
+        ("3·cos(60°)", "3/2"),
     ] {
         assert_eq!(Form::parse(written).expect(written).to_string(), printed);
     }
-    for wrong in ["", "√", "2√", "√-1", "√(1−√2)", "1/√2", "cos(40)", "(1", "1)", "1/0", "x", "cos(1°)cos(2°)"]
+    for wrong in ["", "√", "2√", "√-1", "√(1−√2)", "1/√2", "cos(40)", "(1", "1)", "1/0", "x", "tan(1°)"]
     {
         assert_eq!(Form::parse(wrong), None, "{wrong}");
     }
@@ -126,4 +130,72 @@ fn closed_forms_stop_at_conductor_1000() {
     let sum = |n: i64| PhasorSum::new(vec![unit(Turn::zero()), unit(Turn::fraction(1, n))]);
     assert!(numbers::modulus(&sum(1000)).is_some());
     assert!(numbers::modulus(&sum(1001)).is_none());
+}
+
+/// Every length that two random engines of each form leave, with what its search spent.
+fn random_lengths(mut look: impl FnMut(&PhasorSum, Option<Form>, (u32, u32))) {
+    let mut dice = Dice::new(7);
+    for form in whole_degrees::FORMS.iter().cycle().take(2 * whole_degrees::FORMS.len()) {
+        let layout = layout::parse("random", &whole_degrees::file(&mut dice, form, 24)).expect("it reads");
+        for (quantity, sense) in [(Quantity::Force, Sense::Direct), (Quantity::Moment, Sense::Reverse)] {
+            for order in [1, 2, 4] {
+                let sum = order::star(&layout, quantity, order, Some(sense));
+                if !sum.vanishes() {
+                    let mut budget = Budget::new();
+                    let length = numbers::modulus_within(&sum, &mut budget);
+                    look(&sum, length, budget.spent());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn lengths_of_random_engines_stay_within_the_budget_and_agree_to_fifty_digits() {
+    let (mut found, mut all) = (0, 0);
+    random_lengths(|sum, length, (tests, proposals)| {
+        assert!(tests <= Budget::TESTS && proposals <= Budget::PROPOSALS);
+        all += 1;
+        if let Some(length) = length {
+            found += 1;
+            assert!(decimals::agree(&decimals::form(&length), &decimals::modulus(sum)), "{length}");
+            assert_eq!(Form::parse(&length.to_string()).as_ref(), Some(&length), "{length}");
+        }
+    });
+    assert!(found > all / 3, "{found} of {all}");
+}
+
+#[test]
+fn a_search_for_a_form_takes_the_same_steps_each_time() {
+    let run = || {
+        let mut lengths = Vec::new();
+        random_lengths(|_, length, spent| lengths.push((length, spent)));
+        lengths
+    };
+    assert_eq!(run(), run());
+}
+
+#[test]
+fn a_spent_budget_ends_in_no_form() {
+    let mut budget = Budget::new();
+    let layout = layout::parse("i8", "[inline]\nthrows = [0, 11, 47, 101, 190, 222, 251, 333]").expect("it reads");
+    let sum = order::star(&layout, Quantity::Moment, 1, Some(Sense::Direct));
+    while numbers::modulus_within(&sum, &mut budget).is_some() || budget.spent().1 + 1000 < Budget::PROPOSALS {
+        let before = budget.spent();
+        numbers::modulus_within(&sum, &mut budget);
+        if budget.spent() == before {
+            break;
+        }
+    }
+    assert!(budget.spent().0 <= Budget::TESTS && budget.spent().1 <= Budget::PROPOSALS);
+    assert_eq!(numbers::modulus_within(&sum, &mut budget), None);
+}
+
+#[test]
+fn a_bank_factor_is_found_at_any_bank_angle() {
+    let text = "[vee]\nbank_angle = 77\nthrows = [0, 72, 144, 216, 288]";
+    let layout = layout::parse("V10", text).expect("it reads");
+    let sum = order::star(&layout, Quantity::Moment, 1, Some(Sense::Direct));
+    let length = numbers::modulus(&sum).expect("a form");
+    assert!(decimals::agree(&decimals::form(&length), &decimals::modulus(&sum)), "{length}");
 }

@@ -39,7 +39,7 @@ fn list_prints_a_line_an_engine() {
     let list = succeeds(&["list"]);
     let engines = crankstar::layout::catalogue().expect("the catalogue reads");
     assert_eq!(list.lines().count(), engines.len());
-    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(&layout.title)));
+    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(layout.title.written())));
 }
 
 #[test]
@@ -135,7 +135,10 @@ fn verify_refuses_what_is_no_json_output() {
     ] {
         let file = folder.join(name);
         fs::write(&file, bytes).expect("a file");
-        assert!(fails(&["verify", text(&file)], 1).contains("is no `classify --json` output"), "{name}");
+        assert!(
+            fails(&["verify", text(&file)], 1).contains("is no `classify --json` or `remedy --json` output"),
+            "{name}"
+        );
     }
     assert!(fails(&["verify", text(&folder.join("missing"))], 1).contains("cannot read"));
 }

@@ -105,6 +105,36 @@ fn shuffled(sum: &PhasorSum, dice: &mut Dice) -> PhasorSum {
 }
 
 #[test]
+fn sums_are_equal_where_their_difference_vanishes_however_they_are_written() {
+    let (zero, other) = try_over(CONDUCTORS.step_by(7), 1, |conductor, terms, dice| {
+        let added = phasors(conductor, terms);
+        let some = phasors(conductor, &one_of_each(dice, conductor)[0]);
+        let (sum, empty) = (some.plus(&added), PhasorSum::new(Vec::new()));
+        let collected = PhasorSum::new(sum.collected());
+        let verdict = added.vanishes();
+        assert_eq!(sum == some, verdict, "{some:?} and {added:?} added");
+        assert_eq!(some == sum, verdict, "{some:?} and {added:?} added");
+        assert_eq!(sum.minus(&some) == empty, verdict, "{some:?} and {added:?} added");
+        for same in [shuffled(&sum, dice), collected, sum.plus(&empty), sum.minus(&added).plus(&added)] {
+            assert_eq!(same, sum);
+            assert_eq!(sum, same);
+            assert_eq!(same == some, verdict, "{same:?} and {some:?}");
+        }
+        verdict
+    });
+    assert!(zero > 100 && other > 200, "{zero} zero, {other} not");
+}
+
+#[test]
+fn equal_sums_may_have_no_direction_in_common() {
+    assert_eq!(sum("1@0 1@1/3"), sum("1@1/6"));
+    assert_eq!(sum("1/2@1/7 1/2@1/7 0@1/5"), sum("1@1/7"));
+    assert_eq!(sum("1@1/5 1@4/5 1@2/5 1@3/5"), sum("-1@0"));
+    assert_ne!(sum("1@0 1@1/3"), sum("1@1/6 1/1000000007@1/4"));
+    assert_ne!(sum("1@0").terms(), sum("1/2@0 1/2@0").terms());
+}
+
+#[test]
 fn every_verdict_has_a_certificate_that_the_checker_accepts() {
     let (zero, other) = try_over(CONDUCTORS.step_by(3), 1, |conductor, terms, _| {
         let verdict = vanishes(&conductor, terms);

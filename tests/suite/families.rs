@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crankstar::exact::Turn;
-use crankstar::family::{self, Left, OpenVerdict, When};
+use crankstar::family::{self, Left, NotComparable, OpenVerdict, When};
 use crankstar::layout::{self, DELTA, Engine, Family, PHI};
 use crankstar::numbers::Form;
 use crankstar::proof::Quantity;
@@ -234,4 +234,14 @@ fn reports_on_families_are_written_in_every_dialect() {
             );
         }
     }
+}
+
+#[test]
+fn a_family_whose_rods_differ_or_weigh_nothing_is_not_judged_as_one_star() {
+    let vee = "[vee]\nbank_angle = \"phi\"\nthrows = [0]\n[mechanism]\n";
+    let of = |mechanism: &str| family::comparable(&open(&format!("{vee}{mechanism}")));
+    assert_eq!(of("rod_ratio = 0.3"), Ok(()));
+    assert_eq!(of("rod_ratio = [0.25, 0.3]"), Err(NotComparable::RodsDiffer));
+    assert_eq!(of("rod_ratio = 0.3\noffset_ratio = [0.1, -0.1]"), Err(NotComparable::RodsDiffer));
+    assert_eq!(of("reciprocating_mass = 0"), Err(NotComparable::NoMass));
 }

@@ -129,7 +129,12 @@ fn check(layout: &Layout, dice: &mut Dice) -> [usize; 3] {
                     Breaks => (0..4).any(|_| !stays_zero()),
                     DoesNotApply => true,
                 };
-                assert!(holds, "{}: {quantity:?} of order {}, {disturbance:?} {outcome:?}", layout.title, order.order);
+                assert!(
+                    holds,
+                    "{}: {quantity:?} of order {}, {disturbance:?} {outcome:?}",
+                    layout.title.written(),
+                    order.order
+                );
                 met[outcome as usize] += 1;
             }
         }

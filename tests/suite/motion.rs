@@ -374,3 +374,16 @@ proptest! {
         prop_assert!(is_next_to(float, centric.low.to_f64().unwrap()));
     }
 }
+
+#[test]
+fn a_harmonic_of_a_very_long_rod_is_the_first_term_of_its_series_and_a_little_more() {
+    for (exponent, order) in [(4, 2), (4, 40), (40, 2), (40, 1000)] {
+        let ratio = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(exponent));
+        let crank = SliderCrank::new(ratio.clone(), BigRational::from_integer(0.into())).expect("it turns");
+        let found = crank.coefficient(order).re;
+        let series = crankstar::motion::series(order, 2).enclosure(&ratio).expect("below 1");
+        assert!(found.low <= series.high && series.low <= found.high, "order {order} of λ = 1e-{exponent}");
+        assert!(!found.contains_zero());
+        assert!(found.width() * BigRational::from_integer((1_u64 << 63).into()) < num_traits::abs(found.low.clone()));
+    }
+}

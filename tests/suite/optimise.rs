@@ -167,7 +167,7 @@ fn the_summary_of_all_three_is_as_stored() {
         let summary = report::optimise_summary(&layout, &stored(engine), &Couple::Zero, &format!("{engine}/"));
         format!(
             "\n## {}\n\n{summary}\n[The front, its counterweights, and how they are found]({engine}/optimise.md)\n",
-            layout.title
+            layout.title.written()
         )
     };
     let text = format!("{INTRODUCTION}{}", ENGINES.iter().map(section).collect::<String>());
@@ -451,13 +451,13 @@ fn what_is_missing_is_named() {
     assert_eq!(refused(&engine("[0, 120, 240]", beam, ""), Couple::Zero, 1), Refused::NoPlaces.to_string());
     let one = "[[counterweight]]\nthrow = 2\nmass = 1\nradius = 0.05";
     assert!(refused(&engine("[0, 120, 240]", beam, one), Couple::Zero, 1).contains("all counterweights stand at 0"));
-    let no_speed = parse("no-speed.toml", &i3.file.replace("speed = 6000\n", "")).expect("it reads");
+    let no_speed = parse("no-speed.toml", &i3.file.written().replace("speed = 6000\n", "")).expect("it reads");
     assert_eq!(refused(&no_speed, Couple::AtMost(whole(5)), 1), Refused::NoSpeed.to_string());
     assert_eq!(refused(&no_speed, Couple::Zero, 1), "");
     let offset = WEBS.replace("[crankshaft]", "offset_ratio = 0.01\n[crankshaft]");
     assert_eq!(refused(&engine("[0, 120, 240]", beam, &offset), Couple::Zero, 1), Refused::Offset.to_string());
     let inline = "crankshaft = { balance_factor = 1, counterweight_radius = 0.05, web_offset = 0.02 }\n";
-    let text = format!("{inline}{}", engine("[0, 120, 240]", beam, "").file);
+    let text = format!("{inline}{}", engine("[0, 120, 240]", beam, "").file.written());
     let layout = parse("inline.toml", &text).expect("it reads");
     assert!(refused(&layout, Couple::Zero, 1).contains("tables of their own"), "{}", refused(&layout, Couple::Zero, 1));
 }
@@ -472,7 +472,7 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
     let _ = fs::remove_dir_all(&directory);
     fs::create_dir_all(&directory).expect("a folder");
     let file = directory.join("i3.toml");
-    fs::write(&file, engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS).file).expect("a file");
+    fs::write(&file, engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS).file.written()).expect("a file");
     let (file, out) = (file.to_str().expect("UTF-8"), directory.join("out"));
     let run = crankstar(&["optimise", file, "--points", "2", "--output", out.to_str().expect("UTF-8")]);
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));

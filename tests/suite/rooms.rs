@@ -1,12 +1,28 @@
-//! Does every room import only rooms to its left on the arrow line?
+//! Does every room import only rooms of the storeys below it?
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOMS: [&str; 18] = [
-    "proof", "exact", "layout", "order", "verdict", "numbers", "motion", "beam", "loads", "accuracy", "remedy",
-    "optimise", "search", "family", "sweep", "claim", "report", "cli",
+use crate::support::imports;
+
+/// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
+const STOREYS: [&[&str]; 10] = [
+    &["proof", "motion", "beam", "text"],
+    &["exact"],
+    &["layout"],
+    &["order", "numbers"],
+    &["verdict"],
+    &["loads", "family"],
+    &["accuracy", "remedy", "optimise", "sweep", "search"],
+    &["claim"],
+    &["report"],
+    &["cli"],
 ];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
 
 fn source_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder of a room").map(|entry| entry.expect("an entry").path());
@@ -15,58 +31,104 @@ fn source_files(folder: &Path) -> Vec<PathBuf> {
     files.into_iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs")).chain(nested).collect()
 }
 
-/// Names that follow `crate::` or `crankstar::` in a file, without its comments.
-fn imported_rooms(text: &str) -> Vec<String> {
-    let code = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
-    let after = |prefix: &str| {
-        let pieces: Vec<String> = code.split(prefix).skip(1).map(str::to_owned).collect();
-        pieces
-            .into_iter()
-            .map(|piece| piece.chars().take_while(|letter| letter.is_ascii_lowercase()).collect::<String>())
-    };
-    after("crate::").chain(after("crankstar::")).filter(|name| ROOMS.contains(&name.as_str())).collect()
+/// `src/exact/decide.rs` is the module `exact::decide`, `src/exact/mod.rs` is `exact`.
+fn module(file: &Path) -> Vec<String> {
+    let below = file.strip_prefix(root().join("src")).expect("a file of src").with_extension("");
+    let names = below.iter().map(|name| name.to_string_lossy().into_owned());
+    names.filter(|name| name != "mod").collect()
+}
+
+/// What a file of a room takes from the root of the crate.
+fn imports_of(file: &Path) -> BTreeSet<String> {
+    let module = module(file);
+    let module: Vec<&str> = module.iter().map(String::as_str).collect();
+    imports::names(&fs::read_to_string(file).expect("a source file"), &module)
 }
 
 #[test]
-fn every_import_points_to_the_left() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+fn a_room_imports_only_from_the_storeys_below() {
     let mut imports = 0;
-    for (place, room) in ROOMS.iter().enumerate() {
-        for file in source_files(&source.join(room)) {
-            for imported in imported_rooms(&fs::read_to_string(&file).expect("a source file")) {
-                let is_left = ROOMS[..=place].contains(&imported.as_str());
-                assert!(is_left, "{} imports {imported}, which is not left of {room}", file.display());
-                imports += 1;
+    for (storey, rooms) in STOREYS.iter().enumerate() {
+        let below: Vec<&str> = STOREYS[..storey].concat();
+        for room in *rooms {
+            for file in source_files(&root().join("src").join(room)) {
+                for imported in imports_of(&file) {
+                    let is_below = imported == *room || below.contains(&imported.as_str());
+                    assert!(is_below, "{} imports {imported}, which is not below {room}", file.display());
+                    imports += usize::from(imported != *room);
+                }
             }
         }
     }
-    assert!(imports > 40, "only {imports} imports were found: the reader of imports is broken");
+    assert!(imports > 300, "only {imports} imports were found: the reader of imports is broken");
 }
 
 #[test]
 fn the_checker_imports_nothing_of_the_solver() {
-    let room = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/proof");
-    for file in source_files(&room) {
-        let imported = imported_rooms(&fs::read_to_string(&file).expect("a source file"));
+    for file in source_files(&root().join("src/proof")) {
+        let imported = imports_of(&file);
         assert!(imported.iter().all(|name| name == "proof"), "{} imports {imported:?}", file.display());
     }
 }
 
 #[test]
-fn library_and_readme_state_the_arrow_line() {
-    let line = format!("`{}`", ROOMS.join(" ← "));
-    for file in ["src/lib.rs", "README.md"] {
-        let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).expect("a text");
-        assert!(text.contains(&line), "{file} does not state {line}");
+fn library_and_readme_draw_the_storeys() {
+    for (file, mark) in [("src/lib.rs", "//! "), ("README.md", "")] {
+        let text = fs::read_to_string(root().join(file)).expect("a text");
+        let storeys: Vec<String> = STOREYS.iter().rev().map(|rooms| format!("{mark}{}\n", rooms.join("  "))).collect();
+        let drawn = format!("{mark}```text\n{}{mark}```\n", storeys.concat());
+        assert!(text.contains(&drawn), "{file} does not draw\n{drawn}");
     }
 }
 
 #[test]
 fn there_is_no_other_room() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let folders = fs::read_dir(source).expect("src").map(|entry| entry.expect("an entry").path());
-    for folder in folders.filter(|path| path.is_dir()) {
-        let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
-        assert!(ROOMS.contains(&name.as_str()), "{name} has no place on the arrow line");
+    let folders = fs::read_dir(root().join("src")).expect("src").map(|entry| entry.expect("an entry").path());
+    let folders = folders.filter(|path| path.is_dir()).map(|path| path.file_name().expect("a name").to_owned());
+    let found: BTreeSet<String> = folders.map(|name| name.to_string_lossy().into_owned()).collect();
+    let drawn: BTreeSet<String> = STOREYS.concat().into_iter().map(str::to_owned).collect();
+    assert_eq!(found, drawn);
+}
+
+/// Each spelling, read in the module `exact::decide`, and what it takes from the root.
+const SPELLINGS: &[(&str, &str)] = &[
+    ("use crate::loads;", "loads"),
+    ("pub(crate) use crate::loads::Loads as Heavy;", "loads"),
+    ("use crate::{loads, proof::{Shape, Sense}};", "loads proof"),
+    ("use {crate::loads, std::fmt, super::super::beam::{self}};", "beam loads"),
+    ("use\n    crate\n    :: // where\n    loads;", "loads"),
+    ("use crate::{self as top};", "crate"),
+    ("use crate as top;", "crate"),
+    ("use crate::*;", "crate"),
+    ("extern crate self as top;", "crate"),
+    ("use crate::{loads::*, exact::*};", "exact loads"),
+    ("use r#crate_of::x; use crate::r#loads;", "loads"),
+    ("use super::super::loads;", "loads"),
+    ("use super::super::{loads, beam};", "beam loads"),
+    ("use super::{super::loads, sum::Term};", "exact loads"),
+    ("use super::super as top;", "crate"),
+    ("use self::super::super::loads::Loads;", "loads"),
+    ("use super::sum::Term; use self::inner::X;", "exact"),
+    ("mod tests { use super::super::super::loads; use super::Y; }", "exact loads"),
+    ("fn f() { crate::loads::loads(); }", "loads"),
+    (
+        "fn f(x: &crate::loads::Loads) -> Vec<crate::beam::Load> { x.map::<crate::sweep::Range>(self.y) }",
+        "beam loads sweep",
+    ),
+    ("impl crate::proof::A for <crate::loads::L as super::super::beam::B>::C {}", "beam loads proof"),
+    ("fn f() { format!(\"{}\", crate::loads::total()); vec![super::super::beam::X] }", "beam loads"),
+    ("macro_rules! m { ($x:ty) => { $crate::loads::go::<$x>() } }", "loads"),
+    ("use crankstar::{report, loads::{self}};", "loads report"),
+    ("fn f() { ::crankstar::loads::loads() }", "loads"),
+    ("#[derive(A)] pub(in crate::exact) struct S { pub(super) x: u8, pub(crate) y: T }", ""),
+    ("// use crate::loads;\n/// [`crate::beam`]\nconst S: &str = \"crate::loads\"; /* crate::loads */", ""),
+    ("use std::{fmt, io::{self, Write}}; use num::loads::crates;", ""),
+];
+
+#[test]
+fn imports_are_read_in_every_spelling() {
+    for (code, wanted) in SPELLINGS {
+        let found: Vec<String> = imports::names(code, &["exact", "decide"]).into_iter().collect();
+        assert_eq!(found.join(" "), *wanted, "{code}");
     }
 }

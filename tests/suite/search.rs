@@ -281,7 +281,7 @@ fn a_search_stopped_and_resumed_gives_the_same_bytes_on_any_number_of_threads() 
         let stopped = search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress });
         assert!(stopped.is_err(), "stopped after {after} pieces");
     }
-    let known: serde_json::Value = serde_json::from_str(&fs::read_to_string(&file).expect("a file")).expect("JSON");
+    let known: serde_json::Value = serde_json::from_str(state(&file).lines().next().expect("a line")).expect("JSON");
     let pieces = known["pieces"].as_object().expect("pieces").len();
     assert!(pieces >= 30, "{pieces} pieces are kept");
     let resumed = search(&problem, &Options { resume: Some(file.clone()), ..Options::default() }).expect("a front");
@@ -293,20 +293,119 @@ fn a_search_stopped_and_resumed_gives_the_same_bytes_on_any_number_of_threads() 
     assert_eq!(names.len(), 1, "nothing is left beside the state file");
 }
 
+/// The text of a state file.
+fn state(file: &std::path::Path) -> String {
+    fs::read_to_string(file).expect("a text")
+}
+
+/// A state file whose digest is right whatever its body says.
+fn sealed(body: &str) -> String {
+    format!("{body}\ncrc32 {:08x}\n", crc32fast::hash(body.as_bytes()))
+}
+
 #[test]
 fn a_state_file_of_another_search_or_a_damaged_one_is_refused() {
     let file = scratch("search-state").join("state.json");
     let options = || Options { resume: Some(file.clone()), ..Options::default() };
     let five = Problem::inline(5, Cycle::TwoStroke, &[1, 2]);
-    search(&five, &options()).expect("a front");
+    let whole = json(&search(&five, &options()).expect("a front"));
     let message = |problem: &Problem| search(problem, &options()).expect_err("refused").to_string();
     let other = message(&Problem::inline(5, Cycle::TwoStroke, &[1, 2, 4]));
-    assert!(other.contains("belongs to another search (1: 5 cylinders, two-stroke, orders [1, 2]"), "{other}");
-    let text = fs::read_to_string(&file).expect("a file");
-    fs::write(&file, text.replacen("\"throws\":[0,", "\"throws\":[0,0,", 1)).expect("written");
-    assert!(message(&five).contains("damaged"));
-    fs::write(&file, &text[..text.len() / 2]).expect("written");
-    assert!(message(&five).contains("is not the state of a search"));
+    assert!(other.contains("belongs to another search (2: 5 cylinders, two-stroke, orders [1, 2]"), "{other}");
+    let text = state(&file);
+    // Every bit of every byte, and every place where the file may be cut off.
+    for at in 0..text.len() {
+        for bit in 0..8 {
+            let mut bytes = text.clone().into_bytes();
+            bytes[at] ^= 1 << bit;
+            fs::write(&file, &bytes).expect("written");
+            let refused = message(&five);
+            assert!(
+                refused.contains("damaged") && refused.contains("remove it to search afresh"),
+                "{at} {bit}: {refused}"
+            );
+        }
+        fs::write(&file, &text[..at]).expect("written");
+        assert!(message(&five).contains("damaged"), "cut off at {at}");
+    }
+    assert_eq!(beside(&file), ["state.json"]);
+    fs::write(&file, &text).expect("written");
+    assert_eq!(json(&search(&five, &options()).expect("a front")), whole);
+}
+
+/// What is left in a folder of a state file, by name.
+fn beside(file: &std::path::Path) -> Vec<String> {
+    let entries = fs::read_dir(file.parent().expect("a folder")).expect("a folder");
+    entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect()
+}
+
+/// Whoever makes a digest for an altered file is still told where it does not fit the question.
+#[test]
+fn counts_and_stars_that_do_not_fit_the_question_are_refused_though_their_digest_is_right() {
+    let file = scratch("search-counts").join("state.json");
+    let seven = Problem::inline(7, Cycle::TwoStroke, &[1, 2]);
+    let options = || Options { resume: Some(file.clone()), ..Options::default() };
+    let whole = json(&search(&seven, &options()).expect("a front"));
+    let text = state(&file);
+    let body = text.lines().next().expect("a line");
+    let value: serde_json::Value = serde_json::from_str(body).expect("JSON");
+    fs::write(&file, sealed(body)).expect("written");
+    assert_eq!(json(&search(&seven, &options()).expect("its own digest is right")), whole);
+    let pieces = value["pieces"].as_object().expect("pieces");
+    let (number, _) =
+        pieces.iter().find(|(_, piece)| !piece["stars"].as_array().expect("stars").is_empty()).expect("a star");
+    let (another, _) = pieces.iter().find(|(other, _)| *other != number).expect("two pieces");
+    type Damage = Box<dyn Fn(&mut serde_json::Value)>;
+    let set = |key: &'static str, to: u64| -> Damage {
+        let number = number.clone();
+        Box::new(move |value| value["pieces"][&number][key] = to.into())
+    };
+    let of_star = |key: &'static str, to: u64| -> Damage {
+        let number = number.clone();
+        Box::new(move |value| value["pieces"][&number]["stars"][0][key] = to.into())
+    };
+    let (from, to, twice) = (number.clone(), another.clone(), number.clone());
+    let damages: Vec<(&str, Damage)> = vec![
+        ("no star was judged", set("judged", 0)),
+        ("more were judged than there are", set("judged", 721)),
+        ("a sum that would wrap", set("judged", u64::MAX)),
+        ("more starts than there are", set("cut", u64::MAX)),
+        ("no class", of_star("classes", 0)),
+        ("more classes than were judged", of_star("classes", 700)),
+        ("more classes than can be counted", of_star("classes", u64::MAX)),
+        ("no star", of_star("stars", 0)),
+        ("more stars than its classes hold", of_star("stars", 1_000_000)),
+        (
+            "a star of another piece",
+            Box::new(move |value| {
+                let stars = value["pieces"][&from]["stars"].clone();
+                value["pieces"][&to]["stars"] = stars;
+                value["pieces"][&to]["judged"] = 300.into();
+            }),
+        ),
+        (
+            "a star twice",
+            Box::new(move |value| {
+                let star = value["pieces"][&twice]["stars"][0].clone();
+                value["pieces"][&twice]["stars"].as_array_mut().expect("stars").push(star);
+            }),
+        ),
+        (
+            "a piece that is not there",
+            Box::new(|value| {
+                let piece = value["pieces"].as_object().expect("pieces").values().next().expect("a piece").clone();
+                value["pieces"]["100000"] = piece;
+            }),
+        ),
+        ("an unknown key", Box::new(|value| value["more"] = 1.into())),
+    ];
+    for (what, damage) in damages {
+        let mut damaged = value.clone();
+        damage(&mut damaged);
+        fs::write(&file, sealed(&damaged.to_string())).expect("written");
+        let message = search(&seven, &options()).expect_err(what).to_string();
+        assert!(message.contains("remove it to search afresh"), "{what}: {message}");
+    }
 }
 
 fn crankstar(arguments: &str) -> (Option<i32>, String, String) {

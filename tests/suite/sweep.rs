@@ -105,6 +105,8 @@ fn sweeps_that_cannot_be_done_are_refused_in_words() {
         (&["mechanism.rod_ratio=0..1:0.5"][..], "cannot turn round"),
         (&["title=0..1:1"][..], "no quantity"),
         (&["=0..1:1"][..], "cannot read the key"),
+        (&["2=0..1:1"], "cannot read the key `2`"),
+        (&["1.throw=0..1:1"], "cannot read the key"),
         (&["vee.bank_angle"][..], "sets nothing"),
         (&["crankshaft.balance_factor=0..1:1"][..], "counterweight_radius"),
     ] {

@@ -48,7 +48,7 @@ fn first(words: &str, with_shape: bool) -> String {
 
 fn name(engine: &Engine, dialect: Dialect) -> String {
     match (engine.origin, dialect) {
-        (Origin::Catalogue, Dialect::Latex) => dialect.quoted(&engine.name),
+        (Origin::Catalogue, Dialect::Latex) => dialect.literal(&engine.name),
         (Origin::Catalogue, _) => format!("[{0}](../{0}/report.md)", engine.name),
         (Origin::Found(_), _) => format!("{}: {}", engine.name, engine.firing_order),
     }
@@ -91,7 +91,7 @@ pub(super) fn longer_forms(all: &[Engine], dialect: Dialect) -> Vec<[String; 3]>
                 }
                 let words = if dialect == Dialect::Latex { amount.prose() } else { amount.plain() };
                 let name = match engine.origin {
-                    Origin::Catalogue => dialect.quoted(&engine.name),
+                    Origin::Catalogue => dialect.literal(&engine.name),
                     Origin::Found(_) => dialect.prose(&format!("{}: {}", engine.name, engine.firing_order)),
                 };
                 rows.push([name, format!("{quantity} {}", order.order), dialect.prose(&words)]);

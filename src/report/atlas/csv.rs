@@ -6,13 +6,14 @@ use super::super::left::shape_name;
 use super::entry::{Engine, Left, Origin};
 use crate::layout::{Cycle, LengthUnit};
 use crate::proof::Shape;
+use crate::text::{self, Format};
 
 const HEADER: &str = "origin,engine,title,firing,firing_order,stars,all_stars,position_unit,order,force,force_exact,force_shape,\
     moment,moment_exact,moment_shape,first_force_left,first_moment_left,remedy_of_orders_1_and_2";
 
 /// The lines, with a header. Force in m r ω² c_k, moment in that times the unit of the positions; 0 is exact.
 pub(super) fn csv(all: &[Engine]) -> String {
-    let mut text = format!("{HEADER}\n");
+    let mut lines = format!("{HEADER}\n");
     for engine in all {
         for order in &engine.orders {
             let origin = match engine.origin {
@@ -31,7 +32,7 @@ pub(super) fn csv(all: &[Engine]) -> String {
             let mut fields = vec![
                 origin.to_owned(),
                 engine.name.clone(),
-                engine.title.clone(),
+                engine.title.escaped(Format::Csv),
                 engine.firing.clone(),
                 engine.firing_order.clone(),
                 stars,
@@ -43,12 +44,12 @@ pub(super) fn csv(all: &[Engine]) -> String {
             fields.extend(amount(&order.moment));
             fields.extend(engine.first_left.clone());
             fields.push(engine.remedy.clone());
-            let quoted: Vec<String> = fields.iter().map(|field| quoted(field)).collect();
+            let quoted: Vec<String> = fields.iter().map(|field| text::field(field)).collect();
             // Writing to a string cannot fail.
-            let _ = writeln!(text, "{}", quoted.join(","));
+            let _ = writeln!(lines, "{}", quoted.join(","));
         }
     }
-    text
+    lines
 }
 
 /// The largest value in decimals, its closed form where one is known, the shape.
@@ -59,12 +60,4 @@ fn amount(left: &Left) -> [String; 3] {
     }
     let exact = left.largest.exact.as_ref().map(ToString::to_string).unwrap_or_default();
     [format!("{:.9}", left.largest.decimal), exact, shape]
-}
-
-/// A field: in quotes where it holds a comma, a quote or the end of a line.
-fn quoted(field: &str) -> String {
-    match field.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", field.replace('"', "\"\"")),
-        false => field.to_owned(),
-    }
 }

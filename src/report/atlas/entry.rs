@@ -7,6 +7,7 @@ use crate::layout::{Cycle, Layout, LayoutError, LengthUnit};
 use crate::proof::Shape;
 use crate::remedy::{self, Wish};
 use crate::search::{Best, FoundStar};
+use crate::text::Untrusted;
 use crate::verdict::{self, Balance};
 
 /// Where an engine comes from.
@@ -24,7 +25,7 @@ pub(super) struct Engine {
     /// Name in the catalogue, or number of cylinders.
     pub name: String,
     /// Title in the catalogue, or throws.
-    pub title: String,
+    pub title: Untrusted,
     /// `even, 180°`.
     pub firing: String,
     /// Cylinders in the order in which they fire, where it is known.
@@ -79,11 +80,11 @@ impl Engine {
     pub fn found(best: &Best, star: &FoundStar) -> Result<Self, LayoutError> {
         let layout = star.layout(&best.problem)?;
         let ties = Ties { stars: star.stars, all: best.all, tied: best.tied };
-        let (name, title) = (best.problem.cylinders.to_string(), throws(&layout));
+        let (name, title) = (best.problem.cylinders.to_string(), Untrusted::new(throws(&layout)));
         Ok(Engine::judged(&layout, Origin::Found(best.problem.cycle), name, title, Some(ties)))
     }
 
-    fn judged(layout: &Layout, origin: Origin, name: String, title: String, ties: Option<Ties>) -> Self {
+    fn judged(layout: &Layout, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
         let wish = Wish { orders: REMEDIED.to_vec(), ..Wish::default() };
         let names = |firing: &crate::layout::Firing| {
             let name = |shot: &crate::layout::Shot| layout.cylinders[shot.cylinder].name.as_str();

@@ -82,7 +82,7 @@ struct Term {
 pub fn bearings_document(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
     let unit = unit_of(continuous);
     BearingsDocument {
-        title: layout.title.clone(),
+        title: layout.title.written().to_owned(),
         amplitudes: "zero-to-peak",
         sign: "the force that the bearing feels; y in the reference direction, x across it",
         unit: unit.name,

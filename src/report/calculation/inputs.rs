@@ -9,6 +9,7 @@ use crate::layout::{Given, Layout, Measure};
 use crate::loads::{Loads, Scale};
 use crate::proof::Sense;
 use crate::report::typeset;
+use crate::text::Format;
 
 /// Lines are written for each cylinder only up to this many; beyond, the table of inputs holds the values.
 const MOST_LINES: usize = 12;
@@ -42,7 +43,7 @@ pub(super) fn rows(layout: &Layout) -> Vec<Vec<String>> {
             name.to_owned(),
             format!("${symbol}$"),
             format!("{value} {unit}").trim().to_owned(),
-            given.written.clone(),
+            given.written.escaped(Format::Plain),
             of,
         ]
     };

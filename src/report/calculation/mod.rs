@@ -6,6 +6,7 @@ mod amounts;
 mod equations;
 mod expression;
 mod inputs;
+mod largest;
 mod plots;
 mod results;
 mod summary;
@@ -14,6 +15,7 @@ mod words;
 use serde::Serialize;
 
 pub(super) use amounts::{Unit, digits, largest, vector};
+pub use largest::Numbers;
 pub(super) use plots::figures;
 pub use summary::{Rows, loads_lines, loads_rows};
 
@@ -91,26 +93,26 @@ struct TorqueSection {
 }
 
 /// The loads of a layout that holds numbers; none where the file gives none.
-pub(super) fn loads_of(layout: &Layout, orders: &[u32]) -> Option<Result<Loads, Missing>> {
+pub(super) fn numbers_of(layout: &Layout, orders: &[u32], needed: Option<&Needed>) -> Option<Result<Numbers, Missing>> {
     let asks = layout.mechanism.given.iter().any(|given| given.quantity != crate::layout::Measure::Speed);
-    asks.then(|| crate::loads::loads(layout, orders))
+    asks.then(|| Numbers::new(layout, orders, needed))
 }
 
 impl Calculation {
     /// Sets the numbers of an engine; `plots` are the drawings of [`figures`].
     pub fn new(
         layout: &Layout,
-        loads: &Result<Loads, Missing>,
+        numbers: &Result<Numbers, Missing>,
         needed: Option<&Needed>,
         plots: Vec<super::page::Drawing>,
         dialect: Dialect,
     ) -> Self {
-        match loads {
+        match numbers {
             Err(missing) => {
                 Calculation { missing: Some(dialect.prose(&format!("No numbers: {missing}."))), results: None }
             }
-            Ok(loads) => {
-                Calculation { missing: None, results: Some(Results::new(layout, loads, needed, plots, dialect)) }
+            Ok(numbers) => {
+                Calculation { missing: None, results: Some(Results::new(layout, numbers, needed, plots, dialect)) }
             }
         }
     }
@@ -119,27 +121,33 @@ impl Calculation {
 impl Results {
     fn new(
         layout: &Layout,
-        loads: &Loads,
+        numbers: &Numbers,
         needed: Option<&Needed>,
         plots: Vec<super::page::Drawing>,
         dialect: Dialect,
     ) -> Self {
+        let loads = &numbers.loads;
         let display = |line: &Line| dialect.display(&line.tex());
         let lines = |group: Group, words: String| Lines {
             heading: group.heading,
             words: dialect.prose(&words),
             lines: group.lines.iter().map(display).collect(),
         };
-        let prose = |lines: Vec<String>| lines.iter().map(|line| dialect.prose(line)).collect();
-        let peak = |quantity: Quantity, name: &str, waveform: &Waveform| {
-            let words = format!(
-                "Largest {name} of all orders: {}.",
-                summary::peak(&waveform.peak(), Unit::of(layout, loads, quantity))
-            );
-            let group =
-                results::peak(layout, loads, quantity).unwrap_or(Group { heading: String::new(), lines: Vec::new() });
-            lines(group, words)
+        let prose = |lines: Vec<String>| lines.iter().map(|line| dialect.prose(line)).collect::<Vec<_>>();
+        let largest = largest::largest_lines(layout, numbers);
+        let mut largest = largest.into_iter();
+        let mut peak = |quantity: Quantity, waveform: &Waveform| {
+            let words = largest.next().unwrap_or_default();
+            match results::peak(layout, loads, quantity) {
+                None => lines(Group { heading: String::new(), lines: Vec::new() }, words),
+                Some(group) => {
+                    let listed = summary::peak(&waveform.peak(), Unit::of(layout, loads, quantity));
+                    lines(group, format!("{words} The orders listed come to {listed}:"))
+                }
+            }
         };
+        let peaks = vec![peak(Quantity::Force, &loads.force), peak(Quantity::Moment, &loads.moment)];
+        let torque = torque_section(layout, loads, largest.next(), dialect);
         let equation =
             |(words, tex): (&str, String)| Equation { words: dialect.prose(words), formula: dialect.display(&tex) };
         Results {
@@ -150,7 +158,10 @@ impl Results {
             inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
             turning: turning_table(layout, dialect),
             source: layout.mechanism.source.as_ref().map(|source| dialect.quoted(source)),
-            assumptions: prose(words::assumptions(layout, loads)),
+            assumptions: prose(words::assumptions(layout, loads))
+                .into_iter()
+                .chain(layout.title_block.assumptions.iter().map(|assumption| dialect.quoted(assumption)))
+                .collect(),
             nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
             equations: equations::equations(layout, loads).into_iter().map(equation).collect(),
             derived: inputs::lines(layout, loads).iter().map(display).collect(),
@@ -158,15 +169,12 @@ impl Results {
             ellipses: ellipses_table(layout, loads, dialect),
             units: dialect.prose(&units(layout, loads)),
             orders: results::orders(layout, loads).into_iter().map(|group| lines(group, String::new())).collect(),
-            peaks: vec![
-                peak(Quantity::Force, "force", &loads.force),
-                peak(Quantity::Moment, "moment", &loads.moment),
-            ],
-            torque: torque_section(layout, loads, dialect),
+            peaks,
+            torque,
             bearings: bearing_section(layout, loads, dialect),
-            needed: needed.map(|needed| dialect.prose(&summary::needed_sentence(needed))),
+            needed: Some(largest::chosen_lines(layout, numbers, needed).join(" ")).filter(|words| !words.is_empty()).map(|words| dialect.prose(&words)),
             plots,
-            limits: prose(words::limits(layout, loads, needed.is_some())),
+            limits: prose(words::limits(layout, loads)),
         }
     }
 }
@@ -294,7 +302,7 @@ pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
     continuous.flat_map(bearings::drawings).flatten().collect()
 }
 
-fn torque_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<TorqueSection> {
+fn torque_section(layout: &Layout, loads: &Loads, largest: Option<String>, dialect: Dialect) -> Option<TorqueSection> {
     let torque = loads.torque.as_ref()?;
     let unit = Unit::of(layout, loads, Quantity::Torque);
     let row = |order: &crate::loads::TorqueOrder| {
@@ -306,7 +314,7 @@ fn torque_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<To
             crate::loads::Outcome::Zero => "0".to_owned(),
             _ => format!("≈ {}", amounts::digits(order.vector.value.norm())),
         };
-        vec![order.order.to_string(), summary::torque_amplitude(order, unit), angle, dimensionless]
+        vec![order.order.to_string(), summary::torque_cell(layout, order, unit), angle, dimensionless]
     };
     let header = [
         "Order".to_owned(),
@@ -322,9 +330,6 @@ fn torque_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<To
             .flat_map(|group| group.lines)
             .map(|line| dialect.display(&line.tex()))
             .collect(),
-        peak: dialect.prose(&format!(
-            "Largest inertia torque of all orders: {}.",
-            summary::peak(&torque.waveform.real_peak(), unit)
-        )),
+        peak: dialect.prose(&largest.unwrap_or_default()),
     })
 }

@@ -1,8 +1,9 @@
 //! What does `loads` show on a terminal? The largest values, a row an order, and the peaks.
 
 use super::amounts::{self, Unit, amount, digits};
-use crate::layout::Layout;
-use crate::loads::{Loads, Needed, Peak};
+use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
+use crate::layout::{DOES_NOT_EXIST, Layout, WHY_NOT};
+use crate::loads::{Loads, Needed, OrderLoads, Peak, Swing, TorqueOrder};
 use crate::order::MassGroup;
 use crate::proof::Quantity;
 
@@ -20,49 +21,61 @@ pub fn loads_rows(layout: &Layout, loads: &Loads) -> Rows {
         [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(layout, loads, quantity));
     let mut header = vec!["Order".to_owned(), format!("Force in {}", force.name), format!("Moment in {}", moment.name)];
     header.extend(loads.torque.as_ref().map(|_| format!("Torque in {}", torque.name)));
-    let torque_order = |order: u32| loads.torque.as_ref()?.orders.iter().find(|torque| torque.order == order);
     let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
     all.extend(loads.torque.iter().flat_map(|torque| torque.orders.iter().map(|order| order.order)));
     all.sort_unstable();
     all.dedup();
     let row = |order: u32| {
-        let swings = loads.orders.iter().find(|loads| loads.order == order);
-        let mut cells = vec![order.to_string()];
-        cells.push(swings.map_or(String::new(), |loads| amounts::largest(&loads.force, force)));
-        cells.push(swings.map_or(String::new(), |loads| amounts::largest(&loads.moment, moment)));
-        cells.extend(
-            loads
-                .torque
-                .as_ref()
-                .map(|_| torque_order(order).map_or(String::new(), |order| torque_amplitude(order, torque))),
-        );
+        let judged = loads.orders.iter().find(|loads| loads.order == order);
+        let unjudged = match layout.mechanism.has_order(Quantity::Force, order) {
+            true => NOT_JUDGED,
+            false => DOES_NOT_EXIST,
+        };
+        let swing = |part: fn(&OrderLoads) -> &Swing, unit: Unit| match judged {
+            Some(order) if order.exists(layout) => amounts::largest(part(order), unit),
+            Some(_) => DOES_NOT_EXIST.to_owned(),
+            None => unjudged.to_owned(),
+        };
+        let mut cells = vec![order.to_string(), swing(|of| &of.force, force), swing(|of| &of.moment, moment)];
+        cells.extend(loads.torque.as_ref().map(|all| {
+            let of = all.orders.iter().find(|torque| torque.order == order);
+            of.map_or_else(|| NOT_JUDGED.to_owned(), |of| torque_cell(layout, of, torque))
+        }));
         cells
     };
     Rows { header, rows: all.into_iter().map(row).collect() }
 }
 
-pub(super) fn torque_amplitude(order: &crate::loads::TorqueOrder, unit: Unit) -> String {
+/// What stands where nothing was judged.
+const NOT_JUDGED: &str = "not judged";
+
+/// The amplitude of an order of the torque, or that there is none.
+pub(super) fn torque_cell(layout: &Layout, order: &TorqueOrder, unit: Unit) -> String {
+    match layout.mechanism.has_order(Quantity::Torque, order.order) {
+        true => torque_amplitude(order, unit),
+        false => DOES_NOT_EXIST.to_owned(),
+    }
+}
+
+pub(super) fn torque_amplitude(order: &TorqueOrder, unit: Unit) -> String {
     match order.vector.outcome {
         crate::loads::Outcome::Zero => "0".to_owned(),
         _ => amount(order.vector.value.norm(), unit),
     }
 }
 
-/// What follows the table: peaks, effects, orders that were chosen.
-pub fn loads_lines(layout: &Layout, loads: &Loads, needed: Option<&Needed>) -> Vec<String> {
-    let unit = |quantity| Unit::of(layout, loads, quantity);
-    let mut lines = vec![
-        "Zero to peak; 0 is exact and proved, ≈ decimal.".to_owned(),
-        format!("Largest force of all orders shown: {}.", peak(&loads.force.peak(), unit(Quantity::Force))),
-        format!("Largest moment: {}.", peak(&loads.moment.peak(), unit(Quantity::Moment))),
-    ];
-    if let Some(torque) = &loads.torque {
-        let peak = peak(&torque.waveform.real_peak(), unit(Quantity::Torque));
-        lines.push(format!("Largest inertia torque: {peak}."));
+/// What follows the table: the largest values, what the orders shown leave out, the effects.
+pub fn loads_lines(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> Vec<String> {
+    let loads = &numbers.loads;
+    let mut lines = vec!["Zero to peak; 0 is exact and proved, ≈ decimal.".to_owned()];
+    if loads.orders.iter().any(|order| !order.exists(layout)) {
+        lines.push(WHY_NOT.to_owned());
     }
+    lines.extend(largest_lines(layout, numbers));
+    lines.extend(shown_line(layout, numbers));
+    lines.extend(chosen_lines(layout, numbers, needed));
     let names: Vec<&str> = loads.groups.iter().map(|group| name(group.group)).collect();
     lines.push(format!("In the scene: {}.", names.join(", ")));
-    lines.extend(needed.map(needed_sentence));
     lines
 }
 
@@ -84,28 +97,4 @@ pub(super) fn name(group: MassGroup) -> &'static str {
         MassGroup::Counterweights => "counterweights",
         MassGroup::Balancers => "balancer shafts",
     }
-}
-
-/// Which orders were kept, which were left out, and how much that is at most.
-pub(super) fn needed_sentence(needed: &Needed) -> String {
-    let list = |orders: &[u32]| match orders {
-        [] => "none".to_owned(),
-        orders => orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", "),
-    };
-    let bounds = [("force", needed.force_bound), ("moment", needed.moment_bound)];
-    let bounds = bounds.into_iter().filter_map(|(name, bound)| {
-        bound.map(|bound| format!("{} % of the peak {name}", digits((bound * 100.0).next_up())))
-    });
-    let bounds: Vec<String> = bounds.collect();
-    let left = if bounds.is_empty() {
-        "there is nothing to leave out".to_owned()
-    } else {
-        format!("what is left out is at most {}", bounds.join(" and "))
-    };
-    format!(
-        "Orders kept for the accuracy asked for: {}; left out: {} and all above {}; {left}.",
-        list(&needed.kept),
-        list(&needed.dropped),
-        needed.looked_at
-    )
 }

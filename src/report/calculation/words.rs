@@ -1,6 +1,6 @@
 //! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
 
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
 use super::inputs;
 use super::summary::name;
@@ -42,7 +42,6 @@ pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
                 .to_owned(),
         );
     }
-    lines.extend(layout.title_block.assumptions.iter().cloned());
     lines
 }
 
@@ -136,18 +135,14 @@ pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<EffectRow> {
 }
 
 /// Where the numbers end.
-pub(super) fn limits(layout: &Layout, loads: &Loads, dropped: bool) -> Vec<String> {
+pub(super) fn limits(layout: &Layout, loads: &Loads) -> Vec<String> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
-        format!("Forces and moments hold the orders {} and no others.", orders.join(", ")),
+        format!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),
         "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts, but their torque does.".to_owned(),
         "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".to_owned(),
         "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".to_owned(),
     ];
-    let largest = layout.mechanism.rods.iter().map(|rod| &rod.ratio + rod.offset.abs()).max();
-    if largest.is_some_and(|ratio| ratio > num_rational::BigRational::new(1.into(), 2.into())) && !dropped {
-        lines.push("λ + |δ| is above ½: orders above those listed are not small.".to_owned());
-    }
     if layout.mechanism.given.iter().any(|given| given.quantity == Measure::RodMass) {
         lines.push("The inertia torque of a real rod differs from that of its two masses by the error of their moment of inertia.".to_owned());
     }

@@ -96,15 +96,15 @@ fn engine(engine: &Compared) -> Engine {
         intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
     });
     Engine {
-        name: engine.name.clone(),
-        title: engine.layout.title.clone(),
+        name: engine.name.written().to_owned(),
+        title: engine.layout.title.written().to_owned(),
         cylinders: engine.layout.cylinders.len(),
         position_unit: match engine.layout.length_unit {
             LengthUnit::Metre => "m",
             LengthUnit::Spacing => "spacing",
         },
         firing,
-        orders: engine.orders.iter().map(|judged| order(engine, judged)).collect(),
+        orders: engine.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
         remedy: brief::remedy(&engine.remedy),
@@ -113,10 +113,10 @@ fn engine(engine: &Compared) -> Engine {
     }
 }
 
-fn order(engine: &Compared, order: &OrderBalance) -> Order {
+fn order(order: &OrderBalance) -> Order {
     Order {
         order: order.order,
-        exists: engine.has_order(order.order),
+        exists: order.exists,
         cylinders: order.class.as_ref().map(|class| class.cylinders.clone()),
         force: amount(&order.force),
         moment: amount(&order.moment),

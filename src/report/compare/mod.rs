@@ -12,13 +12,14 @@ use super::brief;
 use crate::layout::Layout;
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::remedy::{self, Refused, Remedy, Wish};
+use crate::text::Untrusted;
 use crate::verdict::{self, NoTheorem, OrderBalance, Theorem};
 
 /// An engine of a comparison, judged.
 #[derive(Clone, Debug)]
 pub struct Compared<'a> {
     /// What it is called in the comparison.
-    pub name: String,
+    pub name: Untrusted,
     /// The engine.
     pub layout: &'a Layout,
     /// The verdicts, rising by order; several an order where rods differ.
@@ -35,7 +36,7 @@ pub struct Compared<'a> {
 
 impl<'a> Compared<'a> {
     /// Judges an engine at these orders.
-    pub fn new(name: String, layout: &'a Layout, orders: &[u32]) -> Self {
+    pub fn new(name: Untrusted, layout: &'a Layout, orders: &[u32]) -> Self {
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Compared {
             name,
@@ -51,11 +52,6 @@ impl<'a> Compared<'a> {
     /// The verdicts on one order: one, or one a class of equal rods.
     fn at(&self, order: u32) -> Vec<&OrderBalance> {
         self.orders.iter().filter(|judged| judged.order == order).collect()
-    }
-
-    /// Whether the motion has this order: centric cranks have order 1 and the even ones.
-    fn has_order(&self, order: u32) -> bool {
-        order == 1 || order.is_multiple_of(2) || self.layout.has_offset()
     }
 
     /// Whether force and moment come out in N and N·m.

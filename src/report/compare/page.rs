@@ -7,6 +7,7 @@ use super::super::folder::File;
 use super::super::multiples::{self, Column};
 use super::super::{left, render, svg};
 use super::{Compared, compare_lines, compare_rows, orders_of};
+use crate::text::Format;
 use crate::verdict::OrderBalance;
 
 #[derive(Serialize)]
@@ -39,11 +40,11 @@ pub fn compare_page(engines: &[Compared]) -> Vec<File> {
         drawings.push(drawing);
     }
     // All cells may hold names and titles, which are a person's.
-    let quoted = |cells: Vec<String>| cells.iter().map(|cell| dialect.quoted(cell)).collect::<Vec<_>>();
+    let quoted = |cells: Vec<String>| cells.iter().map(|cell| dialect.literal(cell)).collect::<Vec<_>>();
     let page = Page {
         header: quoted(table.header),
         rows: table.rows.into_iter().map(quoted).collect(),
-        lines: compare_lines(engines).iter().map(|line| dialect.quoted(line)).collect(),
+        lines: compare_lines(engines).iter().map(|line| dialect.literal(line)).collect(),
         stars: drawings,
     };
     files.insert(0, File { name: "compare.md".into(), text: render::compare(&page) });
@@ -52,8 +53,8 @@ pub fn compare_page(engines: &[Compared]) -> Vec<File> {
 
 fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<'a>> {
     let name = move |judged: &OrderBalance| match &judged.class {
-        None => engine.name.clone(),
-        Some(class) => format!("{}, {}", engine.name, left::class_cylinders(class)),
+        None => engine.name.escaped(Format::Plain),
+        Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), left::class_cylinders(class)),
     };
     engine.at(order).into_iter().map(move |judged| Column { name: name(judged), layout: engine.layout, order: judged })
 }

@@ -6,18 +6,21 @@ use super::super::calculation::{self, Rows, Unit};
 use super::super::{bearings, brief, left, typeset};
 use super::{Compared, orders_of};
 use crate::layout::LengthUnit;
+use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
 use crate::loads::{Missing, OrderLoads};
 use crate::proof::Quantity;
+use crate::text::Format;
 use crate::verdict::OrderBalance;
 
 /// The table: a column an engine, a row each thing that is compared; cells in plain text.
 pub fn compare_rows(engines: &[Compared]) -> Rows {
-    let header = std::iter::once(String::new()).chain(engines.iter().map(|engine| engine.name.clone())).collect();
+    let header =
+        std::iter::once(String::new()).chain(engines.iter().map(|engine| engine.name.escaped(Format::Plain))).collect();
     let mut rows: Vec<Vec<String>> = Vec::new();
     let mut add = |name: String, cell: &dyn Fn(&Compared) -> String| {
         rows.push(std::iter::once(name).chain(engines.iter().map(cell)).collect());
     };
-    add("Title".to_owned(), &|engine| engine.layout.title.clone());
+    add("Title".to_owned(), &|engine| engine.layout.title.escaped(Format::Plain));
     add("Cylinders".to_owned(), &|engine| engine.layout.cylinders.len().to_string());
     add("Firing".to_owned(), &|engine| engine.firing());
     let orders = orders_of(engines);
@@ -42,12 +45,9 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     Rows { header, rows }
 }
 
-/// What is left of an order; nothing is where the engine has no such order, whatever its star is.
+/// What is left of an order.
 fn words(engine: &Compared, order: u32, summary: fn(&OrderBalance) -> String) -> String {
-    match brief::by_class(&engine.at(order), summary) {
-        left if left == "0" || engine.has_order(order) => left,
-        _ => format!("0, as c_{order} = 0"),
-    }
+    brief::by_class(&engine.at(order), summary)
 }
 
 fn speed(engine: &Compared) -> String {
@@ -58,6 +58,7 @@ fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> String {
     let Ok(loads) = &engine.loads else { return String::new() };
     let unit = Unit::of(engine.layout, loads, quantity);
     let swing = |loads: &OrderLoads| match quantity {
+        _ if !loads.exists(engine.layout) => DOES_NOT_EXIST.to_owned(),
         Quantity::Force => calculation::largest(&loads.force, unit),
         _ => calculation::largest(&loads.moment, unit),
     };
@@ -85,11 +86,12 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if engines.iter().any(|engine| orders_of(engines).iter().any(|&order| !engine.has_order(order))) {
-        lines.push("Odd orders above 1 exist only with a pin offset: with centric cranks their c_k is 0.".to_owned());
+    if engines.iter().any(|engine| engine.orders.iter().any(|order| !order.exists)) {
+        lines.push(WHY_NOT.to_owned());
     }
-    let with: Vec<&str> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.as_str()).collect();
-    let without: Vec<&str> = engines.iter().filter(|e| !e.has_newtons()).map(|e| e.name.as_str()).collect();
+    let with: Vec<String> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.escaped(Format::Plain)).collect();
+    let without: Vec<String> =
+        engines.iter().filter(|e| !e.has_newtons()).map(|e| e.name.escaped(Format::Plain)).collect();
     if !with.is_empty() && !without.is_empty() {
         lines.push(format!(
             "No newtons: for these all engines have to give rods, mass, crank radius, speed and positions in metres. With them: {}; without: {}.",
@@ -102,8 +104,8 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
 
 /// What the positions, and with them the moments, are counted in.
 fn positions(engines: &[Compared]) -> String {
-    let of = |unit: LengthUnit| -> Vec<&str> {
-        engines.iter().filter(|e| e.layout.length_unit == unit).map(|e| e.name.as_str()).collect()
+    let of = |unit: LengthUnit| -> Vec<String> {
+        engines.iter().filter(|e| e.layout.length_unit == unit).map(|e| e.name.escaped(Format::Plain)).collect()
     };
     match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
         (_, spacings) if spacings.is_empty() => "Positions are in metres.".to_owned(),

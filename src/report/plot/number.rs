@@ -1,6 +1,6 @@
 //! How are the numbers of an axis written? Grouped in thousands, or with a power of ten.
 
-use super::super::dialect::SUPERSCRIPTS;
+use crate::text::SUPERSCRIPTS;
 
 /// A thin space that does not break.
 const THIN: char = '\u{202f}';

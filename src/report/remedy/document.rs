@@ -1,116 +1,74 @@
-//! What does `remedy --json` hold? The weights in decimals for reading, and the remedy with its evidence, which `verify`
-//! checks.
+//! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
-use serde::Serialize;
-
-use super::words;
+use super::super::document::{rod_claim, vectors};
 use crate::exact::PhasorSum;
-use crate::layout::Rod;
+use crate::layout::Layout;
+use crate::loads::Missing;
+use crate::numbers;
 use crate::order::{self, Factor};
 use crate::proof::{
-    CorrectedClaim, RemedyDocument, RodClaim, RodCylinder, Sense, TurningClaim, Vector, WeightClaim, WeightPart,
+    Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, RodStatement,
+    Sense, TurningClaim, WeightClaim, WeightPart,
 };
-use crate::remedy::{Ellipse, Partial, Remedy, Weight};
+use crate::remedy::{Remedy, Subject, Weight};
 
-/// A remedy as data.
-#[derive(Clone, Debug, Serialize)]
-pub struct RemedyPage {
-    #[serde(flatten)]
-    remedy: RemedyDocument,
-    weights_in_decimals: Vec<WeightEntry>,
-    pair_heights: Vec<HeightEntry>,
-    partial_balance: Option<PartialEntry>,
-    /// As the layout file has it; null where it gives no masses.
-    balance_factors: Vec<Option<f64>>,
-    /// The masses in the balance equations, and with the counterweights of the remedy at the crank radius.
-    crankshaft_mass_kg: Option<[f64; 2]>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct WeightEntry {
-    part_of: String,
-    order: u32,
-    sense: &'static str,
-    lanchester: bool,
-    position: f64,
-    /// In closed form, in multiples of m r, or of m r |c_k|.
-    mass_radius_exact: Option<String>,
-    /// In multiples of m r.
-    mass_radius: Option<f64>,
-    angle_deg: Option<f64>,
-    mass_radius_kg_m: Option<f64>,
-    mass_at_crank_radius_kg: Option<f64>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct HeightEntry {
-    order: u32,
-    crank_radii: f64,
-    metres: Option<f64>,
-}
-
-/// The first order over the balanced part of the reciprocating masses, in multiples of m r ω².
-#[derive(Clone, Debug, Serialize)]
-struct PartialEntry {
-    least_peak: f64,
-    at_part: f64,
-    curve: Vec<[f64; 3]>,
-}
-
-/// The data of a remedy; sums that do not vanish, if there are any, have evidence of that, which `verify` refuses.
-pub fn remedy_document(remedy: &Remedy) -> RemedyPage {
-    let layout = remedy.subject.layout();
-    let entry_of = |partial: &Partial, (part, least): (BigRational, Ellipse)| PartialEntry {
-        least_peak: least.peak_decimal,
-        at_part: part.to_f64().unwrap_or(f64::NAN),
-        curve: (partial.curve(20).iter())
-            .map(|(part, ellipse)| [part.to_f64().unwrap_or(f64::NAN), ellipse.peak_decimal, ellipse.least_decimal])
-            .collect(),
-    };
-    let partial = Partial::new(layout);
-    let partial_balance = partial.and_then(|partial| Some(entry_of(&partial, partial.minimum()?)));
-    let height = |height: &crate::remedy::PairHeight| HeightEntry {
-        order: height.order,
-        crank_radii: height.in_crank_radii,
-        metres: height.metres,
-    };
-    RemedyPage {
-        weights_in_decimals: words::parts(remedy).into_iter().map(|part| entry(remedy, &part)).collect(),
-        pair_heights: remedy.heights.iter().map(height).collect(),
-        partial_balance,
-        balance_factors: layout.balance_factors().into_iter().map(|factor| factor?.to_f64()).collect(),
-        crankshaft_mass_kg: layout.crankshaft_mass().and_then(|mass| Some([mass.to_f64()?, remedy.crankshaft_mass()?])),
-        remedy: proof(remedy),
+/// A remedy as data: what `verify` reads. Sums that do not vanish, if there are any, have evidence of that, which
+/// `verify` refuses.
+pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
+    let subject = &remedy.subject;
+    let mut sums = Vec::new();
+    for &order in &remedy.orders {
+        for quantity in [Quantity::Force, Quantity::Moment] {
+            for sense in [Sense::Direct, Sense::Reverse] {
+                let about = (quantity, order, sense);
+                let judged = remedy.corrected.iter().filter(|one| (one.quantity, one.order, one.sense) == about);
+                let judged = judged.filter(|one| !one.sum.collected().is_empty());
+                let claims: Vec<CorrectedClaim> = judged
+                    .map(|judged| CorrectedClaim {
+                        quantity,
+                        order,
+                        sense,
+                        coefficient: coefficient(&judged.factor),
+                        terms: vectors(&judged.sum.collected()),
+                        certificate: judged.certificate.clone(),
+                    })
+                    .collect();
+                let nothing = claims.is_empty().then(|| no_term(quantity, order, sense));
+                sums.extend(claims.into_iter().chain(nothing));
+            }
+        }
+    }
+    RemedyDocument {
+        orders: remedy.orders.clone(),
+        weights: remedy.weights().iter().map(weight).collect(),
+        sums,
+        ..engine(subject)
     }
 }
 
-fn entry(remedy: &Remedy, part: &words::Part<'_>) -> WeightEntry {
-    let (subject, weight) = (&remedy.subject, part.weight);
-    let decimals = weight.decimals(subject);
-    WeightEntry {
-        part_of: part.name.clone(),
-        order: weight.order,
-        sense: if weight.sense == Sense::Direct { "with" } else { "against" },
-        lanchester: part.lanchester,
-        position: weight.position.to_f64().unwrap_or(f64::NAN),
-        mass_radius_exact: weight.modulus().map(|form| form.to_string()),
-        mass_radius: decimals.map(|[size, _]| size),
-        angle_deg: decimals.map(|[_, angle]| angle),
-        mass_radius_kg_m: weight.mass_radius(subject),
-        mass_at_crank_radius_kg: weight.mass_at_crank_radius(subject),
-    }
+/// The document of an engine without a remedy: what one is compared with.
+///
+/// # Errors
+/// What the layout lacks for its masses to be compared.
+pub fn remedy_engine(layout: &Layout) -> Result<RemedyDocument, Missing> {
+    Ok(engine(&Subject::new(layout)?))
 }
 
-fn proof(remedy: &Remedy) -> RemedyDocument {
-    let layout = remedy.subject.layout();
+/// The sum of a quantity that has no term at this order.
+fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
+    let certificate = Certificate::Polygons { polygons: Vec::new() };
+    CorrectedClaim { quantity, order, sense, coefficient: Coefficient::One, terms: Vec::new(), certificate }
+}
+
+fn engine(subject: &Subject) -> RemedyDocument {
+    let layout = subject.layout();
+    let rod = |index| layout.mechanism.rods.get(index);
     let cylinders = layout.cylinders.iter().enumerate().map(|(index, cylinder)| RodCylinder {
         throw: cylinder.throw.turns().clone(),
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
         weight: order::mass_radius(layout, cylinder),
-        rod: layout.mechanism.rods.get(index).map_or_else(open_rod, rod_claim),
+        rod: rod(index).map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
     });
     let masses = order::turning_masses(layout).into_iter().map(|mass| TurningClaim {
         order: mass.order,
@@ -119,28 +77,30 @@ fn proof(remedy: &Remedy) -> RemedyDocument {
         angle: mass.angle.turns().clone(),
         mass_radius: mass.mass_radius,
     });
-    let sums = remedy.corrected.iter().map(|judged| CorrectedClaim {
-        quantity: judged.quantity,
-        order: judged.order,
-        sense: judged.sense,
-        coefficient: rod(&judged.factor),
-        terms: terms(&judged.sum),
-        certificate: judged.certificate.clone(),
-    });
     RemedyDocument {
-        title: layout.title.clone(),
-        remedied_orders: remedy.orders.clone(),
+        format: Format::Remedy,
+        title: layout.title.written().to_owned(),
+        masses: Masses::All,
+        orders: Vec::new(),
+        quantities: vec![Quantity::Force, Quantity::Moment],
         reference_plane: layout.reference_plane.clone(),
-        rods_known: !layout.mechanism.rods.is_empty(),
         cylinders: cylinders.collect(),
-        masses: masses.collect(),
-        weights: remedy.weights().iter().map(weight).collect(),
-        sums: sums.collect(),
+        turning_masses: masses.collect(),
+        weights: Vec::new(),
+        sums: Vec::new(),
     }
 }
 
 fn weight(weight: &Weight) -> WeightClaim {
-    let part = |(factor, sum): (&Factor, &PhasorSum)| WeightPart { coefficient: rod(factor), terms: terms(sum) };
+    let part = |(factor, sum): (&Factor, &PhasorSum)| {
+        let value = numbers::evaluate(sum);
+        WeightPart {
+            coefficient: coefficient(factor),
+            terms: vectors(&sum.collected()),
+            modulus: value.norm(),
+            angle_deg: value.arg().to_degrees(),
+        }
+    };
     WeightClaim {
         order: weight.order,
         sense: weight.sense,
@@ -149,25 +109,11 @@ fn weight(weight: &Weight) -> WeightClaim {
     }
 }
 
-fn rod(factor: &Factor) -> Option<RodClaim> {
+fn coefficient(factor: &Factor) -> Coefficient {
     match factor {
-        Factor::One => None,
-        Factor::Motion(rod) => Some(rod_claim(rod)),
-        Factor::Open => Some(open_rod()),
+        Factor::One => Coefficient::One,
+        Factor::Open => Coefficient::Common,
+        Factor::Motion(rod) => Coefficient::Rod(rod_claim(rod)),
         Factor::Torque(_) => unreachable!("weights take away forces"),
     }
-}
-
-fn rod_claim(rod: &Rod) -> RodClaim {
-    RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() }
-}
-
-/// What stands for the rods of an engine that names none: any would do, all alike.
-fn open_rod() -> RodClaim {
-    RodClaim { ratio: BigRational::new(1.into(), 4.into()), offset: BigRational::from_integer(0.into()) }
-}
-
-fn terms(sum: &PhasorSum) -> Vec<Vector> {
-    let term = |term: &crate::exact::Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
-    sum.terms().iter().map(term).collect()
 }

@@ -5,6 +5,6 @@ mod rows;
 mod section;
 mod words;
 
-pub use document::{RemedyPage, remedy_document};
+pub use document::{remedy_document, remedy_engine};
 pub use rows::{remedy_lines, remedy_rows};
 pub use section::{remedy_figure, remedy_files, remedy_section};

@@ -106,7 +106,7 @@ fn heading(dialect: Dialect, words: &str) -> String {
 
 /// Cells hold plain text.
 fn table(dialect: Dialect, header: &[String], rows: &[Vec<String>]) -> String {
-    let quoted = |cells: &[String]| cells.iter().map(|cell| dialect.quoted(cell)).collect::<Vec<_>>();
+    let quoted = |cells: &[String]| cells.iter().map(|cell| dialect.literal(cell)).collect::<Vec<_>>();
     let markdown = |cells: &[String]| format!("| {} |", quoted(cells).join(" | "));
     match dialect {
         Dialect::Latex => {

@@ -10,22 +10,20 @@ use crate::remedy::{self, Kind, Remedy, Shaft, Weight};
 pub(super) struct Part<'a> {
     /// Of the remedy.
     pub name: String,
-    /// Whether its shaft makes a Lanchester pair with another.
-    pub lanchester: bool,
     /// The weight.
     pub weight: &'a Weight,
 }
 
 /// All weights, in the order of [`Remedy::weights`].
 pub(super) fn parts(remedy: &Remedy) -> Vec<Part<'_>> {
-    let bays =
-        remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay".into(), lanchester: false, weight });
-    let crankshaft = remedy.crankshaft.iter().flat_map(|shaft| {
-        shaft.weights.iter().map(|weight| Part { name: "counterweight".into(), lanchester: false, weight })
-    });
+    let bays = remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay".into(), weight });
+    let crankshaft = remedy
+        .crankshaft
+        .iter()
+        .flat_map(|shaft| shaft.weights.iter().map(|weight| Part { name: "counterweight".into(), weight }));
     let shafts = remedy.shafts.iter().enumerate().flat_map(|(index, shaft)| {
         let name = format!("{}, shaft {}", shaft_name(shaft), index + 1);
-        shaft.weights.iter().map(move |weight| Part { name: name.clone(), lanchester: shaft.lanchester, weight })
+        shaft.weights.iter().map(move |weight| Part { name: name.clone(), weight })
     });
     bays.chain(crankshaft).chain(shafts).collect()
 }

@@ -88,7 +88,7 @@ pub fn sweep_document(sweep: &Sweep) -> SweepDocument {
         unit: parameter.range.unit().to_owned(),
     };
     SweepDocument {
-        title: sweep.title.clone(),
+        title: sweep.title.written().to_owned(),
         parameters: sweep.parameters.iter().map(parameter).collect(),
         orders: sweep.orders.clone(),
         amplitudes: "zero-to-peak",

@@ -7,6 +7,7 @@ use super::super::folder::File;
 use super::super::{render, svg};
 use super::plots::{Drawn, amplitudes, drawings};
 use super::words::{exact, quantity_name, short, short_number, unit, value, zeros_name};
+use crate::layout::DOES_NOT_EXIST;
 use crate::proof::Quantity;
 use crate::sweep::{Point, Sweep, ZeroSet, Zeros};
 
@@ -65,7 +66,7 @@ fn page(sweep: &Sweep, drawn: &[Drawn]) -> SweepPage {
     });
     let drawings = drawn
         .iter()
-        .map(|drawn| Drawing { file: format!("{}.svg", drawn.name), caption: dialect.quoted(&drawn.caption) });
+        .map(|drawn| Drawing { file: format!("{}.svg", drawn.name), caption: dialect.literal(&drawn.caption) });
     let few = sweep.points.len() <= MOST_ROWS;
     let zeros = sweep.zeros.as_deref().unwrap_or_default();
     SweepPage {
@@ -94,6 +95,9 @@ pub(super) fn zero_rows(sets: &[ZeroSet]) -> Vec<Vec<String>> {
 
 pub(super) fn zero_cell(set: &ZeroSet) -> String {
     let angles: Vec<String> = set.at.iter().map(|at| format!("{}°", exact(at).replace('-', "−"))).collect();
+    if !set.exists {
+        return DOES_NOT_EXIST.to_owned();
+    }
     match (set.everywhere, set.complete, angles.is_empty()) {
         (true, ..) => "everywhere".into(),
         (_, true, true) => "never".into(),

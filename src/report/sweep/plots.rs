@@ -5,6 +5,7 @@ use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::words::{axis, exact, float, quantity_name, unit};
 use crate::proof::Quantity;
 use crate::sweep::{Amplitudes, Point, Sweep, ZeroSet, Zeros};
+use crate::text::Format;
 
 /// A drawing with its name and what it shows.
 pub(super) struct Drawn {
@@ -29,7 +30,11 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
                 continue;
             }
             let name = format!("{}-{order}", quantity_name(quantity));
-            let heading = format!("{}, order {order}: {} of order {order}", sweep.title, quantity_name(quantity));
+            let heading = format!(
+                "{}, order {order}: {} of order {order}",
+                sweep.title.escaped(Format::Plain),
+                quantity_name(quantity)
+            );
             let figure = match sweep.parameters.len() {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use serde::Serialize;
 
-use super::super::claim_words::{claim_finding, claim_status};
+use super::super::claim_words::{claim_finding, claim_status, said};
 use super::super::dialect::Dialect;
 use super::super::folder::File;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
@@ -19,6 +19,7 @@ use crate::claim::{Checked, Found, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
 use crate::sweep::{Envelope, Point, Sweep, ZeroSet, Zeros};
+use crate::text::{Format, Untrusted};
 
 #[derive(Serialize)]
 struct StudyPage {
@@ -34,9 +35,11 @@ struct StudyPage {
 #[derive(Serialize)]
 struct Statement {
     text: String,
-    place: String,
     conclusion: String,
-    checks: Vec<[String; 4]>,
+    /// What the paper says, with the place.
+    claimed: Vec<[String; 5]>,
+    /// What is reckoned beside it.
+    own: Vec<[String; 4]>,
 }
 
 #[derive(Serialize)]
@@ -68,7 +71,7 @@ pub fn study_page(study: &Study) -> Vec<File> {
         let drawings = plots.into_iter().map(|(kind, plot)| {
             let file = format!("{}-{kind}.svg", family.name);
             files.push(File { name: file.clone(), text: svg::svg(&plot.figure(), &plot.title) });
-            Drawing { file, caption: dialect.quoted(&plot.title) }
+            Drawing { file, caption: dialect.literal(&plot.title) }
         });
         Family {
             heading: dialect.quoted(&family.sweep.title),
@@ -80,20 +83,35 @@ pub fn study_page(study: &Study) -> Vec<File> {
         }
     });
     let families = families.collect();
-    let checks = study.statements.iter().flat_map(|said| &said.checks);
-    let (all, hold) = (checks.clone().count(), checks.filter(|check| check.holds).count());
+    let checks = || study.statements.iter().flat_map(|said| &said.checks);
+    let count = |claimed: bool, holds: bool| {
+        checks().filter(|check| check.provenance.is_claimed() == claimed && check.holds == holds).count()
+    };
+    let summary = format!(
+        "{} checks of what it says: {} hold, {} do not. Reckoned here, and not said there: {}, of which {} hold.",
+        count(true, true) + count(true, false),
+        count(true, true),
+        count(true, false),
+        count(false, true) + count(false, false),
+        count(false, true)
+    );
     let page = StudyPage {
         title: dialect.quoted(&study.title),
         source: dialect.quoted(&study.source),
-        summary: format!("{} statements, {all} checks: {hold} hold, {} do not.", study.statements.len(), all - hold),
+        summary,
         statements: study
             .statements
             .iter()
             .map(|said| Statement {
                 text: dialect.quoted(&said.text),
-                place: dialect.quoted(&said.place),
                 conclusion: dialect.quoted(&said.conclusion),
-                checks: said.checks.iter().map(row).collect(),
+                claimed: said.checks.iter().filter_map(|check| claimed(check, &study.source, dialect)).collect(),
+                own: said
+                    .checks
+                    .iter()
+                    .filter(|check| !check.provenance.is_claimed())
+                    .map(|check| row(check, dialect))
+                    .collect(),
             })
             .collect(),
         zeros_header: ["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)).collect(),
@@ -104,7 +122,14 @@ pub fn study_page(study: &Study) -> Vec<File> {
     files
 }
 
-fn row(check: &Checked) -> [String; 4] {
+/// A row of what the paper says.
+fn claimed(check: &Checked, above: &Untrusted, dialect: Dialect) -> Option<[String; 5]> {
+    let said = said(&check.provenance, Some(above), dialect)?;
+    let [engine, claim, answer, found] = row(check, dialect);
+    Some([engine, said, claim, answer, found])
+}
+
+fn row(check: &Checked, dialect: Dialect) -> [String; 4] {
     let answer = match &check.found {
         Found::Claim(pair) => claim_status(&pair.1),
         _ if check.holds => "true".to_owned(),
@@ -121,8 +146,14 @@ fn row(check: &Checked) -> [String; 4] {
             format!("{at}{all}.")
         }
         Found::Firing { difference, at } => {
-            let difference = exact(&(difference * BigRational::from_integer(360.into())));
-            format!("The longest and the shortest interval differ by {difference}°, at {}.", degrees(at))
+            let place = if at.is_empty() { "Nowhere on the grid".to_owned() } else { format!("At {}", degrees(at)) };
+            match difference {
+                Some(turns) => {
+                    let difference = exact(&(turns * BigRational::from_integer(360.into())));
+                    format!("{place}: the longest and the shortest interval differ by {difference}°.")
+                }
+                None => format!("{place}."),
+            }
         }
         Found::Counterweight(Some(form)) => format!("m_cw ρ b = {form} m r a, in closed form."),
         Found::Volume(part) => {
@@ -130,7 +161,7 @@ fn row(check: &Checked) -> [String; 4] {
         }
         Found::Counterweight(None) => "No closed form.".to_owned(),
     };
-    [check.engine.clone(), check.claim.clone(), answer, found]
+    [dialect.quoted(&check.engine), dialect.quoted(&check.claim), answer, found]
 }
 
 /// The sweep with the engine in line for the value 0.
@@ -182,7 +213,7 @@ fn plot(sweep: &Sweep, what: &str) -> Plot {
     let parameter = &sweep.parameters[0];
     let last = float(&parameter.range.last());
     let x = Axis::angle(axis(parameter, true), 0.0, last, 30);
-    Plot::new(format!("{}: {what}", sweep.title), x, Axis::linear(""))
+    Plot::new(format!("{}: {what}", sweep.title.escaped(Format::Plain)), x, Axis::linear(""))
 }
 
 /// Values over the grid: those of the family as a curve, that of the engine in line as a dot.

@@ -73,13 +73,19 @@ pub fn modulus(value: &PhasorSum) -> BigInt {
 
 /// The value of a form.
 pub fn form(value: &Form) -> BigInt {
-    let of = |root_: &Root| match root_ {
+    value.terms().iter().map(|(root, coefficient)| times(&of_root(root), &scaled(coefficient))).sum()
+}
+
+fn of_root(of: &Root) -> BigInt {
+    match of {
         Root::One => one(),
         Root::Whole(n) => root(&(n * one())),
         Root::Nested(inside) => root(&form(inside)),
         Root::Cosine(angle) => cos_sin(angle).0,
-    };
-    value.terms().iter().map(|(root_, coefficient)| times(&of(root_), &scaled(coefficient))).sum()
+        Root::Product(first, cosines) => {
+            cosines.iter().fold(of_root(first), |product, angle| times(&product, &cos_sin(angle).0))
+        }
+    }
 }
 
 /// Whether two values agree to 50 digits of the larger one, or of 1.

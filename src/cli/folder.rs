@@ -1,0 +1,150 @@
+//! How are files put into a folder? A new folder is whole or absent; in an old one each file is replaced whole, the first last.
+//!
+//! Who writes holds a lock on the folder that it fills, so that a second writer waits, and what a killed one left is known by
+//! its lock being free.
+
+use std::fs::{self, File as Handle};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use crankstar::report::File;
+
+use super::failure::Failure;
+use super::layouts::shown;
+
+/// Marks folders and files that are not finished.
+const ENDING: &str = "crankstar-partial";
+
+/// Writes the files into a folder, the first of which is the page that leads to the others.
+pub fn write(folder: &Path, files: &[File]) -> Result<(), Failure> {
+    let fail = |error: io::Error| Failure::new(format!("cannot write the folder `{}`: {error}", shown(folder)));
+    if folder.exists() && !folder.is_dir() {
+        return Err(Failure::new(format!("`{}` is a file; --output names a folder", shown(folder))));
+    }
+    if folder.is_dir() {
+        return fill(folder, files).map_err(fail);
+    }
+    let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::create_dir_all(parent).map_err(fail)?;
+    match folder.file_name() {
+        Some(name) => new_folder(folder, parent, &name.to_string_lossy(), files).map_err(fail),
+        // `a/..` and the like: there, since its parent is.
+        None => fill(folder, files).map_err(fail),
+    }
+}
+
+/// Where this was written, for the terminal.
+pub fn written(folder: &Path, files: &[File]) -> String {
+    format!("Written: {}\n", shown(&folder.join(&files[0].name)))
+}
+
+/// Fills a folder beside the wanted one, and gives it the name when it is whole.
+fn new_folder(folder: &Path, parent: &Path, name: &str, files: &[File]) -> io::Result<()> {
+    clear_abandoned(parent, name);
+    let (staging, lock) = staging(parent, name)?;
+    let outcome = fill_locked(&staging, files).and_then(|()| match fs::rename(&staging, folder) {
+        // Another writer was first, so that the folder is there by now.
+        Err(_) if folder.is_dir() => fill(folder, files).and_then(|()| fs::remove_dir_all(&staging)),
+        renamed => renamed,
+    });
+    if outcome.is_err() {
+        // What was staged is of no use to anyone; the first error is the one to tell.
+        let _ = fs::remove_dir_all(&staging);
+    }
+    drop(lock);
+    outcome.and_then(|()| sync(parent))
+}
+
+/// A folder of this process alone, locked.
+fn staging(parent: &Path, name: &str) -> io::Result<(PathBuf, Handle)> {
+    let mut attempt = 0_u32;
+    loop {
+        let staging = parent.join(format!(".{name}.{}-{attempt}.{ENDING}", std::process::id()));
+        attempt += 1;
+        match fs::create_dir(&staging) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
+            created => created?,
+        }
+        let lock = lock(&staging)?;
+        // Before the lock was held, somebody may have taken it for abandoned.
+        if staging.is_dir() {
+            return Ok((staging, lock));
+        }
+    }
+}
+
+/// Removes what killed runs have staged for this folder: their locks are free.
+fn clear_abandoned(parent: &Path, name: &str) {
+    let begin = format!(".{name}.");
+    for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
+        let found = entry.file_name().to_string_lossy().into_owned();
+        let number = found.strip_prefix(&begin).and_then(|rest| rest.strip_suffix(ENDING));
+        let is_ours = number.is_some_and(|number| {
+            number.ends_with('.') && number.trim_end_matches('.').bytes().all(|b| b.is_ascii_digit() || b == b'-')
+        });
+        if is_ours && Handle::open(entry.path()).is_ok_and(|handle| handle.try_lock().is_ok()) {
+            // Nobody waits for it; what cannot be removed stays.
+            let _ = fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
+/// Replaces the files of a folder that is there, one writer at a time.
+fn fill(folder: &Path, files: &[File]) -> io::Result<()> {
+    let lock = lock(folder)?;
+    let outcome = fill_locked(folder, files);
+    drop(lock);
+    outcome
+}
+
+fn fill_locked(folder: &Path, files: &[File]) -> io::Result<()> {
+    let partial = folder.join(format!(".{ENDING}"));
+    let Some((first, others)) = files.split_first() else { return Ok(()) };
+    for file in others.iter().chain([first]) {
+        let placed = put(&partial, &folder.join(&file.name), &file.text);
+        if placed.is_err() {
+            let _ = fs::remove_file(&partial);
+        }
+        placed?;
+    }
+    sync(folder)
+}
+
+/// Writes a file under another name, and gives it its own when it is on the disk.
+fn put(partial: &Path, place: &Path, text: &str) -> io::Result<()> {
+    // A killed run may have left one; it is not written through, for it may be a link by now.
+    match fs::remove_file(partial) {
+        Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    let mut file = Handle::create_new(partial)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()?;
+    fs::rename(partial, place)
+}
+
+/// A lock on a folder, which ends with the process at the latest.
+#[cfg(unix)]
+fn lock(folder: &Path) -> io::Result<Handle> {
+    let handle = Handle::open(folder)?;
+    match handle.lock() {
+        // A file system without locks: there one writer at a time is the caller's.
+        Err(error) if error.kind() == ErrorKind::Unsupported => Ok(handle),
+        locked => locked.map(|()| handle),
+    }
+}
+
+/// Where folders cannot be locked a file in them is.
+#[cfg(not(unix))]
+fn lock(folder: &Path) -> io::Result<Handle> {
+    let handle = Handle::create(folder.join(".crankstar-lock"))?;
+    handle.lock().map(|()| handle)
+}
+
+/// The names in a folder reach the disk.
+fn sync(folder: &Path) -> io::Result<()> {
+    match cfg!(unix) {
+        true => Handle::open(folder)?.sync_all(),
+        false => Ok(()),
+    }
+}

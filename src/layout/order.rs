@@ -1,0 +1,47 @@
+//! Which orders does an engine have at all, and how is it said that one is missing?
+//!
+//! The theorem is that of [`crate::motion`]: order 1 of the force always exists; for λ > 0 the even ones do, and with a pin offset
+//! every one; in the inertia torque every order. An infinitely long rod, λ = 0, has order 1 of the force and order 2 of the torque.
+
+use std::ops::RangeInclusive;
+
+use num_traits::Zero;
+
+use super::mechanism::{Mechanism, Rod};
+use crate::proof::Quantity;
+
+/// The highest order that is answered.
+pub const HIGHEST_ORDER: u32 = 1000;
+/// The orders that are answered.
+pub const ORDERS: RangeInclusive<u32> = 1..=HIGHEST_ORDER;
+
+/// What every page and table says of an order whose coefficient is 0.
+pub const DOES_NOT_EXIST: &str = "does not exist";
+
+/// Why an order does not exist, as a sentence.
+pub const WHY_NOT: &str = "An order that does not exist has the coefficient 0: without a pin offset the odd orders above 1 of force and moment, with infinitely long rods all but order 1.";
+
+impl Rod {
+    /// Whether the coefficient of an order is not zero; there is no order 0.
+    pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
+        match (quantity, order) {
+            (_, 0) => false,
+            (Quantity::Torque, _) => order == 2 || !self.ratio.is_zero(),
+            (Quantity::Force | Quantity::Moment, 1) => true,
+            (Quantity::Force | Quantity::Moment, _) => {
+                !self.ratio.is_zero() && (order.is_multiple_of(2) || !self.offset.is_zero())
+            }
+        }
+    }
+}
+
+impl Mechanism {
+    /// Whether some piston has an order; rods of which nothing is known are of finite length and without offset.
+    pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
+        match (self.rods.is_empty(), quantity) {
+            (true, Quantity::Torque) => order > 0,
+            (true, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
+            (false, _) => self.rods.iter().any(|rod| rod.has_order(quantity, order)),
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! What turns multiples of m r ω² into newtons?
+
+use std::f64::consts::TAU;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::layout::{Layout, LengthUnit};
+use crate::order;
+
+/// What the multiples are multiples of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// Mass m in kilograms.
+    pub mass: BigRational,
+    /// Crank radius r in metres.
+    pub crank_radius: BigRational,
+    /// Speed in revolutions a minute.
+    pub speed: BigRational,
+}
+
+impl Scale {
+    /// Angular speed ω in radians a second.
+    pub fn omega(&self) -> f64 {
+        self.speed.to_f64().unwrap_or(f64::INFINITY) / 60.0 * TAU
+    }
+
+    /// m r ω² in newtons.
+    pub fn force(&self) -> f64 {
+        (&self.mass * &self.crank_radius).to_f64().unwrap_or(f64::INFINITY) * self.omega() * self.omega()
+    }
+
+    /// m r² ω² in newton-metres.
+    pub fn torque(&self) -> f64 {
+        self.force() * self.crank_radius.to_f64().unwrap_or(f64::INFINITY)
+    }
+}
+
+/// What the moments of a layout are counted in, besides the force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arm {
+    /// Metres.
+    Metre,
+    /// The spacing a of the cylinders, which the file does not say.
+    Spacing,
+}
+
+impl Arm {
+    /// The unit of the positions of a layout: a file that gives them without a unit gives metres.
+    pub fn of(layout: &Layout) -> Self {
+        let known = layout.positions_given || layout.length_unit == LengthUnit::Metre;
+        if known { Arm::Metre } else { Arm::Spacing }
+    }
+}
+
+/// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
+pub fn scale(layout: &Layout) -> Option<Scale> {
+    let mechanism = &layout.mechanism;
+    Some(Scale {
+        mass: mechanism.mass.as_ref().map(|_| order::unit_mass(layout))?,
+        crank_radius: mechanism.crank_radius.clone()?,
+        speed: mechanism.speed.clone()?,
+    })
+}

@@ -1,0 +1,120 @@
+//! What is every order of force, moment and torque up to one, and what can those above it add?
+
+use num_complex::Complex;
+
+use super::{Harmonic, Missing, Motion, OrderLoads, Swing, Tails, TorqueOrder, Waveform};
+use crate::layout::Layout;
+use crate::proof::Quantity;
+
+/// All orders of an engine that exist, up to one that can be raised.
+pub struct Spectrum<'a> {
+    layout: &'a Layout,
+    motion: Motion,
+    tails: Tails,
+    highest: u32,
+    orders: Vec<OrderLoads>,
+    torque: Vec<TorqueOrder>,
+}
+
+impl<'a> Spectrum<'a> {
+    /// No order yet.
+    ///
+    /// # Errors
+    /// What the layout lacks for numbers.
+    pub fn new(layout: &'a Layout) -> Result<Self, Missing> {
+        let motion = Motion::new(layout)?;
+        Ok(Spectrum { layout, tails: Tails::of(&motion), motion, highest: 0, orders: Vec::new(), torque: Vec::new() })
+    }
+
+    /// The same with tighter bounds.
+    pub fn with_tails(self, tails: Tails) -> Self {
+        Spectrum { tails, ..self }
+    }
+
+    /// Adds the orders up to this one.
+    pub fn raise(&mut self, highest: u32, with_torque: bool) {
+        let (layout, motion) = (self.layout, &self.motion);
+        let shafts = || layout.crankshaft.balancers.iter().map(|shaft| shaft.order);
+        for order in self.highest + 1..=highest {
+            if layout.mechanism.has_order(Quantity::Force, order) || shafts().any(|shaft| shaft == order) {
+                self.orders.push(OrderLoads::new(layout, motion, order));
+            }
+            if with_torque && layout.mechanism.has_order(Quantity::Torque, order) {
+                self.torque.push(TorqueOrder::new(layout, motion, order));
+            }
+        }
+        self.highest = self.highest.max(highest);
+    }
+
+    /// The order up to which all are there.
+    pub fn highest(&self) -> u32 {
+        self.highest
+    }
+
+    /// Each order that does not vanish, with its largest length and how much of that may be missing.
+    pub fn lengths(&self, quantity: Quantity) -> Vec<(u32, f64)> {
+        let swings = |swing: fn(&OrderLoads) -> &Swing| {
+            let left = self.orders.iter().filter(move |order| !swing(order).vanishes());
+            left.map(move |order| (order.order, swing(order).largest() + swing(order).doubt())).collect()
+        };
+        match quantity {
+            Quantity::Force => swings(|order| &order.force),
+            Quantity::Moment => swings(|order| &order.moment),
+            Quantity::Torque => {
+                let left = self.torque.iter().filter(|order| !order.vector.vanishes());
+                left.map(|order| (order.order, order.vector.value.norm() + order.vector.doubt())).collect()
+            }
+        }
+    }
+
+    /// The sum of the orders.
+    pub fn waveform(&self, quantity: Quantity) -> Waveform {
+        let swings = |swing: fn(&OrderLoads) -> &Swing| {
+            Waveform::new(self.orders.iter().map(|order| super::harmonic(order.order, swing(order))))
+        };
+        match quantity {
+            Quantity::Force => swings(|order| &order.force),
+            Quantity::Moment => swings(|order| &order.moment),
+            Quantity::Torque => Waveform::new(self.torque.iter().map(TorqueOrder::harmonic)),
+        }
+    }
+
+    /// How much of the sum is not known: vectors that are not decided, and roundings of its floats.
+    pub fn doubt(&self, quantity: Quantity) -> f64 {
+        let swings = |swing: fn(&OrderLoads) -> &Swing| {
+            self.orders.iter().map(|order| swing(order).doubt() + ROUNDING * swing(order).largest()).sum()
+        };
+        match quantity {
+            Quantity::Force => swings(|order| &order.force),
+            Quantity::Moment => swings(|order| &order.moment),
+            Quantity::Torque => {
+                let doubts = self.torque.iter().map(|order| &order.vector);
+                doubts.map(|vector| vector.doubt() + ROUNDING * vector.value.norm()).sum()
+            }
+        }
+    }
+
+    /// The orders above the highest add at most this.
+    pub fn rest(&self, quantity: Quantity) -> f64 {
+        self.rest_above(quantity, self.highest)
+    }
+
+    /// What the orders above any one add at most.
+    pub fn rest_above(&self, quantity: Quantity, order: u32) -> f64 {
+        self.tails.above(self.layout, quantity, order.max(2))
+    }
+
+    /// No sum of the terms of the pistons' load is larger: its roundings are in the last place of this.
+    pub fn largest_sum(&self, quantity: Quantity) -> f64 {
+        self.tails.largest_sum(self.layout, quantity)
+    }
+}
+
+/// Each vector is known to the accuracy of a float, and a peak of their sum to a few roundings more.
+const ROUNDING: f64 = 1e-12;
+
+impl TorqueOrder {
+    pub(super) fn harmonic(&self) -> Harmonic {
+        Harmonic { order: self.order, direct: self.vector.value, reverse: Complex::new(0.0, 0.0) }
+    }
+}

@@ -1,0 +1,112 @@
+//! How much can the orders above the K-th of an engine add to a load, at most? What its pistons add, all in one direction.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::{Missing, Motion};
+use crate::layout::{Layout, Rod};
+use crate::motion::{Coefficient, Tail};
+use crate::order::{self, mass_radius};
+use crate::proof::Quantity;
+
+/// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
+const SLACK: f64 = 1.0 + 1e-9;
+
+/// What the orders of each piston leave to the higher ones.
+#[derive(Clone, Debug)]
+pub struct Tails {
+    by_rod: BTreeMap<Rod, Tail>,
+}
+
+impl Tails {
+    /// Without computing any coefficient.
+    ///
+    /// # Errors
+    /// What the layout lacks for numbers.
+    pub fn new(layout: &Layout) -> Result<Self, Missing> {
+        Ok(Tails::of(&Motion::new(layout)?))
+    }
+
+    pub(super) fn of(motion: &Motion) -> Self {
+        Tails { by_rod: motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Tail::new(crank))).collect() }
+    }
+
+    /// Tighter, from the coefficients of all orders up to the highest.
+    ///
+    /// # Errors
+    /// What the layout lacks for numbers.
+    pub fn with_coefficients(layout: &Layout, highest: u32) -> Result<Self, Missing> {
+        let tail = |(rod, crank): (&Rod, &crate::motion::SliderCrank)| {
+            let coefficients: Vec<Coefficient> = (1..=highest).map(|order| crank.coefficient(order)).collect();
+            (rod.clone(), Tail::with_coefficients(crank, &coefficients))
+        };
+        Ok(Tails { by_rod: Motion::new(layout)?.cranks.iter().map(tail).collect() })
+    }
+
+    /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
+    /// its multiples of m r ω²; 0 only where there is none.
+    pub fn above(&self, layout: &Layout, quantity: Quantity, order: u32) -> f64 {
+        let pistons = self.sum(layout, quantity, &|tail| match quantity {
+            Quantity::Force | Quantity::Moment => tail.force(order),
+            Quantity::Torque => tail.torque(order),
+        });
+        let [force, moment] = faster_shafts(layout, order).map(|size| rounded_up(&size));
+        let shafts = match quantity {
+            Quantity::Force => force,
+            Quantity::Moment => moment,
+            Quantity::Torque => 0.0,
+        };
+        (pistons + shafts) * SLACK
+    }
+
+    /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
+    pub fn largest_sum(&self, layout: &Layout, quantity: Quantity) -> f64 {
+        self.sum(layout, quantity, &|tail| {
+            let shaking = 1.0 + tail.force(0);
+            match quantity {
+                Quantity::Force | Quantity::Moment => shaking,
+                Quantity::Torque => shaking * shaking,
+            }
+        })
+    }
+
+    /// The bounds of the pistons, each as much as its load counts.
+    fn sum(&self, layout: &Layout, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
+        let mut weights: BTreeMap<&Rod, BigRational> = BTreeMap::new();
+        for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
+            let weight = mass_radius(layout, cylinder).abs();
+            let weight = match quantity {
+                Quantity::Force => weight,
+                Quantity::Moment => weight * layout.arm(cylinder).abs(),
+                Quantity::Torque => weight * &cylinder.crank_radius,
+            };
+            *weights.entry(rod).or_insert_with(BigRational::zero) += weight;
+        }
+        // A mass of 0 is 0 times whatever the rest is.
+        let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
+        let parts = weights.map(|(rod, weight)| match self.by_rod.get(rod).map_or(f64::INFINITY, bound) {
+            0.0 => 0.0,
+            bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
+        });
+        parts.sum()
+    }
+}
+
+/// The float at or above a number that is not negative; 0 only of 0.
+fn rounded_up(number: &BigRational) -> f64 {
+    if number.is_zero() { 0.0 } else { number.to_f64().unwrap_or(f64::INFINITY).next_up() }
+}
+
+/// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
+/// multiples of m r ω²: what they add where higher orders are left out.
+fn faster_shafts(layout: &Layout, highest: u32) -> [BigRational; 2] {
+    let half = BigRational::new(1.into(), 2.into());
+    let shafts = order::turning_masses(layout).into_iter().filter(|mass| mass.order > highest);
+    shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
+        let size = shaft.weight() * &half;
+        let arm = (&shaft.position - &layout.reference_plane).abs();
+        [force + &size, moment + size * arm]
+    })
+}

@@ -1,0 +1,31 @@
+//! Which of two forms would a person rather read? The one with fewer signs, roots, cosines and nested roots.
+
+use super::form::{Form, Root};
+
+/// Printed letters, and more for each root, cosine and nested root, and for each further term beside a cosine.
+pub(super) fn of(form: &Form) -> usize {
+    let letters = form.to_string().chars().filter(|letter| !matches!(letter, ' ' | '°')).count();
+    letters + weights(form)
+}
+
+fn weights(form: &Form) -> usize {
+    let further = if form.terms().iter().any(|(root, _)| has_cosine(root)) { form.terms().len() - 1 } else { 0 };
+    2 * further + form.terms().iter().map(|(root, _)| weight(root)).sum::<usize>()
+}
+
+fn has_cosine(root: &Root) -> bool {
+    match root {
+        Root::One | Root::Whole(_) | Root::Nested(_) => false,
+        Root::Cosine(_) | Root::Product(..) => true,
+    }
+}
+
+fn weight(root: &Root) -> usize {
+    match root {
+        Root::One => 0,
+        Root::Whole(_) => 3,
+        Root::Nested(inside) => 9 + weights(inside),
+        Root::Cosine(_) => 2,
+        Root::Product(root, cosines) => weight(root) + 2 * cosines.len(),
+    }
+}

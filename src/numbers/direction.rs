@@ -1,0 +1,108 @@
+//! Where does a sum point exactly? A rational turn, or an arctangent.
+
+use num_bigint::BigInt;
+use num_complex::Complex;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::closed::real;
+use super::evaluate::evaluate;
+use super::form::Form;
+use super::quadratic;
+use super::radicals::{as_sum, number};
+use super::star::Star;
+use super::trace::mean_of_conjugates;
+use crate::exact::{PhasorSum, Turn};
+
+/// Among more directions than this the decimals cannot name the one candidate.
+const MOST_DIRECTIONS: i64 = 1 << 40;
+/// A tangent of more roots is shorter as a decimal.
+const MOST_ROOTS: usize = 2;
+
+/// Direction of a sum that is not zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// A rational turn.
+    Turn(Turn),
+    /// `arctan(tangent)`, and half a turn more where `opposite`.
+    Arctangent {
+        /// The tangent of the angle.
+        tangent: Form,
+        /// Whether the direction has a negative real part.
+        opposite: bool,
+    },
+}
+
+/// The direction of a sum that is not zero, in closed form where it is a rational turn, or has a tangent of
+/// one or two roots or a real part of degree up to 2.
+pub fn direction_of(sum: &PhasorSum) -> Option<Direction> {
+    if let Some(turn) = rational_direction(sum) {
+        return Some(Direction::Turn(turn));
+    }
+    let mirrored = sum.conjugate();
+    let (twice_re, twice_im) = (sum.plus(&mirrored), sum.minus(&mirrored).turned(&Turn::fraction(3, 4)));
+    let tangent = of_few_roots(sum, &twice_re, &twice_im).or_else(|| by_conjugate(&twice_re, &twice_im))?;
+    Some(Direction::Arctangent { tangent, opposite: evaluate(sum).re < 0.0 })
+}
+
+/// A tangent of one or two roots, proposed from its conjugates.
+fn of_few_roots(sum: &PhasorSum, twice_re: &PhasorSum, twice_im: &PhasorSum) -> Option<Form> {
+    let star = Star::of(sum)?.over_fourths();
+    // i ↦ i^a: the imaginary part changes its sign with a ≡ 3 (mod 4).
+    let tangent = |(value, unit): (Complex<f64>, u64)| {
+        let tangent = value.im / value.re;
+        if unit % 4 == 3 { -tangent } else { tangent }
+    };
+    let units = star.units();
+    let tangents: Vec<f64> = star.conjugates().into_iter().zip(units.iter().copied()).map(tangent).collect();
+    let tangent = quadratic::propose(&tangents, &units, star.conductor, quadratic::fraction)?;
+    if tangent.terms().len() > MOST_ROOTS {
+        return None;
+    }
+    twice_im.minus(&twice_re.times(&as_sum(&tangent)?)).vanishes().then_some(tangent)
+}
+
+/// `tan = Im/Re = Im·R'/(Re·R')`, with R' the conjugate that makes the denominator rational, where Re has one or two.
+fn by_conjugate(twice_re: &PhasorSum, twice_im: &PhasorSum) -> Option<Form> {
+    let star = Star::of(twice_re)?;
+    let values: Vec<f64> = star.conjugates().into_iter().map(|value| value.re).collect();
+    let differs = |value: f64| (value / values[0] - 1.0).abs() > 1e-9;
+    let place = values.iter().position(|&value| differs(value)).unwrap_or(0);
+    let is_third = |value: f64| differs(value) && (value / values[place] - 1.0).abs() > 1e-9;
+    if values.iter().any(|&value| is_third(value)) {
+        return None;
+    }
+    let whole = star.to_sum();
+    let partner = match place {
+        0 => number(BigRational::one()),
+        _ => whole.galois(star.units()[place].to_i64()?),
+    };
+    let product = whole.times(&partner);
+    let denominator = mean_of_conjugates(&product).filter(|mean| !mean.is_zero())?;
+    if !product.minus(&number(denominator.clone())).vanishes() {
+        return None;
+    }
+    real(&twice_im.times(&partner).scaled(&(denominator * star.unit).recip()))
+}
+
+/// S points to a rational turn t iff `e^{2πi·2t} = S/S̄` is a root of unity of its field. The decimals only name the
+/// one candidate; whether it is right is decided exactly.
+pub(super) fn rational_direction(sum: &PhasorSum) -> Option<Turn> {
+    let collected = sum.collected();
+    if let [only] = collected.as_slice() {
+        let angle = if only.weight < BigRational::zero() { only.angle.opposite() } else { only.angle.clone() };
+        return Some(angle);
+    }
+    let conductor = collected.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
+    let parts: BigInt = conductor.lcm(&BigInt::from(2)) * 2;
+    let parts = parts.to_i64().filter(|&parts| parts <= MOST_DIRECTIONS)?;
+    let turns = evaluate(sum).arg() / std::f64::consts::TAU * parts as f64;
+    let nearest = turns.round();
+    if (turns - nearest).abs() > 1e-3 {
+        return None;
+    }
+    let candidate = Turn::fraction(nearest.to_i64()?, parts);
+    let upright = sum.turned(&-&candidate);
+    upright.minus(&upright.conjugate()).vanishes().then_some(candidate)
+}

@@ -1,0 +1,176 @@
+//! Which engine is a document about? Cylinders with their rods, as the sums see them.
+
+use std::collections::BTreeSet;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use serde::{Deserialize, Serialize};
+
+use super::audit::{Fault, Reason};
+use super::fraction;
+
+/// A cylinder as the phasors see it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// What the cylinder is called.
+    pub name: String,
+    /// Crank-throw angle β, in turns.
+    #[serde(with = "fraction")]
+    pub throw: BigRational,
+    /// Angle α of the cylinder axis, in turns.
+    #[serde(with = "fraction")]
+    pub bank: BigRational,
+    /// Position along the crankshaft, in the unit of the reference plane.
+    #[serde(with = "fraction")]
+    pub position: BigRational,
+    /// Reciprocating mass, in kilograms (or multiples of a common mass).
+    #[serde(with = "fraction")]
+    pub reciprocating_mass: BigRational,
+    /// Crank radius, in multiples of a common radius.
+    #[serde(with = "fraction")]
+    pub crank_radius: BigRational,
+    /// Its rod.
+    pub rod: RodStatement,
+}
+
+/// What is said of a rod.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub enum RodStatement {
+    /// Nothing: all rods of the engine are taken to be equal and centric.
+    Unknown,
+    /// This rod.
+    Known(RodClaim),
+}
+
+/// A rod, which names a coefficient c_k.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RodClaim {
+    /// λ = r/l.
+    #[serde(with = "fraction")]
+    pub ratio: BigRational,
+    /// δ = e/l.
+    #[serde(with = "fraction")]
+    pub offset: BigRational,
+}
+
+/// Whose masses the verdicts are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Masses {
+    /// What goes up and down with the pistons.
+    Reciprocating,
+    /// All of the engine: what turns besides.
+    All,
+}
+
+/// What a verdict is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Quantity {
+    /// The shaking force.
+    Force,
+    /// The moment of the shaking forces about the reference plane.
+    Moment,
+    /// The inertia torque on the crankshaft.
+    Torque,
+}
+
+impl Quantity {
+    /// The word of the JSON document.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Force => "force",
+            Quantity::Moment => "moment",
+            Quantity::Torque => "torque",
+        }
+    }
+
+    /// The senses that it has vectors in.
+    pub(super) fn senses(self) -> &'static [Option<Sense>] {
+        match self {
+            Quantity::Force | Quantity::Moment => &[Some(Sense::Direct), Some(Sense::Reverse)],
+            Quantity::Torque => &[None],
+        }
+    }
+}
+
+/// Which way a vector turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sense {
+    /// With the crank, `e^{ikθ}`.
+    Direct,
+    /// Against the crank, `e^{−ikθ}`.
+    Reverse,
+}
+
+impl Sense {
+    /// Both, direct first.
+    pub(super) const BOTH: [Sense; 2] = [Sense::Direct, Sense::Reverse];
+
+    /// The word of the JSON document.
+    pub fn name(self) -> &'static str {
+        match self {
+            Sense::Direct => "direct",
+            Sense::Reverse => "reverse",
+        }
+    }
+}
+
+/// The rods of an engine that names them; none where it names none.
+pub(super) fn rods<'a>(
+    statements: impl Iterator<Item = &'a RodStatement>,
+) -> Result<Option<Vec<&'a RodClaim>>, Reason> {
+    let (mut known, mut unknown) = (Vec::new(), 0);
+    for statement in statements {
+        match statement {
+            RodStatement::Unknown => unknown += 1,
+            RodStatement::Known(rod) => known.push(rod),
+        }
+    }
+    let turns_round = |rod: &&RodClaim| !rod.ratio.is_negative() && &rod.ratio + rod.offset.abs() < BigRational::one();
+    if let Some(rod) = known.iter().find(|rod| !turns_round(rod)) {
+        return Err(format!("a rod of ratio {} and offset {} cannot turn round", rod.ratio, rod.offset).into());
+    }
+    match (known.len(), unknown) {
+        (_, 0) => Ok(Some(known)),
+        (0, _) => Ok(None),
+        (given, missing) => Err(format!("{given} rods are known and {missing} are not; all are, or none").into()),
+    }
+}
+
+/// Checks that the engine has cylinders, each with a name of its own.
+pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Fault> {
+    let mut seen = BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(Fault::new("cylinders", format!("two cylinders are called {name}")));
+        }
+    }
+    if seen.is_empty() { Err(Fault::new("cylinders", "an engine has one at least")) } else { Ok(()) }
+}
+
+/// Checks that the orders asked for are rising and exist, and the quantities are in the order force, moment, torque.
+pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(), Fault> {
+    if orders.is_empty() {
+        return Err(Fault::new("orders", "the list is empty, there is nothing to check"));
+    }
+    if orders[0] == 0 || orders.windows(2).any(|pair| pair[0] >= pair[1]) {
+        return Err(Fault::new("orders", "orders rise from 1 on, each once"));
+    }
+    if quantities.is_empty() {
+        return Err(Fault::new("quantities", "the list is empty, there is nothing to check"));
+    }
+    match quantities.windows(2).all(|pair| pair[0] < pair[1]) {
+        true => Ok(()),
+        false => Err(Fault::new("quantities", "they stand in the order force, moment, torque, each once")),
+    }
+}
+
+/// Whether some cylinder axis misses the crankshaft.
+pub(super) fn has_offset(rods: &[&RodClaim]) -> bool {
+    rods.iter().any(|rod| !rod.offset.is_zero())
+}

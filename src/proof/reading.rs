@@ -1,0 +1,266 @@
+//! Which document is this, and is it said as this program says it? Read by its `format` alone.
+//!
+//! What is read is written again and compared, so that no key and no number is passed over: unknown keys, keys that stand
+//! where they mean nothing, numbers in another spelling.
+
+use std::fmt;
+
+use serde::de::{DeserializeOwned, Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Map, Value};
+
+use super::audit::Fault;
+use super::checked::Checked;
+use super::document::{Document, check_document};
+use super::fraction::MOST_DIGITS;
+use super::open::OpenDocument;
+use super::open_check::check_open_document;
+use super::remedy::{RemedyDocument, check_remedy_document};
+
+/// Larger documents are not read.
+pub const LARGEST_DOCUMENT: usize = 4 << 20;
+
+/// What a document says that it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Format {
+    /// Verdicts on an engine.
+    #[serde(rename = "crankstar classify 2")]
+    Classify,
+    /// Verdicts on a family of engines.
+    #[serde(rename = "crankstar family 2")]
+    Family,
+    /// A remedy.
+    #[serde(rename = "crankstar remedy 2")]
+    Remedy,
+}
+
+/// A document of one of the formats.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum AnyDocument {
+    /// Verdicts on an engine.
+    Classify(Document),
+    /// Verdicts on a family of engines.
+    Family(OpenDocument),
+    /// A remedy.
+    Remedy(RemedyDocument),
+}
+
+/// Why a text is no document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// More bytes than are read.
+    TooLarge(usize),
+    /// More digits than are read.
+    TooManyDigits(usize),
+    /// Not JSON, or a key that stands twice.
+    NotJson(String),
+    /// The format that it names, if it names one.
+    Format(Option<String>),
+    /// Not said as the format has it.
+    Malformed(String),
+}
+
+impl fmt::Display for Unreadable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unreadable::TooLarge(bytes) => {
+                write!(f, "it has {bytes} bytes; up to {LARGEST_DOCUMENT} (4 MiB) are read")
+            }
+            Unreadable::TooManyDigits(digits) => {
+                write!(f, "a number has {digits} digits; up to {MOST_DIGITS} are read")
+            }
+            Unreadable::NotJson(error) | Unreadable::Malformed(error) => f.write_str(error),
+            Unreadable::Format(None) => f.write_str(
+                "it names no format; the first key is \"format\", such as \"format\": \"crankstar classify 2\"",
+            ),
+            Unreadable::Format(Some(name)) => write!(
+                f,
+                "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\" and \
+                 \"crankstar remedy 2\""
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Unreadable {}
+
+/// Reads a document.
+///
+/// # Errors
+/// Where it is too large, is no JSON, names no known format, or says something in another way than its format has it.
+pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
+    if bytes.len() > LARGEST_DOCUMENT {
+        return Err(Unreadable::TooLarge(bytes.len()));
+    }
+    let Tree(tree) = serde_json::from_slice(bytes).map_err(|error| Unreadable::NotJson(error.to_string()))?;
+    if let Some(digits) = too_many_digits(&tree) {
+        return Err(Unreadable::TooManyDigits(digits));
+    }
+    let format = tree.get("format").cloned();
+    let name = format.as_ref().map(Value::to_string);
+    let format = format.and_then(|format| serde_json::from_value(format).ok());
+    match format.ok_or(Unreadable::Format(name))? {
+        Format::Classify => typed(&tree).map(AnyDocument::Classify),
+        Format::Family => typed(&tree).map(AnyDocument::Family),
+        Format::Remedy => typed(&tree).map(AnyDocument::Remedy),
+    }
+}
+
+impl AnyDocument {
+    /// The title of the layout.
+    pub fn title(&self) -> &str {
+        match self {
+            AnyDocument::Classify(document) => &document.title,
+            AnyDocument::Family(document) => &document.title,
+            AnyDocument::Remedy(document) => &document.title,
+        }
+    }
+
+    /// Checks all that the document says.
+    ///
+    /// # Errors
+    /// The first entry that does not hold.
+    pub fn check(&self) -> Result<Checked, Fault> {
+        match self {
+            AnyDocument::Classify(document) => check_document(document),
+            AnyDocument::Family(document) => check_open_document(document),
+            AnyDocument::Remedy(document) => check_remedy_document(document),
+        }
+    }
+
+    /// Where the engines of two documents differ, and what both say there; none where they are the same.
+    pub fn engine_difference(&self, other: &AnyDocument) -> Option<Difference> {
+        let engine = |document: &AnyDocument| {
+            let Ok(Value::Object(fields)) = serde_json::to_value(document) else { return Value::Null };
+            let is_engine = |key: &str| ["reference_plane", "cylinders", "turning_masses"].contains(&key);
+            Value::Object(fields.into_iter().filter(|(key, _)| is_engine(key)).collect())
+        };
+        difference("", &engine(self), &engine(other))
+    }
+}
+
+fn typed<T: DeserializeOwned + Serialize>(tree: &Value) -> Result<T, Unreadable> {
+    let malformed = |error: serde_json::Error| Unreadable::Malformed(error.to_string());
+    let document: T = T::deserialize(tree).map_err(malformed)?;
+    let again = serde_json::to_value(&document).map_err(malformed)?;
+    match difference("", tree, &again) {
+        None => Ok(document),
+        Some(at) => {
+            let Difference { place, found, right } = at;
+            let words = match (found, right) {
+                (Some(_), None) => format!("{place}: nothing is known of this key"),
+                (None, _) => format!("{place}: is missing"),
+                (Some(found), Some(right)) => format!("{place}: {found} is written {right}"),
+            };
+            Err(Unreadable::Malformed(words))
+        }
+    }
+}
+
+/// Where two values differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// The path, as in `cylinders[2].throw`.
+    pub place: String,
+    /// What the first says there.
+    pub found: Option<Value>,
+    /// What the second says there.
+    pub right: Option<Value>,
+}
+
+fn difference(place: &str, found: &Value, right: &Value) -> Option<Difference> {
+    let at = |place: String, a: Option<&Value>, b: Option<&Value>| match (a, b) {
+        (Some(a), Some(b)) => difference(&place, a, b),
+        (None, None) => None,
+        (a, b) => Some(Difference { place, found: a.cloned(), right: b.cloned() }),
+    };
+    match (found, right) {
+        (Value::Object(a), Value::Object(b)) => {
+            let keys = a.keys().chain(b.keys().filter(|key| !a.contains_key(*key)));
+            let dot = if place.is_empty() { "" } else { "." };
+            keys.into_iter().find_map(|key| at(format!("{place}{dot}{key}"), a.get(key), b.get(key)))
+        }
+        (Value::Array(a), Value::Array(b)) => {
+            (0..a.len().max(b.len())).find_map(|index| at(format!("{place}[{index}]"), a.get(index), b.get(index)))
+        }
+        // 2 and 2.0 are the same decimal.
+        (Value::Number(a), Value::Number(b)) if a.as_f64() == b.as_f64() => None,
+        (a, b) if a == b => None,
+        (a, b) => Some(Difference { place: place.to_owned(), found: Some(a.clone()), right: Some(b.clone()) }),
+    }
+}
+
+/// The length of a number that is too long to be read; titles and names may be long.
+fn too_many_digits(tree: &Value) -> Option<usize> {
+    let is_number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit() || b"-+/".contains(&byte));
+    match tree {
+        Value::String(text) => (text.len() > MOST_DIGITS && is_number(text)).then_some(text.len()),
+        Value::Array(list) => list.iter().find_map(too_many_digits),
+        Value::Object(map) => map.values().find_map(too_many_digits),
+        Value::Null | Value::Bool(_) | Value::Number(_) => None,
+    }
+}
+
+/// JSON in which no key stands twice.
+struct Tree(Value);
+
+impl<'de> Deserialize<'de> for Tree {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Builder).map(Tree)
+    }
+}
+
+struct Builder;
+
+impl<'de> Visitor<'de> for Builder {
+    type Value = Value;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_unit<E: Error>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_bool<E: Error>(self, value: bool) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_i64<E: Error>(self, value: i64) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_u64<E: Error>(self, value: u64) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    #[expect(clippy::disallowed_types, reason = "the decimals of a document are read, and reckoned with exactly")]
+    fn visit_f64<E: Error>(self, value: f64) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_str<E: Error>(self, value: &str) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Value, A::Error> {
+        let mut values = Vec::new();
+        while let Some(Tree(value)) = list.next_element()? {
+            values.push(value);
+        }
+        Ok(Value::Array(values))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Value, A::Error> {
+        let mut values = Map::new();
+        while let Some((key, Tree(value))) = map.next_entry::<String, Tree>()? {
+            if values.contains_key(&key) {
+                return Err(A::Error::custom(format!("the key `{key}` stands twice")));
+            }
+            values.insert(key, value);
+        }
+        Ok(Value::Object(values))
+    }
+}

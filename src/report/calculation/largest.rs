@@ -1,0 +1,157 @@
+//! How are the largest values said, with how sure they are, and what the orders shown leave out?
+
+use super::amounts::{Unit, digits};
+use super::summary;
+use crate::accuracy::{Largest, LargestLoads};
+use crate::layout::Layout;
+use crate::loads::{self, Bound, LeftOut, Loads, Missing, Needed};
+use crate::proof::Quantity;
+
+/// The numbers of an engine, as pages and tables show them.
+#[derive(Clone, Debug)]
+pub struct Numbers {
+    /// Order by order.
+    pub loads: Loads,
+    /// Of all orders.
+    pub largest: LargestLoads,
+    /// What the orders that are not shown add at most.
+    pub left: LeftOut,
+}
+
+impl Numbers {
+    /// The loads at these orders, or at those that an accuracy needs.
+    ///
+    /// # Errors
+    /// What the layout lacks.
+    pub fn new(layout: &Layout, orders: &[u32], needed: Option<&Needed>) -> Result<Self, Missing> {
+        let loads = match needed {
+            Some(needed) => loads::loads_at(layout, &needed.kept, &needed.torque_kept)?,
+            None => loads::loads(layout, orders)?,
+        };
+        let left = match needed {
+            Some(needed) => needed.left.clone(),
+            None => {
+                let torque = loads.torque.iter().flat_map(|torque| &torque.orders);
+                loads::left_out(layout, orders, &torque.map(|order| order.order).collect::<Vec<_>>())?
+            }
+        };
+        Ok(Numbers { loads, largest: LargestLoads::new(layout)?, left })
+    }
+}
+
+/// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
+pub(super) fn largest_lines(layout: &Layout, Numbers { loads, largest, .. }: &Numbers) -> Vec<String> {
+    let mut lines = vec![
+        line("force", &largest.force, Unit::of(layout, loads, Quantity::Force)),
+        line("moment", &largest.moment, Unit::of(layout, loads, Quantity::Moment)),
+    ];
+    let torque = largest.torque.iter();
+    lines.extend(torque.map(|torque| line("inertia torque", torque, Unit::of(layout, loads, Quantity::Torque))));
+    lines
+}
+
+fn line(name: &str, largest: &Largest, unit: Unit) -> String {
+    let words = match largest {
+        Largest::Zero => "0, at every order, proved".to_owned(),
+        _ if unit.factor == 0.0 => "0".to_owned(),
+        Largest::Known { value, angle, error } => {
+            let place = match angle {
+                Some(angle) => format!("at θ ≈ {}°", digits(*angle)),
+                None => "at every crank angle".to_owned(),
+            };
+            let part = percent(error / value);
+            format!(
+                "≈ {} {} {place}, of the exact motion with all orders, to within {part} %",
+                digits(value * unit.factor),
+                unit.name
+            )
+        }
+        Largest::Below(bound) => {
+            format!("below {} {}, and not proved to be 0", digits((bound * unit.factor).next_up()), unit.name)
+        }
+    };
+    format!("Largest {name}: {words}.")
+}
+
+/// What the orders that are shown come to by themselves, where that is not the largest value of all.
+pub(super) fn shown_line(layout: &Layout, Numbers { loads, largest, .. }: &Numbers) -> Option<String> {
+    let torque = loads.torque.as_ref().zip(largest.torque.as_ref());
+    let swings = [
+        ("force", loads.force.peak(), largest.force, Quantity::Force),
+        ("moment", loads.moment.peak(), largest.moment, Quantity::Moment),
+    ];
+    let torque =
+        torque.map(|(torque, largest)| ("inertia torque", torque.waveform.real_peak(), *largest, Quantity::Torque));
+    let differ = swings.into_iter().chain(torque).filter_map(|(name, peak, largest, quantity)| {
+        let Largest::Known { value, error, .. } = largest else { return None };
+        let unit = Unit::of(layout, loads, quantity);
+        ((peak.value - value).abs() > error + NOTICED * value && unit.factor != 0.0)
+            .then(|| format!("{name} {}", summary::peak(&peak, unit)))
+    });
+    let differ: Vec<String> = differ.collect();
+    (!differ.is_empty())
+        .then(|| format!("The orders listed come to less or more by themselves: {}.", differ.join(", ")))
+}
+
+/// A difference of this part is shown.
+const NOTICED: f64 = 1e-3;
+
+/// Which orders were kept for an accuracy and whether it is reached, and what those that are not listed add at most.
+pub(super) fn chosen_lines(
+    layout: &Layout,
+    Numbers { loads, left, .. }: &Numbers,
+    needed: Option<&Needed>,
+) -> Vec<String> {
+    let list = |orders: &[u32]| match orders {
+        [] => "none".to_owned(),
+        orders => orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", "),
+    };
+    let mut lines = Vec::new();
+    if let Some(needed) = needed {
+        let torque = loads.torque.as_ref().map(|_| {
+            format!("; of the torque {}, left out {}", list(&needed.torque_kept), list(&needed.torque_dropped))
+        });
+        let reached = if needed.reached { "It is reached" } else { "It is not reached" };
+        lines.push(format!(
+            "Orders kept for an accuracy of {} % of each peak: {}; left out: {}{}, and all above {}. {reached}.",
+            percent(needed.accuracy),
+            list(&needed.kept),
+            list(&needed.dropped),
+            torque.unwrap_or_default(),
+            needed.looked_at
+        ));
+    }
+    let bound = |name: &str, bound: &Option<Bound>, quantity: Quantity| {
+        let bound = bound.as_ref()?;
+        let unit = Unit::of(layout, loads, quantity);
+        Some(match bound.part() {
+            Some(part) => format!("{} % of the peak {name}", percent(part)),
+            None => format!(
+                "{} {} of {name}, which may be all of it",
+                digits((bound.most * unit.factor).next_up()),
+                unit.name
+            ),
+        })
+    };
+    let bounds = [
+        bound("force", &left.force, Quantity::Force),
+        bound("moment", &left.moment, Quantity::Moment),
+        bound("inertia torque", &left.torque, Quantity::Torque),
+    ];
+    let bounds: Vec<String> = bounds.into_iter().flatten().collect();
+    if !bounds.is_empty() {
+        lines.push(format!("What is not listed adds at most {}.", bounds.join(", ")));
+    }
+    lines
+}
+
+/// A part in percent, rounded up to two digits.
+fn percent(part: f64) -> String {
+    let percent = part * 100.0;
+    if percent == 0.0 {
+        return "0".to_owned();
+    }
+    let unit = 10_f64.powi(percent.log10().floor() as i32 - 1);
+    let raised = (percent / unit * (1.0 - 1e-12)).ceil() * unit;
+    digits(format!("{raised:.1e}").parse().unwrap_or(raised))
+}

@@ -1,0 +1,84 @@
+//! How does a text stand in LaTeX? Its special characters as what they look like, and none that pdflatex would stop at.
+
+/// A person's text: signs that end a row or open an argument are no more than signs.
+pub(super) fn quoted(text: &str) -> String {
+    let mut out = String::new();
+    for piece in text.split_inclusive(['[', ']', '*', '`']) {
+        let sign = piece.chars().next_back().filter(|sign| "[]*`".contains(*sign));
+        match sign {
+            Some(sign) => out.push_str(&format!("{}{{{sign}}}", latex(&piece[..piece.len() - 1]))),
+            None => out.push_str(&latex(piece)),
+        }
+    }
+    out
+}
+
+/// The digits as exponents.
+pub const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+/// Plain text for pdflatex: its special characters, and the signs that the reports use.
+pub fn latex(text: &str) -> String {
+    let mut out = String::new();
+    for letter in text.chars() {
+        if let Some(digit) = SUPERSCRIPTS.iter().position(|sign| *sign == letter) {
+            out.push_str(&format!("\\textsuperscript{{{digit}}}"));
+            continue;
+        }
+        if let Some(digit) = ('₀'..='₉').position(|sign| sign == letter) {
+            out.push_str(&format!("\\textsubscript{{{digit}}}"));
+            continue;
+        }
+        let sign = match letter {
+            '\\' => "\\textbackslash{}",
+            '~' => "\\textasciitilde{}",
+            '^' => "\\textasciicircum{}",
+            '°' => "\\textdegree{}",
+            '·' => "$\\cdot$",
+            '−' => "$-$",
+            '±' => "$\\pm$",
+            '≡' => "$\\equiv$",
+            '≈' => "$\\approx$",
+            '≠' => "$\\ne$",
+            '×' => "$\\times$",
+            '√' => "$\\surd$",
+            '½' => "\\textonehalf{}",
+            '⁺' => "\\textsuperscript{+}",
+            '\u{202f}' => "\\,",
+            '≤' => "$\\le$",
+            '≥' => "$\\ge$",
+            '⁻' => "\\textsuperscript{--}",
+            '→' => "$\\to$",
+            '…' => "\\dots{}",
+            '–' => "--",
+            '<' => "\\textless{}",
+            '>' => "\\textgreater{}",
+            '"' => "''",
+            'α' => "$\\alpha$",
+            'β' => "$\\beta$",
+            'δ' => "$\\delta$",
+            'γ' => "$\\gamma$",
+            'λ' => "$\\lambda$",
+            'ψ' => "$\\psi$",
+            'θ' => "$\\theta$",
+            'φ' => "$\\varphi$",
+            'ω' => "$\\omega$",
+            'Σ' => "$\\Sigma$",
+            '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
+                out.push('\\');
+                out.push(letter);
+                continue;
+            }
+            _ if letter.is_ascii_graphic() || letter == ' ' || ('¡'..='ÿ').contains(&letter) => {
+                out.push(letter);
+                continue;
+            }
+            // pdflatex would stop at a letter that it has no font for.
+            _ => {
+                out.push_str(&format!("[U+{:04X}]", u32::from(letter)));
+                continue;
+            }
+        };
+        out.push_str(sign);
+    }
+    out
+}

@@ -1,0 +1,250 @@
+//! Is every change of a genuine document refused, in whatever field it is made?
+//!
+//! All fields that are found in the JSON are changed, one at a time: values altered, entries dropped, repeated and
+//! exchanged, keys dropped and added. What is accepted has to be on one of the short lists below.
+
+use crankstar::layout::{self, Engine};
+use crankstar::proof::read_document;
+use crankstar::remedy::{Wish, remedy};
+use crankstar::{family, report, verdict};
+use serde_json::{Value, json};
+
+/// One step into a document.
+#[derive(Clone, Debug)]
+enum Step {
+    Key(String),
+    Index(usize),
+}
+
+fn at<'a>(root: &'a mut Value, path: &[Step]) -> &'a mut Value {
+    path.iter().fold(root, |value, step| match step {
+        Step::Key(key) => &mut value[key.as_str()],
+        Step::Index(index) => &mut value[*index],
+    })
+}
+
+fn written(path: &[Step]) -> String {
+    let step = |step: &Step| match step {
+        Step::Key(key) => format!(".{key}"),
+        Step::Index(_) => "[]".to_owned(),
+    };
+    path.iter().map(step).collect()
+}
+
+fn walk(value: &Value, path: &mut Vec<Step>, all: &mut Vec<(Vec<Step>, Value)>) {
+    all.push((path.clone(), value.clone()));
+    let children: Vec<(Step, &Value)> = match value {
+        Value::Object(map) => map.iter().map(|(key, child)| (Step::Key(key.clone()), child)).collect(),
+        Value::Array(list) => list.iter().enumerate().map(|(index, child)| (Step::Index(index), child)).collect(),
+        _ => Vec::new(),
+    };
+    for (step, child) in children {
+        path.push(step);
+        walk(child, path, all);
+        path.pop();
+    }
+}
+
+/// Other values in the place of one.
+fn changes(value: &Value) -> Vec<Value> {
+    match value {
+        Value::Null => vec![json!(0), json!("direct"), json!([])],
+        Value::Bool(truth) => vec![json!(!truth), Value::Null, json!("true")],
+        Value::Number(number) => match number.as_u64() {
+            Some(whole) => vec![json!(whole + 1), json!(whole * 2), json!(0), Value::Null, json!(whole.to_string())],
+            None => {
+                let decimal = number.as_f64().expect("a decimal");
+                let near = if decimal == 0.0 { 1e-12 } else { decimal * (1.0 + 1e-12) };
+                vec![json!(near), json!(-decimal - 1.0), json!(decimal / 2.0 + 1.0), Value::Null]
+            }
+        },
+        Value::String(text) => {
+            let mut all = vec![json!(format!("{text}1")), json!(""), json!(format!(" {text}")), json!(7), Value::Null];
+            if let Ok(number) = text.parse::<num_rational::BigRational>() {
+                let fraction = |n: i64, d: i64| num_rational::BigRational::new(n.into(), d.into());
+                all.extend([
+                    json!((&number + fraction(1, 7)).to_string()),
+                    json!((&number + fraction(1, 1)).to_string()),
+                    json!((-&number + fraction(1, 3)).to_string()),
+                    json!((&number * fraction(2, 1)).to_string()),
+                    json!("0"),
+                    json!(format!("{}/{}", number.numer() * 2, number.denom() * 2)),
+                    json!(format!("+{text}")),
+                ]);
+            }
+            for word in
+                ["force", "moment", "torque", "direct", "reverse", "planar", "all", "unknown", "polygons", "never"]
+            {
+                all.push(json!(word));
+            }
+            all
+        }
+        Value::Array(list) => {
+            let mut all = vec![json!([]), Value::Null, json!({})];
+            for index in 0..list.len() {
+                let mut dropped = list.clone();
+                dropped.remove(index);
+                let mut repeated = list.clone();
+                repeated.insert(index, list[index].clone());
+                let mut last = list.clone();
+                last.push(list[index].clone());
+                all.extend([json!(dropped), json!(repeated), json!(last)]);
+                if index > 0 {
+                    let mut exchanged = list.clone();
+                    exchanged.swap(index - 1, index);
+                    all.push(json!(exchanged));
+                }
+            }
+            all
+        }
+        Value::Object(map) => {
+            let mut all = vec![Value::Null, json!([])];
+            for key in map.keys() {
+                let mut dropped = map.clone();
+                dropped.remove(key);
+                all.push(json!(dropped));
+            }
+            for (key, value) in
+                [("note", json!("1")), ("of", json!([])), ("certificate", Value::Null), ("angle", json!("0"))]
+            {
+                let mut more = map.clone();
+                if more.insert(key.to_owned(), value).is_none() {
+                    all.push(json!(more));
+                }
+            }
+            all
+        }
+    }
+}
+
+/// Free text, as src/proof/README.md lists it.
+const FREE_TEXT: [&str; 2] = [".title", ".cylinders[].name"];
+
+/// A whole turn more, or none less, is the same direction.
+fn is_same_direction(path: &str, before: &Value, after: &Value) -> bool {
+    let is_angle = ["angle", "throw", "bank", "rotation", "turn"].iter().any(|key| path.ends_with(&format!(".{key}")));
+    let is_known_part = path.ends_with(".throw.1") || path.ends_with(".bank.1");
+    let parsed = |value: &Value| value.as_str().and_then(|text| text.parse::<num_rational::BigRational>().ok());
+    let (Some(before), Some(after)) = (parsed(before), parsed(after)) else { return false };
+    (is_angle || is_known_part) && (before - after).is_integer()
+}
+
+/// Why a change may be accepted; none where it may not.
+fn excuse(format: &Value, path: &str, before: &Value, after: &Value) -> Option<&'static str> {
+    if FREE_TEXT.contains(&path) {
+        return Some("free text");
+    }
+    if is_same_direction(path, before, after) {
+        return Some("the same direction");
+    }
+    // Where force and moment vanish about one plane, they vanish about every plane.
+    if path == ".reference_plane" && format == "crankstar remedy 2" {
+        return Some("any plane");
+    }
+    // A rod says which cylinders have a coefficient in common: where those stay, the verdicts hold for the other engine too.
+    if path.contains(".cylinders[].rod.known") {
+        return Some("another rod that none else has");
+    }
+    // Inside of a certificate a change that is accepted is another proof of the same statement: nothing else has changed.
+    if path.contains(".certificate.") || path.contains(".equal_lengths[]") {
+        return Some("another proof");
+    }
+    // Sets, whose order says nothing.
+    let sorted = |value: &Value| {
+        let mut list: Vec<String> = value.as_array()?.iter().map(Value::to_string).collect();
+        list.sort();
+        Some(list)
+    };
+    let is_set = [".cylinders", ".weights", ".turning_masses", ".alternatives"].iter().any(|key| path.ends_with(key));
+    if is_set && sorted(before).is_some() && sorted(before) == sorted(after) {
+        return Some("a set in another order");
+    }
+    None
+}
+
+/// Makes every change of a document; how many were refused, and how many accepted for a reason.
+fn mutated(document: &impl serde::Serialize) -> (usize, usize) {
+    let genuine = serde_json::to_value(document).expect("JSON");
+    let accepts = |value: &Value| {
+        let bytes = serde_json::to_vec(value).expect("JSON");
+        read_document(&bytes).is_ok_and(|document| document.check().is_ok())
+    };
+    assert!(accepts(&genuine), "the genuine one");
+    let mut places = Vec::new();
+    walk(&genuine, &mut Vec::new(), &mut places);
+    let (mut refused, mut excused) = (0, 0);
+    for (path, before) in places {
+        for after in changes(&before) {
+            if after == before {
+                continue;
+            }
+            let mut changed = genuine.clone();
+            *at(&mut changed, &path) = after.clone();
+            if !accepts(&changed) {
+                refused += 1;
+                continue;
+            }
+            let path = written(&path);
+            assert!(
+                excuse(&genuine["format"], &path, &before, &after).is_some(),
+                "{path}: {before} became {after} and is accepted\n{genuine}"
+            );
+            excused += 1;
+        }
+    }
+    (refused, excused)
+}
+
+#[track_caller]
+fn assert_guarded(document: &impl serde::Serialize) {
+    let (refused, excused) = mutated(document);
+    assert!(refused > 10 * excused, "{refused} refused, {excused} accepted");
+}
+
+fn classify(text: &str, orders: &[u32], torque: bool, all_orders: bool) {
+    let layout = layout::parse("engine", text).expect("a layout");
+    let every = all_orders.then(|| verdict::theorem(&layout).expect("a theorem"));
+    let balances = verdict::classify(&layout, orders, torque);
+    assert_guarded(&report::document(&layout, &balances, &report::quantities(torque), every.as_ref()));
+}
+
+#[test]
+fn every_change_of_verdicts_is_refused() {
+    classify("vee = { bank_angle = 60, throws = [0] }", &[1, 2], true, false);
+    classify("inline = { throws = [0, '1/1000003 turn', 90] }", &[2], false, false);
+    let rods = "inline.throws = [0, 120, 200]\n[mechanism]\nrod_ratio = [0.25, 0.25, 0.3]\noffset_ratio = [0, 0, 0.1]";
+    classify(rods, &[1, 2], true, false);
+    let masses = "inline.throws = [0, 180, 80]\n[mechanism]\nrod_ratio = 0.25\nreciprocating_mass = [1, 2, '3/7']";
+    classify(masses, &[2, 3], false, false);
+}
+
+#[test]
+fn every_change_of_theorems_is_refused() {
+    classify("inline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25", &[2], false, true);
+    classify("vee = { bank_angle = 90, throws = [0] }", &[1], false, true);
+}
+
+#[test]
+fn every_change_of_a_family_is_refused() {
+    for text in [
+        "vee = { bank_angle = 'phi', throws = [0, 90] }",
+        "vee = { bank_angle = 'phi', pin_split = 'delta', throws = [0, 90], spacing = 'a' }",
+        "fan = { banks = ['-phi', 0, 'phi'], throws = [0], positions = ['a'], bank_offsets = ['b', 0, '-b'] }",
+    ] {
+        let Ok(Engine::Open(open)) = layout::parse_engine("family", text) else { panic!("a family: {text}") };
+        assert_guarded(&report::open_document(&open, &family::classify(&open, &[1])));
+    }
+}
+
+#[test]
+fn every_change_of_a_remedy_is_refused() {
+    for text in [
+        "inline.throws = [0, 120, 240]",
+        "vee = { bank_angle = 60, throws = [0, 180] }\n[mechanism]\nrotating_mass = '1/3'\nreciprocating_mass = 1",
+        "inline.throws = [0, 100]\n[mechanism]\nrod_ratio = 0.3\noffset_ratio = [0.1, -0.1]\nreciprocating_mass = [1, 2]",
+    ] {
+        let layout = layout::parse("engine", text).expect("a layout");
+        let found = remedy(&layout, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
+        assert_guarded(&report::remedy_document(&found));
+    }
+}

@@ -1,0 +1,170 @@
+//! What does a source file take from elsewhere in the crate, however it spells it?
+//!
+//! Every path that starts at `crate`, `crankstar`, `self` or `super` is followed, in imports with braces, renames and globs, in
+//! code and inside macros alike: all are the same tokens. Comments and strings are none.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// What stands for the crate as a whole: a path that ends at its root, or a glob of it, through which anything could come.
+pub const ROOT: &str = "crate";
+
+/// The first names below the root of all paths in the text of the module `module`, as in `["exact", "decide"]`.
+pub fn names(text: &str, module: &[&str]) -> BTreeSet<String> {
+    let tokens: TokenStream = text.parse().expect("the tokens of a source file");
+    let mut reader = Reader { found: BTreeSet::new() };
+    reader.code(&listed(tokens), &module.iter().map(|&name| name.to_owned()).collect());
+    reader.found
+}
+
+type Path = Vec<String>;
+
+struct Reader {
+    found: BTreeSet<String>,
+}
+
+impl Reader {
+    /// Code in the module `module`.
+    fn code(&mut self, tokens: &[TokenTree], module: &Path) {
+        let mut place = 0;
+        while place < tokens.len() {
+            let word_at = |ahead: usize| tokens.get(place + ahead).and_then(word).unwrap_or_default();
+            let braces = tokens.get(place + 2).and_then(in_braces);
+            place += match (word_at(0).as_str(), &tokens[place], braces) {
+                ("mod", _, Some(inside)) => {
+                    self.code(&inside, &step(module.clone(), &word_at(1)));
+                    3
+                }
+                ("extern", _, _) if word_at(1) == "crate" && root(&word_at(2), module).is_some() => {
+                    self.found.insert(ROOT.to_owned());
+                    3
+                }
+                ("pub", _, _) => 1 + usize::from(tokens.get(place + 1).is_some_and(is_visibility)),
+                ("use", _, _) => {
+                    let tree = tokens[place + 1..].split(|token| is_sign(token, ';')).next().unwrap_or_default();
+                    self.branches(tree, module, None);
+                    1 + tree.len()
+                }
+                (start, _, _) if root(start, module).is_some() && are_colons(&tokens[place + 1..]) => {
+                    self.path(&tokens[place..], module, None)
+                }
+                (_, TokenTree::Group(group), _) => {
+                    self.code(&listed(group.stream()), module);
+                    1
+                }
+                _ => 1,
+            };
+        }
+    }
+
+    /// The branches of an import, between commas; `base` is the path before the braces, none where there is none.
+    fn branches(&mut self, tokens: &[TokenTree], module: &Path, base: Option<&Path>) {
+        for branch in tokens.split(|token| is_sign(token, ',')) {
+            let colons = branch.iter().take_while(|token| is_sign(token, ':')).count();
+            match (branch.get(colons), base) {
+                (None, _) => {}
+                (Some(TokenTree::Group(group)), _) => self.branches(&listed(group.stream()), module, base),
+                (Some(token), Some(base)) if is_sign(token, '*') => self.take(base),
+                (Some(_), _) => {
+                    self.path(&branch[colons..], module, base);
+                }
+            }
+        }
+    }
+
+    /// One path and what hangs on it; returns how many tokens it has. A path that starts at another crate, or at a name in
+    /// scope, is none of ours.
+    fn path(&mut self, tokens: &[TokenTree], module: &Path, base: Option<&Path>) -> usize {
+        let first = tokens.first().and_then(word).unwrap_or_default();
+        let start = base.map_or_else(|| root(&first, module), |base| Some(step(base.clone(), &first)));
+        let Some(mut path) = start else { return 1 };
+        let mut length = 1;
+        while are_colons(&tokens[length..])
+            && let Some(next) = tokens.get(length + 2)
+        {
+            length += 3;
+            match (next, word(next)) {
+                (_, Some(name)) => path = step(path, &name),
+                (TokenTree::Group(group), None) => {
+                    self.branches(&listed(group.stream()), module, Some(&path));
+                    return length;
+                }
+                (token, None) if is_sign(token, '*') => break,
+                // Generic arguments, which are code of their own.
+                (_, None) => {
+                    length -= 1;
+                    break;
+                }
+            }
+        }
+        self.take(&path);
+        length
+    }
+
+    fn take(&mut self, path: &Path) {
+        self.found.insert(path.first().map_or(ROOT, String::as_str).to_owned());
+    }
+}
+
+/// Where a path with this first word starts; none where the word is no start.
+fn root(word: &str, module: &Path) -> Option<Path> {
+    match word {
+        "crate" | "crankstar" => Some(Path::new()),
+        "self" => Some(module.clone()),
+        "super" => Some(step(module.clone(), "super")),
+        _ => None,
+    }
+}
+
+fn step(mut path: Path, word: &str) -> Path {
+    match word {
+        "self" => {}
+        "super" => {
+            path.pop();
+        }
+        name => path.push(name.to_owned()),
+    }
+    path
+}
+
+/// An identifier, without the mark of a raw one.
+fn word(token: &TokenTree) -> Option<String> {
+    match token {
+        TokenTree::Ident(name) => Some(name.to_string().trim_start_matches("r#").to_owned()),
+        TokenTree::Group(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => None,
+    }
+}
+
+fn is_sign(token: &TokenTree, sign: char) -> bool {
+    match token {
+        TokenTree::Punct(punct) => punct.as_char() == sign,
+        TokenTree::Group(_) | TokenTree::Ident(_) | TokenTree::Literal(_) => false,
+    }
+}
+
+fn are_colons(tokens: &[TokenTree]) -> bool {
+    tokens.len() > 1 && tokens[..2].iter().all(|token| is_sign(token, ':'))
+}
+
+fn in_braces(token: &TokenTree) -> Option<Vec<TokenTree>> {
+    match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(listed(group.stream())),
+        TokenTree::Group(_) | TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => None,
+    }
+}
+
+/// `(crate)`, `(super)`, `(in …)` after `pub`: who may see a thing, and no import.
+fn is_visibility(token: &TokenTree) -> bool {
+    match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {
+            let first = group.stream().into_iter().next().as_ref().and_then(word);
+            first.is_some_and(|word| ["crate", "super", "self", "in"].contains(&word.as_str()))
+        }
+        TokenTree::Group(_) | TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+    }
+}
+
+fn listed(tokens: TokenStream) -> Vec<TokenTree> {
+    tokens.into_iter().collect()
+}
