@@ -12,6 +12,8 @@ const MOST_PLACES: usize = 4;
 const MOST_LETTERS: usize = 20;
 /// Longer closed forms than this tell a reader nothing; their decimals do.
 const LONGEST_FORM: usize = 90;
+/// Digits of the longest number in a closed form that is shown.
+const MOST_DIGITS: usize = 6;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(super) fn number(value: &BigRational) -> String {
@@ -75,6 +77,13 @@ pub(super) fn decimal(value: f64) -> String {
     text.replace('-', "−")
 }
 
+/// Whether a form tells more than its decimals: it is short, and its numbers do not just repeat the digits of the layout's.
+fn is_readable(form: &Form) -> bool {
+    let text = form.to_string();
+    let longest_number = text.split(|letter: char| !letter.is_ascii_digit()).map(str::len).max().unwrap_or(0);
+    text.chars().count() <= LONGEST_FORM && longest_number <= MOST_DIGITS
+}
+
 /// A length: exact where a closed form is known, and in decimals.
 #[derive(Clone)]
 pub(super) struct Amount {
@@ -112,8 +121,8 @@ impl Amount {
         let Some(form) = &self.exact else { return format!("≈ {}", decimal(self.decimal)) };
         match form.as_rational() {
             Some(value) => related(&value),
-            None if form.to_string().chars().count() > LONGEST_FORM => format!("≈ {}", decimal(self.decimal)),
-            None => format!("= {} ≈ {}", irrational(form), decimal(self.decimal)),
+            None if is_readable(form) => format!("= {} ≈ {}", irrational(form), decimal(self.decimal)),
+            None => format!("≈ {}", decimal(self.decimal)),
         }
     }
 }
