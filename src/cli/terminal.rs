@@ -30,7 +30,8 @@ pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
     }
     let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));
     let why = if missing { format!("{WHY_NOT}\n") } else { String::new() };
-    format!("{}\n{table}\n{}\n{why}", layout.title.escaped(Format::Plain), report::LEGEND)
+    let whose = report::whose_masses(layout).map_or_else(String::new, |words| format!("{words}\n"));
+    format!("{}\n{table}\n{}\n{why}{whose}", layout.title.escaped(Format::Plain), report::LEGEND)
 }
 
 /// The title of a family and a table: for which angles each order vanishes.

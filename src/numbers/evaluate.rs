@@ -45,6 +45,12 @@ fn evaluated(sum: &PhasorSum) -> Complex<f64> {
     Complex::new(re, im)
 }
 
+/// The direction of a vector in degrees, in (−180, 180], also where the decimals of one just past half a turn round to it.
+pub fn degrees(vector: Complex<f64>) -> f64 {
+    let degrees = vector.arg().to_degrees();
+    if degrees == -180.0 { 180.0 } else { degrees }
+}
+
 /// A unit vector in decimals.
 pub fn direction(angle: &Turn) -> Complex<f64> {
     let (cos, sin) = FIRST.cos_sin(angle);

@@ -21,7 +21,7 @@ mod written;
 pub use budget::Budget;
 pub use closed::{modulus, modulus_within, plainer, real, real_within};
 pub use direction::{Direction, direction_of};
-pub use evaluate::{direction, enclose, evaluate};
+pub use evaluate::{degrees, direction, enclose, evaluate};
 pub use form::{Form, Root};
 pub use radicals::{as_sum, number, square_as_sum};
 pub use trace::mean_of_conjugates;

@@ -50,7 +50,7 @@ impl Weight {
     /// U in multiples of m r and γ in degrees, in decimals; `None` where c_k is not known.
     pub fn decimals(&self, subject: &Subject) -> Option<[f64; 2]> {
         let value = subject.value(&self.vector, self.order, self.sense)?;
-        Some([value.norm(), value.arg().to_degrees()])
+        Some([value.norm(), numbers::degrees(value)])
     }
 
     /// U in kilogram-metres; `None` where the layout gives no numbers.

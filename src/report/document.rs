@@ -85,7 +85,7 @@ fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
         vanishes,
         terms: vectors(verdict.sum.terms()),
         modulus: sum.norm(),
-        angle_deg: (!vanishes).then(|| sum.arg().to_degrees()),
+        angle_deg: (!vanishes).then(|| numbers::degrees(sum)),
         certificate: verdict.certificate.clone(),
     }
 }

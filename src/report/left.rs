@@ -5,8 +5,9 @@ use num_traits::Zero;
 
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
 use crate::exact::{PhasorSum, Turn};
-use crate::layout::DOES_NOT_EXIST;
+use crate::layout::{DOES_NOT_EXIST, Layout};
 use crate::numbers::{self, Direction};
+use crate::order;
 use crate::proof::{Quantity, Shape};
 use crate::verdict::{Balance, Class, OrderBalance, Verdict};
 
@@ -22,7 +23,7 @@ pub(super) fn modulus_of(sum: &PhasorSum) -> Amount {
 
 /// The direction of a sum that is not zero.
 pub(super) fn bearing(sum: &PhasorSum) -> Bearing {
-    Bearing { exact: numbers::direction_of(sum), decimal: numbers::evaluate(sum).arg().to_degrees() }
+    Bearing { exact: numbers::direction_of(sum), decimal: numbers::degrees(numbers::evaluate(sum)) }
 }
 
 /// The largest value through a revolution, `½(|P⁺| + |P⁻|)`.
@@ -94,6 +95,13 @@ pub(super) fn summary_prose(order: &OrderBalance) -> [String; 2] {
 /// What the summaries are counted in.
 pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
                           times the unit of the positions; = exact, ≈ decimal.";
+
+/// Whose masses the verdicts are about, where the layout has others than the reciprocating ones.
+pub fn whose_masses(layout: &Layout) -> Option<&'static str> {
+    (order::groups_of(layout).len() > 1).then_some(
+        "These are the verdicts on the reciprocating masses alone; loads, remedies and bearings reckon with all masses of the layout.",
+    )
+}
 
 fn force_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
     if order.exists { summary(&order.force, "", set) } else { DOES_NOT_EXIST.to_owned() }

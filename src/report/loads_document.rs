@@ -8,6 +8,7 @@ use super::calculation::Numbers;
 use crate::accuracy::Largest;
 use crate::layout::Layout;
 use crate::loads::{Arm, Bound, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::numbers;
 use crate::order::MassGroup;
 
 /// The loads of an engine as data.
@@ -308,7 +309,7 @@ fn vanishes(vector: &Vector) -> Option<bool> {
 }
 
 fn angle(vector: &Vector) -> Option<f64> {
-    (vector.value != Complex::new(0.0, 0.0)).then(|| vector.value.arg().to_degrees())
+    (vector.value != Complex::new(0.0, 0.0)).then(|| numbers::degrees(vector.value))
 }
 
 /// The word of an effect in the JSON document.

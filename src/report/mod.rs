@@ -54,7 +54,7 @@ pub use compare::{CompareDocument, Compared, compare_document, compare_lines, co
 pub use dialect::Dialect;
 pub use document::{document, quantities};
 pub use folder::{File, index, open_report, report};
-pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary};
+pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary, whose_masses};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};

@@ -409,10 +409,11 @@ fn units(layout: &Layout) -> String {
         crate::layout::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
     };
     let mass = mass.replace("c_k", "$c_k$");
+    let whose = left::whose_masses(layout).map_or_else(String::new, |words| format!(" {words}"));
     format!(
         "The number is the largest value through a revolution, $\\tfrac12(\\lvert P^{{+}}\\rvert + \\lvert P^{{-}}\\rvert)$: \
          forces in units of {mass}, moments in the same {arm}. **0** is exact and proved; = stands before exact numbers, ≈ before \
-         decimals. A couple is the same about every plane; a moment is taken about the reference plane."
+         decimals. A couple is the same about every plane; a moment is taken about the reference plane.{whose}"
     )
 }
 

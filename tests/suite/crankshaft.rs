@@ -228,3 +228,11 @@ fn what_cannot_be_compared_is_missing() {
     assert_eq!(missing("reciprocating_mass = 1"), Some(Missing::CrankRadius));
     assert_eq!(missing("reciprocating_mass = 1\ncrank_radius = 0.05"), None);
 }
+
+#[test]
+fn the_page_of_an_engine_with_masses_that_turn_says_whose_masses_its_verdicts_are_about() {
+    let bare = read("[inline]\nthrows = [0]\n[mechanism]\nrod_ratio = 0.25\n");
+    assert_eq!(crankstar::report::whose_masses(&bare), None);
+    let built = read(I3);
+    assert!(crankstar::report::whose_masses(&built).is_some_and(|words| words.contains("reciprocating masses alone")));
+}

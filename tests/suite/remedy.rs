@@ -400,7 +400,7 @@ fn answered(text: &str) -> Result<(), TestCaseError> {
     prop_assert!(!report::remedy_lines(&found).is_empty());
     let json = serde_json::to_string(&report::remedy_document(&found)).expect("JSON");
     let document: RemedyDocument = serde_json::from_str(&json).expect("the document reads");
-    prop_assert!(check_remedy_document(&document).is_ok());
+    prop_assert_eq!(check_remedy_document(&document).map(|_| ()), Ok(()));
     Ok(())
 }
 
@@ -410,6 +410,12 @@ fn the_full_file_is_answered() {
     answered(FULL).expect("an answer");
     let bare = "inline.throws = [0, 100]";
     answered(bare).expect("an answer");
+}
+
+#[test]
+fn a_weight_just_past_half_a_turn_has_an_angle_that_the_checker_takes() {
+    let nearly = FULL.replacen("angle = 10", "angle = 1e-99", 1);
+    answered(&nearly).expect("an answer");
 }
 
 proptest! {

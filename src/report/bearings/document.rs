@@ -8,6 +8,7 @@ use super::super::calculation::Unit;
 use super::amounts::unit_of;
 use crate::layout::Layout;
 use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
+use crate::numbers;
 use crate::order::{Factor, OrderSum};
 
 /// What the main bearings feel, as data.
@@ -137,7 +138,7 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
     };
     Turning {
         amplitude: vector.value.norm() / 2.0 * unit.factor,
-        angle_deg: (vector.value.norm_sqr() > 0.0).then(|| vector.value.arg().to_degrees()),
+        angle_deg: (vector.value.norm_sqr() > 0.0).then(|| numbers::degrees(vector.value)),
         vanishes,
         sums: sum
             .parts()

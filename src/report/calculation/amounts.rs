@@ -2,6 +2,7 @@
 
 use crate::layout::Layout;
 use crate::loads::{Arm, Loads, Outcome, Scale, Swing, Vector};
+use crate::numbers;
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
@@ -91,7 +92,7 @@ pub(crate) fn vector(vector: &Vector, unit: Unit) -> String {
     match vector.outcome {
         Outcome::Zero => "0".to_owned(),
         Outcome::NotZero => {
-            let angle = super::expression::rounded(vector.value.arg().to_degrees(), DIGITS);
+            let angle = super::expression::rounded(numbers::degrees(vector.value), DIGITS);
             // Half a turn has two names.
             let angle = if angle == -180.0 { 180.0 } else { angle };
             format!("{} at {}°", amount(vector.value.norm() / 2.0, unit), digits(angle))

@@ -26,6 +26,7 @@ use super::page::NamedFigure;
 use super::table::Table;
 use crate::layout::Layout;
 use crate::loads::{Loads, Missing, Needed, Peak, Waveform};
+use crate::numbers;
 use crate::order::MassGroup;
 use crate::proof::Quantity;
 use expression::Line;
@@ -308,7 +309,7 @@ fn torque_section(layout: &Layout, loads: &Loads, largest: Option<String>, diale
     let row = |order: &crate::loads::TorqueOrder| {
         let angle = match order.vector.outcome {
             crate::loads::Outcome::Zero => "–".to_owned(),
-            _ => format!("≈ {}°", amounts::digits(order.vector.value.arg().to_degrees())),
+            _ => format!("≈ {}°", amounts::digits(numbers::degrees(order.vector.value))),
         };
         let dimensionless = match order.vector.outcome {
             crate::loads::Outcome::Zero => "0".to_owned(),

@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::amounts::Units;
 use super::tables;
 use crate::layout::Layout;
+use crate::numbers;
 use crate::optimise::{Couple, Design, Front, Left, Point, Uniform, Weight};
 
 /// The best crankshafts, as data.
@@ -134,7 +135,7 @@ fn weight(weight: &Weight) -> WeightEntry {
         throw: weight.place.throw.map(|throw| throw + 1),
         mass_kg: weight.mass.to_f64().unwrap_or(f64::NAN),
         mass_radius_kg_m: weight.mass_radius.norm(),
-        angle_deg: weight.mass_radius.arg().to_degrees(),
+        angle_deg: numbers::degrees(weight.mass_radius),
         balance_factor: weight.factor,
         skew_deg: weight.skew,
     }

@@ -5,6 +5,7 @@ use super::super::typeset;
 use super::amounts::{self, Units};
 use crate::layout::{Layout, LengthUnit};
 use crate::loads::Arm;
+use crate::numbers;
 use crate::optimise::{Front, Weight};
 
 /// What the figures of a front are counted in.
@@ -105,7 +106,7 @@ fn cell(weight: &Weight) -> String {
     match (weight.factor, weight.skew) {
         (Some(factor), Some(skew)) => format!("{}, {}°", amounts::four(factor), degrees(skew)),
         _ => {
-            let [size, angle] = [weight.mass_radius.norm(), weight.mass_radius.arg().to_degrees()];
+            let [size, angle] = [weight.mass_radius.norm(), numbers::degrees(weight.mass_radius)];
             format!("{} kg·m at {}°", amounts::four(size), degrees(angle))
         }
     }

@@ -98,7 +98,7 @@ fn weight(weight: &Weight) -> WeightClaim {
             coefficient: coefficient(factor),
             terms: vectors(&sum.collected()),
             modulus: value.norm(),
-            angle_deg: value.arg().to_degrees(),
+            angle_deg: numbers::degrees(value),
         }
     };
     WeightClaim {

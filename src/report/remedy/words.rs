@@ -68,7 +68,7 @@ pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
         let (factor, sum) = weight.vector.only()?;
         let value = numbers::evaluate(sum);
         let value = if remedy::is_negative(factor, weight.order)? { -value } else { value };
-        Some(value.arg().to_degrees())
+        Some(numbers::degrees(value))
     };
     let of_value = weight.decimals(&remedy.subject).map(|[_, degrees]| degrees);
     let Some(decimal) = of_value.or_else(of_sum) else { return format!("depends on c_{}", weight.order) };
