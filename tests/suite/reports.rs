@@ -152,8 +152,19 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
             || stored(&folder())["README.md"].contains(&format!("]({name})"));
         assert!(linked, "reports/README.md does not lead to reports/{name}");
         assert!(
-            ["accuracy", "atlas", "claims", "examples", "families", "grigoryev", "optimise", "stability", "thesis"]
-                .contains(&name.as_str())
+            [
+                "accuracy",
+                "atlas",
+                "claims",
+                "examples",
+                "families",
+                "grigoryev",
+                "optimise",
+                "stability",
+                "thesis",
+                "trust"
+            ]
+            .contains(&name.as_str())
                 || layout::find(&name).is_some(),
             "reports/{name} belongs to no engine"
         );
