@@ -121,6 +121,11 @@ impl PhasorSum {
         self.times(&self.conjugate())
     }
 
+    /// Whether both sums are equally long: `|S|² − |S′|²` is zero, decided exactly.
+    pub fn is_as_long_as(&self, other: &Self) -> bool {
+        self.squared_modulus().minus(&other.squared_modulus()).vanishes()
+    }
+
     fn map(&self, change: impl Fn(&Term) -> Term) -> Self {
         PhasorSum { terms: self.terms.iter().map(change).collect() }
     }

@@ -83,7 +83,7 @@ impl OrderSum {
     pub fn is_as_long_as(&self, other: &Self) -> bool {
         match (self.only(), other.only()) {
             (Some((factor, sum)), Some((other_factor, other_sum))) => {
-                factor == other_factor && sum.squared_modulus().minus(&other_sum.squared_modulus()).vanishes()
+                factor == other_factor && sum.is_as_long_as(other_sum)
             }
             _ => self.vanishes() && other.vanishes(),
         }

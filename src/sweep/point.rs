@@ -167,17 +167,13 @@ fn from_words(
     amplitudes(direct * coefficient, mirrored * coefficient, zeros, reach, &|| {
         let [direct, reverse] =
             [Sense::Direct, Sense::Reverse].map(|sense| order::star(layout, quantity, order, Some(sense)));
-        equally_long(&direct, &reverse)
+        direct.is_as_long_as(&reverse)
     })
 }
 
 /// An order whose coefficient is 0.
 fn gone() -> Amplitudes {
     amplitudes(Complex::zero(), Complex::zero(), [true; 4], 0.0, &|| true)
-}
-
-fn equally_long(one: &PhasorSum, other: &PhasorSum) -> bool {
-    one.squared_modulus().minus(&other.squared_modulus()).vanishes()
 }
 
 /// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally
