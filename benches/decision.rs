@@ -6,8 +6,8 @@
 #[path = "../tests/suite/support/oracle.rs"]
 mod oracle;
 
+use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, vanishes};
-use crankstar::layout::Layout;
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use divan::{Bencher, black_box};
@@ -18,8 +18,8 @@ fn main() {
 
 const ORDERS: [u32; 7] = [1, 2, 4, 6, 8, 10, 12];
 
-fn cross_plane_v8() -> Layout {
-    crankstar::layout::find("V8-crossplane").expect("in the catalogue").layout().expect("reads")
+fn cross_plane_v8() -> Engine {
+    crankstar::file::find("V8-crossplane").expect("in the catalogue").engine().expect("reads")
 }
 
 fn sums() -> Vec<PhasorSum> {

@@ -7,7 +7,8 @@
 
 use std::process::Command;
 
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::loads::{self, Circle, Loads, Waveform};
 use divan::{Bencher, black_box};
 
@@ -41,14 +42,14 @@ impl std::fmt::Display for Scene {
     }
 }
 
-fn v8(Scene { effects, masses, .. }: Scene) -> Layout {
+fn v8(Scene { effects, masses, .. }: Scene) -> Engine {
     let text = format!(
         "speed = 6000\n{effects}\n\
          [vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\nspacing = \"0.12 m\"\nbank_offset = \"16 mm\"\n\
          [mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.25\n{masses}\n\
          reciprocating_mass = [0.65, 0.66, 0.64, 0.65, 0.63, 0.67, 0.65, 0.66]\n"
     );
-    layout::parse("v8.toml", &text).expect("it reads")
+    file::parse("v8.toml", &text).expect("it reads")
 }
 
 fn computed(scene: Scene) -> Loads {

@@ -2,7 +2,8 @@
 //!
 //! `cargo bench --bench report`
 
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::report::{self, Dialect};
 use crankstar::verdict;
 use divan::{Bencher, black_box};
@@ -13,8 +14,8 @@ fn main() {
 
 const ENGINES: [&str; 6] = ["I4", "I5-12453", "V6-90-split", "V8-crossplane", "V12-60", "radial-18"];
 
-fn engine(name: &str) -> Layout {
-    layout::find(name).expect("in the catalogue").layout().expect("it reads")
+fn engine(name: &str) -> Engine {
+    file::find(name).expect("in the catalogue").engine().expect("it reads")
 }
 
 #[divan::bench(args = ENGINES)]

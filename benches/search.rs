@@ -9,8 +9,8 @@
 
 use std::cmp::Ordering;
 
+use crankstar::engine::Cycle;
 use crankstar::exact::{PhasorSum, Term, Turn};
-use crankstar::layout::Cycle;
 use crankstar::numbers;
 use crankstar::search::{Options, Problem, every_value, search};
 use divan::counter::ItemsCount;

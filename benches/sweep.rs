@@ -3,7 +3,7 @@
 //! `cargo bench --bench sweep`. The cross-plane V8 over its bank angle in 10,000 steps, orders 1, 2, 4 and 6, on all cores.
 //! The baseline, in the same run: 100 of these layouts from their text, one by one, judged by the decision procedure.
 
-use crankstar::layout::{self, Template};
+use crankstar::file::{self, Template};
 use crankstar::sweep::{Geometry, Parameter, sweep};
 use crankstar::verdict;
 use divan::counter::ItemsCount;
@@ -58,7 +58,7 @@ fn d_hundred_layouts_from_their_text(bencher: Bencher) {
         texts
             .iter()
             .map(|text| {
-                let layout = layout::parse("v8.toml", black_box(text)).expect("it reads");
+                let layout = file::parse("v8.toml", black_box(text)).expect("it reads");
                 verdict::classify(&layout, &[1, 2, 4, 6], false).len()
             })
             .sum::<usize>()

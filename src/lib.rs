@@ -5,7 +5,7 @@
 //!
 //! ```standalone_crate
 //! use crankstar::proof::{Quantity, Sense};
-//! let v8 = crankstar::layout::find("V8-crossplane").unwrap().layout().unwrap();
+//! let v8 = crankstar::file::find("V8-crossplane").unwrap().engine().unwrap();
 //! let order_1 = crankstar::order::star(&v8, Quantity::Force, 1, Some(Sense::Direct));
 //! println!("{}", serde_json::to_string(&order_1.certificate()).unwrap());
 //! // {"kind":"polygons","polygons":[{"sides":2,"rotation":"0","weight":"2"},{"sides":2,"rotation":"1/4","weight":"2"}]}
@@ -24,8 +24,8 @@
 //! accuracy  remedy  optimise  sweep  search
 //! loads  family
 //! verdict
-//! order  numbers
-//! layout
+//! file  order  numbers
+//! engine
 //! exact
 //! proof  motion  beam  text
 //! ```
@@ -40,9 +40,11 @@
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod beam;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod engine;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod exact;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod layout;
+pub mod file;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod order;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]

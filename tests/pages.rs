@@ -9,14 +9,15 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::report::{self, Compared, Dialect};
 use crankstar::text::Untrusted;
 use crankstar::verdict;
 use serde_json::Value;
 
 /// A fresh folder with the report of an engine in it.
-fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
+fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
     // Tests run beside each other: each has folders of its own.
     let test = std::thread::current().name().unwrap_or("pages").to_owned();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{dialect:?}")).join(name);
@@ -32,11 +33,11 @@ fn write_report(name: &str, layout: &Layout, dialect: Dialect) -> PathBuf {
 }
 
 /// The catalogue, and layouts that strain the page: masses, long fractions, a title full of special characters.
-fn engines() -> Vec<(String, Layout)> {
-    let catalogue = layout::catalogue().expect("the catalogue reads").into_iter();
+fn engines() -> Vec<(String, Engine)> {
+    let catalogue = file::catalogue().expect("the catalogue reads").into_iter();
     let strange =
         [("strange-masses", include_str!("pages/masses.toml")), ("strange-radial", include_str!("pages/radial.toml"))];
-    let strange = strange.map(|(name, text)| (name.to_owned(), layout::parse(name, text).expect("it reads")));
+    let strange = strange.map(|(name, text)| (name.to_owned(), file::parse(name, text).expect("it reads")));
     catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(strange).collect()
 }
 

@@ -10,7 +10,8 @@ use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
 use crankstar::claim::{parse_claims, parse_statement};
-use crankstar::layout::{self, Cycle, Engine, Family, Key, Layout, Template};
+use crankstar::engine::{Cycle, Engine, Family};
+use crankstar::file::{self, Key, Layout, Template};
 use crankstar::proof::read_document;
 use crankstar::report::{self, Dialect};
 use crankstar::search::{self, Front, Options, Problem, search};
@@ -33,14 +34,14 @@ fn text(bytes: &[u8]) -> Option<&str> {
 /// A layout file: read, judged, its document checked, its loads and its report made.
 pub fn layout(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
-    match layout::parse_engine("layout.toml", text) {
-        Ok(Engine::Known(layout, _)) => known(&layout),
-        Ok(Engine::Open(family)) => open(&family),
+    match file::parse_layout("layout.toml", text) {
+        Ok(Layout::Known(layout, _)) => known(&layout),
+        Ok(Layout::Open(family)) => open(&family),
         Err(error) => assert!(!error.message().is_empty() && !error.to_string().is_empty()),
     }
 }
 
-fn known(layout: &Layout) {
+fn known(layout: &Engine) {
     if layout.cylinders.len() > MOST_CYLINDERS {
         return;
     }
@@ -73,8 +74,8 @@ fn open(family: &Family) {
 /// A claims file: read, its first claims answered, in words.
 pub fn claims(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
-    let find = |name: &str| match layout::find(name) {
-        Some(entry) => entry.layout().map_err(|error| error.to_string()),
+    let find = |name: &str| match file::find(name) {
+        Some(entry) => entry.engine().map_err(|error| error.to_string()),
         None => Err(format!("there is no engine `{name}`")),
     };
     let claims = match parse_claims("claims.toml", text, &find) {
@@ -136,9 +137,9 @@ fn answer(front: &Front) -> String {
 pub fn values(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let refused = [
-        layout::parse_number(text).err().map(|error| error.to_string()),
-        layout::parse_angle(text).err(),
-        layout::parse_length(text).err(),
+        file::parse_number(text).err().map(|error| error.to_string()),
+        file::parse_angle(text).err(),
+        file::parse_length(text).err(),
         Key::parse(text).err(),
         parse_statement(text).err().map(|mistake| mistake.message),
         Range::parse(text).err().map(|error| error.to_string()),

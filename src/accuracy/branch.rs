@@ -7,12 +7,12 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::engine::{Engine, phases};
+use super::bodies::{Bodies, phases};
 use super::interval::Interval;
 use super::jet::{Jet, turning};
 use super::real::Real;
+use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::layout::Layout;
 use crate::proof::Quantity;
 
 /// Spans at the start.
@@ -60,16 +60,16 @@ pub(super) struct Found {
 /// An engine in intervals, with derivatives and without.
 #[derive(Clone, Debug)]
 pub(super) struct Search {
-    still: Engine<Interval>,
-    moving: Engine<Jet<Interval>>,
-    curved: Engine<Jet<Jet<Interval>>>,
+    still: Bodies<Interval>,
+    moving: Bodies<Jet<Interval>>,
+    curved: Bodies<Jet<Jet<Interval>>>,
     phases: Vec<Interval>,
 }
 
 impl Search {
-    pub fn new(layout: &Layout, quantity: Quantity) -> Self {
+    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
         let direction = |angle: &Turn| Interval::around(angle.turns()).direction();
-        let still = Engine::new(layout, quantity, &Interval::around, &direction);
+        let still = Bodies::new(layout, quantity, &Interval::around, &direction);
         let moving = still.map(&Jet::constant);
         let curved = moving.map(&Jet::constant);
         let phases = phases(layout).iter().map(|phase| Interval::around(phase.turns())).collect();

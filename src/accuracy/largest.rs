@@ -6,7 +6,7 @@
 
 use super::branch::Search;
 use super::interval::Interval;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{self, Missing, Spectrum};
 use crate::proof::Quantity;
 
@@ -86,7 +86,7 @@ impl LargestLoads {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn new(layout: &Layout) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine) -> Result<Self, Missing> {
         Ok(LargestLoads {
             force: largest(layout, Quantity::Force)?,
             moment: largest(layout, Quantity::Moment)?,
@@ -99,7 +99,7 @@ impl LargestLoads {
 ///
 /// # Errors
 /// What the layout lacks for numbers.
-pub fn largest(layout: &Layout, quantity: Quantity) -> Result<Largest, Missing> {
+pub fn largest(layout: &Engine, quantity: Quantity) -> Result<Largest, Missing> {
     let mut spectrum = Spectrum::new(layout)?;
     if loads::vanishes_at_every_order(layout, quantity) {
         return Ok(Largest::Zero);
@@ -131,7 +131,7 @@ fn of_orders(spectrum: &Spectrum, quantity: Quantity) -> Largest {
 }
 
 /// By intervals over the closed form.
-fn of_motion(layout: &Layout, quantity: Quantity) -> Largest {
+fn of_motion(layout: &Engine, quantity: Quantity) -> Largest {
     let found = Search::new(layout, quantity).run(SURE, MOST_SPANS);
     let ends = Interval { low: found.low.sqrt().next_down(), high: found.high.sqrt().next_up() };
     let highest = found.spans.iter().max_by(|a, b| a.reach.total_cmp(&b.reach));

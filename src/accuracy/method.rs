@@ -10,7 +10,7 @@ use super::orders::Orders;
 use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
 use super::timing::measured;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{self, Missing};
 use crate::motion::Enclosure;
 use crate::order::{TurningMass, turning_masses};
@@ -83,7 +83,7 @@ pub struct Study {
 ///
 /// # Errors
 /// What the layout lacks for numbers.
-pub fn study(layout: &Layout, quantity: Quantity, timed: bool) -> Result<Study, Missing> {
+pub fn study(layout: &Engine, quantity: Quantity, timed: bool) -> Result<Study, Missing> {
     if !turning_masses(layout).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }

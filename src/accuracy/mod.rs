@@ -8,15 +8,15 @@
 //! use crankstar::proof::Quantity;
 //! use num_rational::BigRational;
 //!
-//! let i4 = crankstar::layout::find("I4").unwrap().layout().unwrap();
+//! let i4 = crankstar::file::find("I4").unwrap().engine().unwrap();
 //! let i4 = accuracy::with_rod_ratio(&i4, &BigRational::new(3.into(), 10.into()));
 //! let force = accuracy::study(&i4, Quantity::Force, false).unwrap();
 //! let second_order = force.rows.iter().find(|row| row.method == Method::Orders(2)).unwrap();
 //! assert!(0.02 < second_order.error && second_order.error < second_order.bound.unwrap());
 //! ```
 
+mod bodies;
 mod branch;
-mod engine;
 mod fixed;
 mod front;
 mod interval;
@@ -36,12 +36,12 @@ pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};
 
-use crate::layout::{Layout, Rod};
+use crate::engine::{Engine, Rod};
 
 /// The same engine with this rod ratio λ at every cylinder.
 ///
 /// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. A layout without rods gets rods without offset.
-pub fn with_rod_ratio(layout: &Layout, ratio: &BigRational) -> Layout {
+pub fn with_rod_ratio(layout: &Engine, ratio: &BigRational) -> Engine {
     let mut changed = layout.clone();
     changed.mechanism.rods.resize(layout.cylinders.len(), Rod { ratio: ratio.clone(), offset: BigRational::zero() });
     for rod in &mut changed.mechanism.rods {

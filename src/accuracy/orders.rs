@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{Harmonic, Missing, Spectrum, Tails, Waveform};
 use crate::motion::Enclosure;
 use crate::proof::Quantity;
@@ -22,7 +22,7 @@ pub(super) struct Orders {
 }
 
 impl Orders {
-    pub fn new(layout: &Layout, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
         let mut spectrum = Spectrum::new(layout)?.with_tails(Tails::with_coefficients(layout, highest)?);
         spectrum.raise(highest, quantity == Quantity::Torque);
         Ok(Orders {

@@ -10,13 +10,13 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
+use super::bodies::{Bodies, phases};
 use super::branch::{Found, Search, Span};
-use super::engine::{Engine, phases};
 use super::fixed::Fixed;
 use super::interval::Interval;
 use super::jet::{Jet, turning};
+use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::layout::Layout;
 use crate::motion::Enclosure;
 use crate::proof::Quantity;
 
@@ -39,14 +39,14 @@ const LAST_STEP: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Fractions {
     search: Search,
-    engine: Engine<Jet<Fixed>>,
+    engine: Bodies<Jet<Fixed>>,
     phases: Vec<Turn>,
     bits: u32,
 }
 
 impl Fractions {
-    pub fn new(layout: &Layout, quantity: Quantity) -> Self {
-        let gap = |rod: &crate::layout::Rod| {
+    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
+        let gap = |rod: &crate::engine::Rod| {
             let reach: BigRational = &rod.ratio + rod.offset.abs();
             let gap = BigRational::from_integer(1.into()) - reach;
             (gap.denom().bits() as i64 - gap.numer().bits() as i64).clamp(0, 4096) as u32
@@ -55,7 +55,7 @@ impl Fractions {
         let bits = BITS + 4 * layout.mechanism.rods.iter().map(gap).max().unwrap_or(0);
         let number = |number: &BigRational| Fixed::around(number, bits);
         let direction = |angle: &Turn| Fixed::direction(angle, bits);
-        let engine = Engine::new(layout, quantity, &number, &direction).map(&Jet::constant);
+        let engine = Bodies::new(layout, quantity, &number, &direction).map(&Jet::constant);
         Fractions { search: Search::new(layout, quantity), engine, phases: phases(layout), bits }
     }
 

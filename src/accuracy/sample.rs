@@ -6,10 +6,10 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::engine::{Engine, phases, turning};
+use super::bodies::{Bodies, phases, turning};
 use super::real::single_direction;
+use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::layout::Layout;
 use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
@@ -34,7 +34,7 @@ struct Piston {
 impl Doubles {
     /// # Errors
     /// A crank cannot turn round.
-    pub fn new(layout: &Layout, quantity: Quantity) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine, quantity: Quantity) -> Result<Self, Missing> {
         let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let arm = |cylinder| match quantity {
             Quantity::Moment => float(&layout.arm(cylinder)),
@@ -74,19 +74,19 @@ impl Doubles {
 /// An engine in single floats: IEEE 754 operations alone, so that errors are the same on every machine.
 #[derive(Clone, Debug)]
 pub(super) struct Singles {
-    engine: Engine<f32>,
+    engine: Bodies<f32>,
     phases: Vec<f32>,
 }
 
 impl Singles {
-    pub fn new(layout: &Layout, quantity: Quantity) -> Self {
+    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
         let number = |number: &BigRational| number.to_f32().unwrap_or(f32::NAN);
         let direction = |angle: &Turn| {
             let direction = numbers::direction(angle);
             [direction.re as f32, direction.im as f32]
         };
         let phases = phases(layout).iter().map(|phase| number(phase.turns())).collect();
-        Singles { engine: Engine::new(layout, quantity, &number, &direction), phases }
+        Singles { engine: Bodies::new(layout, quantity, &number, &direction), phases }
     }
 
     /// The largest length at so many angles.

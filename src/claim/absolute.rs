@@ -9,7 +9,7 @@ use super::answer::{Answer, Evidence, Finding, Status};
 use super::compare::float;
 use super::order::half_of_lengths;
 use super::statement::{Subject, Tolerance, Value};
-use crate::layout::{Layout, LengthUnit};
+use crate::engine::{Engine, LengthUnit};
 use crate::motion::{self, SliderCrank};
 use crate::order::unit_mass;
 use crate::proof::{Quantity, Sense};
@@ -32,7 +32,7 @@ pub struct Numbers {
 
 impl Numbers {
     /// What a layout file says itself, where all rods are alike and without offset.
-    fn of(layout: &Layout) -> Option<Self> {
+    fn of(layout: &Engine) -> Option<Self> {
         let mechanism = &layout.mechanism;
         mechanism.mass.as_ref()?;
         let rod = mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
@@ -61,7 +61,7 @@ pub struct Absolute {
 
 /// Answers a claim in newtons or newton-metres.
 pub(super) fn answer(
-    layout: &Layout,
+    layout: &Engine,
     subject: Subject,
     order: &OrderBalance,
     value: &Value,

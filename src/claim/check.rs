@@ -3,8 +3,8 @@
 use num_rational::BigRational;
 use serde::Deserialize;
 
-use crate::layout::parse_number;
-use crate::layout::written::Text;
+use crate::file::parse_number;
+use crate::file::written::Text;
 use crate::proof::Quantity;
 use crate::sweep::Zeros;
 

@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::answer::Condition;
+use crate::engine::{Cylinder, Engine, Form};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{Cylinder, Form, Layout};
 use crate::numbers;
 use crate::order;
 use crate::proof::{Quantity, Sense};
@@ -15,7 +15,7 @@ const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
 /// Conditions of a vanishing moment: only about this plane where the force is left, only without a bank offset where
 /// one would not cancel.
-pub(super) fn of_vanishing(layout: &Layout, order: &OrderBalance, senses: &[Sense]) -> Vec<Condition> {
+pub(super) fn of_vanishing(layout: &Engine, order: &OrderBalance, senses: &[Sense]) -> Vec<Condition> {
     let force_is_left = senses.iter().any(|sense| !of(&order.force, *sense).vanishes());
     let plane = force_is_left.then(|| Condition::AboutPlane(layout.reference_plane.clone()));
     let offset = (takes_offset(layout)
@@ -25,7 +25,7 @@ pub(super) fn of_vanishing(layout: &Layout, order: &OrderBalance, senses: &[Sens
 }
 
 /// The plane about which a moment vanishes that does not about the layout's: `C = z P` for each vector.
-pub(super) fn plane_of_vanishing(layout: &Layout, order: &OrderBalance, senses: &[Sense]) -> Option<BigRational> {
+pub(super) fn plane_of_vanishing(layout: &Engine, order: &OrderBalance, senses: &[Sense]) -> Option<BigRational> {
     let vectors = |sense: &Sense| (of(&order.force, *sense).sum.clone(), of(&order.moment, *sense).sum.clone());
     let (force, moment) = senses.iter().map(vectors).find(|(force, _)| !force.vanishes())?;
     // C P̄ = z |P|²: for a rational z both closed forms are multiples of each other.
@@ -44,13 +44,13 @@ fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdi
 }
 
 /// Whether the layout is a vee whose cylinders stand pin by pin in one plane, so that an offset is a change.
-fn takes_offset(layout: &Layout) -> bool {
+fn takes_offset(layout: &Engine) -> bool {
     let partner = |a: &Cylinder| layout.cylinders.iter().any(|b| b.bank != a.bank && b.position == a.position);
     matches!(layout.form, Form::Vee | Form::Flat) && layout.cylinders.iter().all(partner)
 }
 
 /// What an offset of the banks adds to the moment: the force of one bank less that of the other.
-fn offset_sum(layout: &Layout, order: u32, sense: Sense) -> PhasorSum {
+fn offset_sum(layout: &Engine, order: u32, sense: Sense) -> PhasorSum {
     let first: Option<&Turn> = layout.cylinders.first().map(|cylinder| &cylinder.bank);
     let force = order::star(layout, Quantity::Force, order, Some(sense));
     let signed = layout.cylinders.iter().zip(force.terms()).map(|(cylinder, term)| Term {

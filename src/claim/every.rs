@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use super::answer::{Answer, Evidence, Finding, Status};
 use super::condition::{of_vanishing, senses};
 use super::statement::Orders;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::proof::Quantity;
 use crate::verdict::{self, Balance, OrderBalance};
 
@@ -13,7 +13,7 @@ use crate::verdict::{self, Balance, OrderBalance};
 const LONGEST_PERIOD: u32 = 2000;
 
 /// Answers a claim that orders vanish. Without pin offset the orders that exist are 1 and the even ones.
-pub(super) fn answer(layout: &Layout, orders: &Orders, quantities: &[Quantity]) -> Answer {
+pub(super) fn answer(layout: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
     if quantities.contains(&Quantity::Torque) {
         return Answer::nothing("the inertia torque is judged order by order: claim one order of it at a time");
     }
@@ -67,6 +67,6 @@ fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Quantity]) -> impl Iterat
 }
 
 /// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.
-fn period(layout: &Layout) -> Option<u32> {
+fn period(layout: &Engine) -> Option<u32> {
     verdict::period(layout).to_u32().filter(|period| *period <= LONGEST_PERIOD)
 }

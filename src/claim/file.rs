@@ -11,8 +11,9 @@ use super::grammar::parse_statement;
 use super::provenance::{Keys, Provenance};
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
-use crate::layout::written::{Table, Text, place, read};
-use crate::layout::{Layout, LayoutError, units};
+use crate::engine::Engine;
+use crate::file::written::{Table, Text, place, read};
+use crate::file::{LayoutError, units};
 use crate::text::Untrusted;
 
 /// A claims file, every claim read.
@@ -45,7 +46,7 @@ pub struct Claim {
     /// The engine's name or path, as written.
     pub engine: Untrusted,
     /// The engine.
-    pub layout: Layout,
+    pub layout: Engine,
     /// Who says so, and where.
     pub provenance: Provenance,
     /// The claim, as written.
@@ -130,7 +131,7 @@ struct NumbersTable {
 }
 
 /// Finds the engine of a name or path; the error says what is wrong with it.
-pub type Find<'a> = &'a dyn Fn(&str) -> Result<Layout, String>;
+pub type Find<'a> = &'a dyn Fn(&str) -> Result<Engine, String>;
 
 /// Reads a claims file; `name` is the path that messages show, `find` looks up engines.
 ///
@@ -173,7 +174,7 @@ fn text(text: &Text) -> Untrusted {
 }
 
 /// The engine that a text names.
-pub(super) fn engine(name: &Text, find: Find) -> Result<Layout, LayoutError> {
+pub(super) fn engine(name: &Text, find: Find) -> Result<Engine, LayoutError> {
     find(&name.get_ref().0).map_err(|reason| LayoutError::new(reason, "this engine is not found", place(name)))
 }
 
@@ -217,5 +218,5 @@ fn positive(
 /// Revolutions a minute.
 fn revolutions(text: &str) -> Result<BigRational, String> {
     let number = text.trim().trim_end_matches("rpm").trim_end();
-    crate::layout::parse_number(number).map_err(|error| format!("{error}; revolutions a minute, as in \"600 rpm\""))
+    crate::file::parse_number(number).map_err(|error| format!("{error}; revolutions a minute, as in \"600 rpm\""))
 }

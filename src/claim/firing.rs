@@ -3,11 +3,11 @@
 use num_rational::BigRational;
 
 use super::answer::{Answer, Condition, Finding, Status};
+use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::layout::Layout;
 
 /// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
-pub(super) fn answer(layout: &Layout, claimed: bool) -> Answer {
+pub(super) fn answer(layout: &Engine, claimed: bool) -> Answer {
     let (status, intervals) = match &layout.firing {
         Some(firing) => {
             let status = if firing.is_even() == claimed { Status::True } else { Status::False };
@@ -26,7 +26,7 @@ pub(super) fn answer(layout: &Layout, claimed: bool) -> Answer {
 
 /// A four-stroke engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those
 /// of the firing angles 2j/n turns.
-fn can_fire_evenly(layout: &Layout) -> bool {
+fn can_fire_evenly(layout: &Engine) -> bool {
     let Some(first) = layout.cylinders.first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
     let mut centres: Vec<Turn> = layout.cylinders.iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
     let count = centres.len();

@@ -7,12 +7,12 @@
 use super::answer::{Answer, Condition, Evidence, Finding, Status};
 use super::every;
 use super::statement::Orders;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::proof::Quantity;
 use crate::verdict::{self, OrderBalance};
 
 /// Answers the claim that no order leaves a free moment.
-pub(super) fn answer(layout: &Layout) -> Answer {
+pub(super) fn answer(layout: &Engine) -> Answer {
     let about_the_plane = every::answer(layout, &Orders::Every, &[Quantity::Moment]);
     let Answer { status, finding, mut evidence } = about_the_plane;
     match (status, finding) {

@@ -3,7 +3,7 @@
 use super::possible;
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
-use crate::layout::HIGHEST_ORDER;
+use crate::engine::HIGHEST_ORDER;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 

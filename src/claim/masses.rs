@@ -7,8 +7,8 @@ use super::absolute::is_whole;
 use super::answer::{Answer, Finding, Status};
 use super::compare;
 use super::statement::{Tolerance, Value};
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
 use crate::loads::{self, BearingLoads, Method};
 use crate::order::{self, Masses};
 use crate::proof::{Quantity, Sense};
@@ -18,7 +18,7 @@ use crate::verdict::{Balance, OrderBalance};
 const ALIKE: f64 = 1e-12;
 
 /// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
-pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<OrderBalance, String> {
+pub(super) fn balance(layout: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
     loads::comparable(layout).map_err(|missing| missing.to_string())?;
     if layout.mechanism.rods.is_empty() {
         return Err(loads::Missing::Rods.to_string());
@@ -52,7 +52,7 @@ pub(super) fn balance(layout: &Layout, order: u32, masses: Masses) -> Result<Ord
 }
 
 /// Answers a claim about the crankshaft's mass.
-pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
+pub(super) fn crankshaft(layout: &Engine, value: &Value) -> Answer {
     let Some(mass) = layout.crankshaft_mass() else {
         return Answer::nothing("the mass of the crankshaft needs the masses and the crank radius");
     };
@@ -70,7 +70,7 @@ pub(super) fn crankshaft(layout: &Layout, value: &Value) -> Answer {
 
 /// Answers a claim about which main bearings feel the most: each of them more than any that is not named. Whether those
 /// named feel alike is not claimed.
-pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
+pub(super) fn worst_bearings(layout: &Engine, claimed: &[usize]) -> Answer {
     of_bearings(layout, |loads| {
         if let Some(none) = claimed.iter().find(|number| **number > loads.bearings.len()) {
             return Err(format!("there is no main bearing {none}"));
@@ -85,7 +85,7 @@ pub(super) fn worst_bearings(layout: &Layout, claimed: &[usize]) -> Answer {
 }
 
 /// Answers a claim about that force: decimals, which are compared within the tolerance or the digits given.
-pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
+pub(super) fn bearing_load(layout: &Engine, value: &Value) -> Answer {
     of_bearings(layout, |loads| {
         let peak = loads.worst.first().map_or(0.0, |index| loads.bearings[*index].peak.value);
         let peak = match (&loads.scale, value.unit) {
@@ -109,7 +109,7 @@ pub(super) fn bearing_load(layout: &Layout, value: &Value) -> Answer {
 }
 
 /// Solves the main bearings at the orders of the layout file, and judges.
-fn of_bearings(layout: &Layout, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
+fn of_bearings(layout: &Engine, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
     let loads = loads::bearing_loads(layout, &loads::usual_orders(layout), Method::Continuous);
     match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
         Err(reason) => Answer::nothing(&reason),

@@ -23,7 +23,7 @@ mod student;
 mod study;
 mod written_value;
 
-use crate::layout::Layout;
+use crate::engine::Engine;
 
 pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
@@ -38,7 +38,7 @@ pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
-pub fn answer(layout: &Layout, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
+pub fn answer(layout: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
     let of_orders = match statement {
         Statement::Order { .. } | Statement::Vanish { .. } | Statement::NoFreeMoment => true,
         Statement::CanBalance(_)

@@ -8,8 +8,8 @@ use super::compare;
 use super::condition::{of_vanishing, plane_of_vanishing, senses};
 use super::masses;
 use super::statement::{Angle, Predicate, Subject, Value};
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
 use crate::numbers::{self, Form};
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
@@ -56,7 +56,7 @@ impl<'a> Vectors<'a> {
 }
 
 /// Answers a claim about one order.
-pub(super) fn answer(layout: &Layout, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
+pub(super) fn answer(layout: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
     let with_torque = subject.quantity == Quantity::Torque;
     let order = match subject.masses {
         Masses::Reciprocating => {
@@ -114,7 +114,7 @@ fn missing(order: OrderBalance, predicate: &Predicate) -> Answer {
 }
 
 /// Vanishing, with what it depends on.
-fn vanishing(layout: &Layout, subject: Subject, order: &OrderBalance, vanishes: bool, claimed: bool) -> Status {
+fn vanishing(layout: &Engine, subject: Subject, order: &OrderBalance, vanishes: bool, claimed: bool) -> Status {
     let senses = senses(subject.sense);
     let plane = || match subject.quantity {
         Quantity::Moment => plane_of_vanishing(layout, order, &senses),

@@ -7,8 +7,9 @@ use num_traits::{One, Zero};
 use super::answer::{Answer, Evidence, Finding, Status};
 use super::grammar::Mistake;
 use super::statement::{Balanced, Possible, Statement};
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::layout::{Layout, units};
+use crate::file::units;
 use crate::numbers;
 use crate::order::{self, Factor, OrderSum};
 use crate::proof::{Quantity, Sense};
@@ -64,7 +65,7 @@ pub(super) fn parse(text: &str) -> Result<Statement, Mistake> {
 }
 
 /// Finds the weights and proves the engine with them.
-pub(super) fn answer(layout: &Layout, claimed: &Possible) -> Answer {
+pub(super) fn answer(layout: &Engine, claimed: &Possible) -> Answer {
     let subject = match Subject::new(layout) {
         Ok(subject) => subject,
         Err(missing) => return Answer::nothing(&missing.to_string()),
@@ -171,7 +172,7 @@ fn length(vector: &PhasorSum) -> [BigRational; 2] {
     [BigRational::new(scaled(low), unit.clone()), BigRational::new(scaled(high) + 2, unit.clone())]
 }
 
-fn witness(layout: &Layout, subject: &Subject, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {
+fn witness(layout: &Engine, subject: &Subject, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {
     let weights = vectors.into_iter().zip(&claimed.planes).map(|(vector, position)| Weight {
         order: 1,
         sense: Sense::Direct,

@@ -1,7 +1,7 @@
 //! Who says it? A source, with the place and its words; nobody in particular; or the file itself.
 
-use crate::layout::LayoutError;
-use crate::layout::written::{Text, place as place_of};
+use crate::file::LayoutError;
+use crate::file::written::{Text, place as place_of};
 use crate::text::Untrusted;
 
 /// Where a claim comes from. Only what is quoted counts as a claim of its source.

@@ -27,7 +27,7 @@ pub enum Statement {
     NoFreeMoment,
     /// Counterweights that do it exist.
     CanBalance(Possible),
-    /// The crankshaft's mass in the thesis's sense, in kilograms ([`crate::layout::Layout::crankshaft_mass`]).
+    /// The crankshaft's mass in the thesis's sense, in kilograms ([`crate::engine::Engine::crankshaft_mass`]).
     CrankshaftMass(Value),
     /// The largest force on any main bearing.
     BearingLoad(Value),

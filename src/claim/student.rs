@@ -5,9 +5,10 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::file::{Find, engine};
+use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::layout::written::{Table, Text, place};
-use crate::layout::{Layout, LayoutError, parse_number, units};
+use crate::file::written::{Table, Text, place};
+use crate::file::{LayoutError, parse_number, units};
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::{Quantity, Sense};
@@ -19,7 +20,7 @@ pub struct StarTable {
     /// The engine's name or path, as written.
     pub engine: Untrusted,
     /// The engine.
-    pub layout: Layout,
+    pub layout: Engine,
     /// The order k.
     pub order: u32,
     /// Phases: cylinder by index, sense, the angle written.
@@ -93,9 +94,9 @@ struct Sums {
 
 pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError> {
     let layout = engine(&table.layout, find)?;
-    let order = table.order.get_ref().0.parse().ok().filter(|order| (1..=crate::layout::HIGHEST_ORDER).contains(order));
+    let order = table.order.get_ref().0.parse().ok().filter(|order| (1..=crate::engine::HIGHEST_ORDER).contains(order));
     let order = order.ok_or_else(|| {
-        misread("order", &table.order, &format!("a whole number from 1 to {}", crate::layout::HIGHEST_ORDER))
+        misread("order", &table.order, &format!("a whole number from 1 to {}", crate::engine::HIGHEST_ORDER))
     })?;
     let mut phases = Vec::new();
     for row in table.rows.iter().flatten().map(|row| &row.get_ref().0) {

@@ -11,9 +11,10 @@ use super::grammar::parse_statement;
 use super::provenance::{Keys, Provenance};
 use super::statement::Statement;
 use super::written_value::value;
+use crate::engine::{Engine, throws};
 use crate::exact::PhasorSum;
-use crate::layout::written::{Text, read};
-use crate::layout::{Engine, Key, Layout, LayoutError, Template, parse_number, throws};
+use crate::file::written::{Text, read};
+use crate::file::{Key, Layout, LayoutError, Template, parse_number};
 use crate::numbers::{self, Form};
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{self, Subject};
@@ -213,15 +214,15 @@ fn file_name(name: &str) -> Result<String, String> {
 }
 
 /// End view times length.
-fn volume(layout: &Layout) -> Option<f64> {
+fn volume(layout: &Engine) -> Option<f64> {
     let geometry = Geometry::default();
     Some(sweep::section(layout, &geometry)? * sweep::envelope(layout, &geometry)?.length?)
 }
 
-fn known(template: &Template, values: &[(&Key, &str)]) -> Result<Layout, String> {
-    match template.engine(values).map_err(|error| error.to_string())? {
-        Engine::Known(layout, _) => Ok(*layout),
-        Engine::Open(_) => Err("an engine with unknowns has no single answer".to_owned()),
+fn known(template: &Template, values: &[(&Key, &str)]) -> Result<Engine, String> {
+    match template.layout(values).map_err(|error| error.to_string())? {
+        Layout::Known(layout, _) => Ok(*layout),
+        Layout::Open(_) => Err("an engine with unknowns has no single answer".to_owned()),
     }
 }
 
@@ -316,9 +317,9 @@ fn checked(
 }
 
 /// `m_cw ρ b` of two counterweights in the outermost throws, in multiples of m r and the unit of the positions.
-fn couple(layout: &Layout) -> Option<PhasorSum> {
+fn couple(layout: &Engine) -> Option<PhasorSum> {
     let subject = Subject::new(layout).ok()?;
-    let throws = throws(subject.layout());
+    let throws = throws(subject.engine());
     let ends = [throws.iter().map(|t| &t.position).max()?.clone(), throws.iter().map(|t| &t.position).min()?.clone()];
     let apart = (&ends[0] - &ends[1]).abs();
     let (force, moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));

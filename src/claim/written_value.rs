@@ -5,7 +5,7 @@ use num_traits::{Pow, Signed};
 
 use super::grammar::Mistake;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
-use crate::layout::{parse_number, units};
+use crate::file::{parse_number, units};
 use crate::numbers::Form;
 use crate::proof::Quantity;
 

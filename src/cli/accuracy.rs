@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use crankstar::accuracy;
-use crankstar::layout::{self, Engine};
+use crankstar::file::{self, Layout};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
 
@@ -30,7 +30,7 @@ pub struct Accuracy {
 }
 
 fn ratio(text: &str) -> Result<BigRational, String> {
-    match layout::parse_number(text) {
+    match file::parse_number(text) {
         Ok(ratio) if !ratio.is_negative() && ratio < BigRational::one() => Ok(ratio),
         _ => Err("a number from 0 to below 1, such as 0.3".to_owned()),
     }
@@ -39,7 +39,7 @@ fn ratio(text: &str) -> Result<BigRational, String> {
 impl Accuracy {
     /// Measures all methods and prints what they find, or writes the page.
     pub fn run(&self) -> Result<(), Failure> {
-        let Engine::Known(layout, _) = layouts::read(&self.layout)? else {
+        let Layout::Known(layout, _) = layouts::read(&self.layout)? else {
             return Err(Failure::new("peaks need an engine without unknowns; give them values below [values]"));
         };
         if layout.mechanism.rods.is_empty() && self.rod_ratio.is_empty() {

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use crankstar::layout::{self, Cycle};
+use crankstar::engine::Cycle;
+use crankstar::file;
 use crankstar::report;
 use crankstar::search::{self, Options};
 
@@ -20,7 +21,7 @@ pub struct Atlas {
 impl Atlas {
     /// Searches the stars and writes the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let engines = layout::catalogue()?;
+        let engines = file::catalogue()?;
         let options = Options::default();
         let mut stars = Vec::new();
         let bar = progress::bar("stars");

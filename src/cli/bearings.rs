@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crankstar::layout::Engine;
+use crankstar::file::Layout;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
@@ -26,7 +26,7 @@ impl Bearings {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let (engine, orders) = self.subject.read()?;
-        let Engine::Known(layout, _) = engine else {
+        let Layout::Known(layout, _) = engine else {
             return Err(Failure::new("bearing loads need an engine without unknowns; give them values below [values]"));
         };
         let solve = |method| bearing_loads(&layout, &orders, method).map_err(Failure::new);

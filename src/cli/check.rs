@@ -4,7 +4,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use crankstar::claim::{Claims, parse_claims};
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::report;
 use crankstar::text::{Format, Untrusted};
 
@@ -23,13 +24,13 @@ pub fn run(file: &Path) -> Result<ExitCode, Failure> {
 }
 
 /// An engine of the catalogue, or a layout file beside the claims file.
-fn find(folder: &Path, engine: &str) -> Result<Layout, String> {
-    if let Some(entry) = layout::find(engine) {
-        return entry.layout().map_err(|error| error.to_string());
+fn find(folder: &Path, engine: &str) -> Result<Engine, String> {
+    if let Some(entry) = file::find(engine) {
+        return entry.engine().map_err(|error| error.to_string());
     }
     let path = folder.join(engine);
     let text = layouts::read_text(&path).map_err(|failure| failure.message().to_owned())?;
-    layout::parse(&layouts::shown(&path), &text).map_err(|error| format!("in `{engine}`: {}", error.message()))
+    file::parse(&layouts::shown(&path), &text).map_err(|error| format!("in `{engine}`: {}", error.message()))
 }
 
 fn answers(claims: &Claims) -> (String, bool) {

@@ -1,7 +1,8 @@
 //! `classify`: does force or moment vanish, order by order?
 
+use crankstar::engine::Family;
 use crankstar::family;
-use crankstar::layout::{Engine, Family};
+use crankstar::file::Layout;
 use crankstar::report;
 use crankstar::verdict;
 
@@ -30,8 +31,8 @@ impl Classify {
     pub fn run(&self) -> Result<(), Failure> {
         let (engine, orders) = self.subject.read()?;
         let layout = match engine {
-            Engine::Known(layout, _) => layout,
-            Engine::Open(family) => return self.run_open(&family, &orders),
+            Layout::Known(layout, _) => layout,
+            Layout::Open(family) => return self.run_open(&family, &orders),
         };
         let balances = verdict::classify(&layout, &orders, self.torque);
         if !self.json {

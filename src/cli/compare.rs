@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crankstar::layout::{Engine, Layout};
+use crankstar::engine::Engine;
+use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
 use crankstar::report::{self, Compared};
 use crankstar::text::Untrusted;
@@ -17,7 +18,7 @@ pub struct Compare {
     #[arg(required = true)]
     layouts: Vec<PathBuf>,
     /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// Print the comparison as JSON
     #[arg(long, conflicts_with = "output")]
@@ -55,7 +56,7 @@ impl Compare {
     }
 
     /// The engines with short names; with their arguments where two would have the same.
-    fn read(&self) -> Result<Vec<(Untrusted, Layout)>, Failure> {
+    fn read(&self) -> Result<Vec<(Untrusted, Engine)>, Failure> {
         match self.layouts.len() {
             1 => {
                 let only = layouts::shown(&self.layouts[0]);
@@ -75,8 +76,8 @@ impl Compare {
         let named = |(argument, name): (&PathBuf, &String)| {
             let name = if is_unique(name) { name.clone() } else { layouts::shown(argument) };
             match layouts::read(argument)? {
-                Engine::Known(layout, _) => Ok((Untrusted::new(name), *layout)),
-                Engine::Open(family) => Err(Failure::new(format!(
+                Layout::Known(layout, _) => Ok((Untrusted::new(name), *layout)),
+                Layout::Open(family) => Err(Failure::new(format!(
                     "`{}` has unknowns: {}; engines are compared without, so give values below [values]",
                     layouts::shown(argument),
                     family.unknowns().into_iter().collect::<Vec<_>>().join(", ")

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crankstar::layout::LayoutError;
+use crankstar::file::LayoutError;
 use crankstar::text::harmless_lines;
 
 /// A message for standard error; the exit status is 1.

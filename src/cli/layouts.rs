@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crankstar::layout::{self, Engine, Entry};
+use crankstar::file::{self, Entry, Layout};
 use crankstar::text::harmless;
 
 use super::failure::Failure;
@@ -11,14 +11,14 @@ use super::failure::Failure;
 const LARGEST_FILE: u64 = 4 << 20;
 
 /// Reads the engine of this name or path.
-pub fn read(layout: &Path) -> Result<Engine, Failure> {
+pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
-    Ok(layout::parse_engine(&name, &text)?)
+    Ok(file::parse_layout(&name, &text)?)
 }
 
 /// The engine of the catalogue that an argument names.
 pub fn named(layout: &Path) -> Option<Entry> {
-    layout::find(layout.to_str()?)
+    file::find(layout.to_str()?)
 }
 
 /// The name that messages show of a layout, and its text.
@@ -57,7 +57,7 @@ fn not_found(layout: &str, error: &std::io::Error) -> Failure {
         return Failure::new(format!("cannot read `{layout}`: {error}"));
     }
     let family = |name: &str| name.split('-').next().unwrap_or(name).to_ascii_lowercase();
-    let near: Vec<&str> = layout::catalogue()
+    let near: Vec<&str> = file::catalogue()
         .unwrap_or_default()
         .iter()
         .map(|(entry, _)| entry.name)

@@ -1,6 +1,7 @@
 //! `list`: which engines are known by name?
 
-use crankstar::layout;
+use crankstar::engine;
+use crankstar::file;
 use crankstar::text::Format;
 
 use super::failure::Failure;
@@ -8,9 +9,9 @@ use super::write;
 
 /// Prints the catalogue, a line an engine: name, number of cylinders, title.
 pub fn run() -> Result<(), Failure> {
-    let engines = layout::catalogue()?;
+    let engines = file::catalogue()?;
     let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);
-    let line = |(entry, layout): &(layout::Entry, layout::Layout)| {
+    let line = |(entry, layout): &(file::Entry, engine::Engine)| {
         format!("{:widest$}  {:2}  {}\n", entry.name, layout.cylinders.len(), layout.title.escaped(Format::Plain))
     };
     write::to_stdout(&engines.iter().map(line).collect::<String>())

@@ -2,7 +2,8 @@
 
 use std::ffi::{OsStr, OsString};
 
-use crankstar::layout::{Engine, Layout};
+use crankstar::engine::Engine;
+use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
 use crankstar::report::{self, Numbers};
 
@@ -57,7 +58,7 @@ fn percent(text: &str) -> Result<f64, String> {
 
 impl Auto {
     /// The orders that the accuracy needs; none where it was not asked for.
-    pub fn needed(&self, layout: &Layout) -> Result<Option<Needed>, Failure> {
+    pub fn needed(&self, layout: &Engine) -> Result<Option<Needed>, Failure> {
         let needed = self.auto.map(|percent| loads::needed_orders(layout, percent / 100.0));
         needed.transpose().map_err(Failure::new)
     }
@@ -67,7 +68,7 @@ impl Loads {
     /// Prints the loads.
     pub fn run(&self) -> Result<(), Failure> {
         let (engine, orders) = self.subject.read()?;
-        let Engine::Known(layout, _) = engine else {
+        let Layout::Known(layout, _) = engine else {
             return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
         };
         let needed = self.auto.needed(&layout)?;

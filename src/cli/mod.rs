@@ -26,7 +26,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 
-use crankstar::layout::Engine;
+use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
 use crankstar::text;
 use failure::Failure;
@@ -103,17 +103,17 @@ struct Subject {
     /// A name of the catalogue, or the path of a layout file
     layout: PathBuf,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6 and what exists and matters besides]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
 }
 
 impl Subject {
     /// The engine, and the orders to judge, rising, each once.
-    fn read(&self) -> Result<(Engine, Vec<u32>), Failure> {
+    fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
         let engine = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &engine) {
-            ([], Engine::Known(layout, _)) => usual_orders(layout),
-            ([], Engine::Open(family)) => family.orders.clone(),
+            ([], Layout::Known(layout, _)) => usual_orders(layout),
+            ([], Layout::Open(family)) => family.orders.clone(),
             (asked, _) => asked.to_vec(),
         };
         orders.sort_unstable();

@@ -35,7 +35,7 @@ impl Optimise {
 
 #[cfg(feature = "optimise")]
 mod run {
-    use crankstar::layout::{Engine, parse_number};
+    use crankstar::file::{Layout, parse_number};
     use crankstar::optimise::{Couple, Wish, front};
     use crankstar::report;
     use num_traits::Signed;
@@ -50,7 +50,7 @@ mod run {
         /// Prints the front, and writes page and layout files into the folder.
         pub fn run(&self) -> Result<(), Failure> {
             let (engine, orders) = self.subject.read()?;
-            let Engine::Known(layout, _) = engine else {
+            let Layout::Known(layout, _) = engine else {
                 return Err(Failure::new(
                     "bearing loads need an engine without unknowns; give them values below [values]",
                 ));

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::layout::{Engine, Layout, LengthUnit, parse_angle, parse_length, parse_number};
+use crankstar::file::{Layout, parse_angle, parse_length, parse_number};
 use crankstar::remedy::{self, Wish};
 use crankstar::report::{self, Dialect};
 use num_rational::BigRational;
@@ -39,7 +40,7 @@ impl Remedy {
     /// Prints the remedy.
     pub fn run(&self) -> Result<(), Failure> {
         let (engine, orders) = self.subject.read()?;
-        let Engine::Known(layout, _) = engine else {
+        let Layout::Known(layout, _) = engine else {
             return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
         };
         let remedy = remedy::remedy(&layout, &self.wish(&layout, orders)?).map_err(Failure::new)?;
@@ -53,7 +54,7 @@ impl Remedy {
         write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
     }
 
-    fn wish(&self, layout: &Layout, orders: Vec<u32>) -> Result<Wish, Failure> {
+    fn wish(&self, layout: &Engine, orders: Vec<u32>) -> Result<Wish, Failure> {
         let planes = match self.planes.as_slice() {
             [] => None,
             [first, second] => Some([plane(layout, first)?, plane(layout, second)?]),
@@ -82,7 +83,7 @@ fn factor(text: &str) -> Result<BigRational, Failure> {
 }
 
 /// A position in the unit of the layout.
-fn plane(layout: &Layout, text: &str) -> Result<BigRational, Failure> {
+fn plane(layout: &Engine, text: &str) -> Result<BigRational, Failure> {
     let refused = |right: &str| Failure::new(format!("--planes: cannot read `{text}`: {right}"));
     let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
     if unit == LengthUnit::Metre && !layout.positions_given {

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use crankstar::engine::Engine;
 use crankstar::family;
-use crankstar::layout::{Engine, Layout};
+use crankstar::file::Layout;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase, Dialect};
 use crankstar::verdict;
@@ -33,7 +34,7 @@ pub struct Report {
     accuracy: bool,
 }
 
-fn accuracy_of(layout: &Layout) -> Result<AccuracyCase, Failure> {
+fn accuracy_of(layout: &Engine) -> Result<AccuracyCase, Failure> {
     let torque = layout.effects.torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
     let spinner = progress::spinner("finding each peak by all methods");
@@ -52,7 +53,7 @@ impl Report {
             (Format::Markdown, Math::Dollars) => Dialect::DollarMarkdown,
         };
         let (files, summary) = match &engine {
-            Engine::Known(layout, family) => {
+            Layout::Known(layout, family) => {
                 let needed = self.auto.needed(layout)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
                 let balances = verdict::classify(layout, orders, false);
@@ -70,7 +71,7 @@ impl Report {
                 };
                 (report::report(subject, dialect), terminal::summary(layout, &balances))
             }
-            Engine::Open(family) => {
+            Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders);
                 (report::open_report(family, &verdicts, dialect), terminal::open_summary(family, &verdicts))

@@ -7,8 +7,9 @@ use clap::ValueEnum;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 
+use crankstar::engine;
 use crankstar::exact::Turn;
-use crankstar::layout::{self, parse_angle};
+use crankstar::file::parse_angle;
 use crankstar::search::{self, Front, FrontDocument, MomentDocument, Options, Problem, Progress, StarDocument};
 
 use super::failure::Failure;
@@ -82,8 +83,8 @@ impl Search {
 
     fn problem(&self) -> Result<Problem, Failure> {
         let cycle = match self.cycle {
-            Cycle::TwoStroke => layout::Cycle::TwoStroke,
-            Cycle::FourStroke => layout::Cycle::FourStroke,
+            Cycle::TwoStroke => engine::Cycle::TwoStroke,
+            Cycle::FourStroke => engine::Cycle::FourStroke,
         };
         let mut orders = self.orders.clone();
         orders.sort_unstable();

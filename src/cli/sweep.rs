@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use crankstar::layout::Template;
+use crankstar::file::Template;
 use crankstar::report::{self, File};
 use crankstar::sweep::{self, Geometry, Parameter};
 
@@ -38,7 +38,7 @@ pub struct Sweep {
     #[arg(long, value_name = "KEY=RANGE")]
     set: Vec<String>,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::layout::HIGHEST_ORDER)))]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// What is printed
     #[arg(long, value_enum, default_value = "markdown")]

@@ -2,8 +2,8 @@
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
+use crankstar::engine::{Engine, Family, WHY_NOT};
 use crankstar::family::{self, OpenOrder};
-use crankstar::layout::{Family, Layout, WHY_NOT};
 use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
 use crankstar::report::{self, AccuracyCase, Compared, Numbers};
@@ -11,7 +11,7 @@ use crankstar::text::Format;
 use crankstar::verdict::OrderBalance;
 
 /// The title and a table: a row an order.
-pub fn summary(layout: &Layout, orders: &[OrderBalance]) -> String {
+pub fn summary(layout: &Engine, orders: &[OrderBalance]) -> String {
     let with_torque = orders.iter().any(|order| order.torque.is_some());
     let mut table = ruled();
     let mut header = vec!["Order", "Force", "Moment"];
@@ -52,14 +52,14 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
 }
 
 /// The title and a table of the largest values, a row an order, with the peaks of the sums.
-pub fn loads(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> String {
+pub fn loads(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> String {
     let table = coloured(report::loads_rows(layout, &numbers.loads));
     let lines = report::loads_lines(layout, numbers, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
 }
 
 /// The title, the peaks of every bearing, and the largest value of each order.
-pub fn bearings(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
+pub fn bearings(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
     let peaks = coloured(report::bearings_rows(layout, continuous, determinate));
     let orders = coloured(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
@@ -78,7 +78,7 @@ pub fn compare(engines: &[Compared]) -> String {
 }
 
 /// A table a rod ratio and load: a row a method.
-pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
+pub fn accuracy(layout: &Engine, cases: &[AccuracyCase]) -> String {
     let mut out = format!("{}\n", layout.title.escaped(Format::Plain));
     for case in cases {
         for study in &case.studies {
@@ -99,7 +99,7 @@ pub fn accuracy(layout: &Layout, cases: &[AccuracyCase]) -> String {
 }
 
 /// The title and a table of weights, with what they come to.
-pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
+pub fn remedy(layout: &Engine, remedy: &Remedy) -> String {
     let lines = report::remedy_lines(remedy).join("\n");
     let rows = report::remedy_rows(remedy);
     if rows.rows.is_empty() {
@@ -115,7 +115,7 @@ pub fn remedy(layout: &Layout, remedy: &Remedy) -> String {
 
 /// The title, the front, and what uniform balance factors reach.
 #[cfg(feature = "optimise")]
-pub fn optimise(layout: &Layout, front: &crankstar::optimise::Front, couple: &crankstar::optimise::Couple) -> String {
+pub fn optimise(layout: &Engine, front: &crankstar::optimise::Front, couple: &crankstar::optimise::Couple) -> String {
     let points = coloured(report::optimise_rows(layout, front));
     let lines = report::optimise_lines(layout, front, couple).join("\n");
     let compared = match front.uniform.is_empty() {

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crankstar::layout::Engine;
+use crankstar::file::Layout;
 use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Masses, Unreadable, read_document};
 use crankstar::report;
 
@@ -66,15 +66,15 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
     let shown = layouts::shown(layout);
     let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {shown} is not"));
     let right = match (document, layouts::read(layout)?) {
-        (AnyDocument::Classify(own), Engine::Known(layout, _)) => {
+        (AnyDocument::Classify(own), Layout::Known(layout, _)) => {
             AnyDocument::Classify(report::document(&layout, &[], &own.quantities, None))
         }
-        (AnyDocument::Remedy(_), Engine::Known(layout, _)) => {
+        (AnyDocument::Remedy(_), Layout::Known(layout, _)) => {
             AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)
         }
-        (AnyDocument::Family(_), Engine::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
-        (AnyDocument::Family(_), Engine::Known(..)) => return Err(other("a family with open angles or lengths")),
-        (AnyDocument::Classify(_) | AnyDocument::Remedy(_), Engine::Open(_)) => {
+        (AnyDocument::Family(_), Layout::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
+        (AnyDocument::Family(_), Layout::Known(..)) => return Err(other("a family with open angles or lengths")),
+        (AnyDocument::Classify(_) | AnyDocument::Remedy(_), Layout::Open(_)) => {
             return Err(other("an engine without unknowns"));
         }
     };

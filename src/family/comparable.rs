@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_traits::Zero;
 
-use crate::layout::Family;
+use crate::engine::Family;
 
 /// Why the vectors of a family are not one sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,8 +13,8 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::left::ratio;
 use super::{OpenSum, phase, sums_of};
+use crate::engine::{Family, Linear, SymbolicCylinder};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{Family, Linear, SymbolicCylinder};
 use crate::proof::{Quantity, Sense};
 
 /// A part of the force or the moment.

@@ -6,8 +6,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use crate::engine::{Family, Linear, PHI};
 use crate::exact::Turn;
-use crate::layout::{Family, Linear, PHI};
 
 /// The bank angles φ in (0°, 360°) at which an even firing order exists; `None` where the cycle is not given, or
 /// where another angle than φ is open.

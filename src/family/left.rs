@@ -6,8 +6,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::{OpenSum, OpenVerdict};
+use crate::engine::Linear;
 use crate::exact::PhasorSum;
-use crate::layout::Linear;
 use crate::numbers::{self, Direction, Form};
 
 /// What is left of one quantity, order and sense, its angles known.

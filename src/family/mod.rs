@@ -21,8 +21,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_rational::BigRational;
 use num_traits::Zero;
 
+use crate::engine::{DELTA, Family, Linear, PHI, SymbolicCylinder};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{DELTA, Family, Linear, PHI, SymbolicCylinder};
 use crate::order;
 use crate::proof::{Certificate, Quantity, Sense};
 

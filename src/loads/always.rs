@@ -12,13 +12,13 @@ use std::collections::BTreeMap;
 
 use num_traits::{Signed, Zero};
 
+use crate::engine::{Engine, Rod};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{Layout, Rod};
 use crate::order::{self, mass_radius};
 use crate::proof::{Quantity, Sense};
 
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods differ.
-pub fn vanishes_at_every_order(layout: &Layout, quantity: Quantity) -> bool {
+pub fn vanishes_at_every_order(layout: &Engine, quantity: Quantity) -> bool {
     let alone = match quantity {
         Quantity::Torque => order::torque(layout, 2).vanishes(),
         Quantity::Force | Quantity::Moment => {
@@ -31,7 +31,7 @@ pub fn vanishes_at_every_order(layout: &Layout, quantity: Quantity) -> bool {
 }
 
 /// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
-fn groups(layout: &Layout, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
+fn groups(layout: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
     let mut groups: BTreeMap<(Rod, Turn), Vec<Term>> = BTreeMap::new();
     for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
         let own = &cylinder.throw - &cylinder.bank;

@@ -14,7 +14,7 @@ use num_traits::One;
 use super::shares::{Shares, in_equilibrium};
 use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
 use crate::beam::Beam;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::order::{self, Contribution, MassGroup, OrderSum};
 
 /// How a load is shared among the bearings.
@@ -78,7 +78,7 @@ const EQUAL: f64 = 1e-12;
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn bearing_loads(layout: &Layout, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
+pub fn bearing_loads(layout: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
     if layout.bearings.is_empty() {
         return Err(Missing::Bearings);
     }

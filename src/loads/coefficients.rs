@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 
 use super::{Missing, Swing, Vector, comparable, scale};
-use crate::layout::{Layout, Rod};
+use crate::engine::{Engine, Rod};
 use crate::motion::{Coefficient, Enclosure, SliderCrank};
 use crate::order::{Factor, OrderSum};
 use crate::proof::Sense;
@@ -22,7 +22,7 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub fn new(layout: &Layout) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine) -> Result<Self, Missing> {
         if scale(layout).is_some_and(|scale| !(scale.force() < LARGEST && scale.torque() < LARGEST)) {
             return Err(Missing::TooLarge);
         }

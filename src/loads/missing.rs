@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::beam::Mistake;
-use crate::layout::{self, Layout};
+use crate::engine::{self, Engine};
 
 /// Why a layout has no numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,7 +57,7 @@ impl fmt::Display for Missing {
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => {
-                write!(f, "{number} is no order; an order is a whole number from 1 to {}", layout::ORDERS.end())
+                write!(f, "{number} is no order; an order is a whole number from 1 to {}", engine::ORDERS.end())
             }
             Missing::Lists { of, values, cylinders } => {
                 write!(f, "the layout has {values} {of} for {cylinders} cylinders; give one to each")
@@ -77,7 +77,7 @@ impl std::error::Error for Missing {}
 /// # Errors
 /// The first that is none.
 pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
-    match orders.iter().find(|order| !layout::ORDERS.contains(order)) {
+    match orders.iter().find(|order| !engine::ORDERS.contains(order)) {
         None => Ok(()),
         Some(&other) => Err(Missing::Order(other)),
     }
@@ -87,7 +87,7 @@ pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
 ///
 /// # Errors
 /// What the layout lacks for that, and lists without one value a cylinder.
-pub fn comparable(layout: &Layout) -> Result<(), Missing> {
+pub fn comparable(layout: &Engine) -> Result<(), Missing> {
     let cylinders = layout.cylinders.len();
     for (of, values) in
         [("rods", layout.mechanism.rods.len()), ("rotating masses", layout.mechanism.rotating_masses.len())]

@@ -29,7 +29,7 @@ pub use tails::Tails;
 pub use vector::{Outcome, Vector};
 pub use waveform::{Circle, Harmonic, Peak, Waveform};
 
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::motion::Coefficient;
 use crate::order::{self, Contribution, MassGroup, OrderSum};
 use crate::proof::{Quantity, Sense};
@@ -107,7 +107,7 @@ pub struct TorqueOrder {
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
+pub fn loads(layout: &Engine, orders: &[u32]) -> Result<Loads, Missing> {
     let torque = if layout.effects.torque { usual_torque_orders(layout, orders)? } else { Vec::new() };
     loads_at(layout, orders, &torque)
 }
@@ -116,7 +116,7 @@ pub fn loads(layout: &Layout, orders: &[u32]) -> Result<Loads, Missing> {
 ///
 /// # Errors
 /// What the layout lacks, and orders that are none.
-pub fn loads_at(layout: &Layout, orders: &[u32], torque_orders: &[u32]) -> Result<Loads, Missing> {
+pub fn loads_at(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<Loads, Missing> {
     are_orders(orders)?;
     are_orders(torque_orders)?;
     let motion = Motion::new(layout)?;
@@ -150,7 +150,7 @@ pub fn loads_at(layout: &Layout, orders: &[u32], torque_orders: &[u32]) -> Resul
 }
 
 /// Force and moment of an order, of the contributions that are meant.
-fn swings(layout: &Layout, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
+fn swings(layout: &Engine, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
     let contributions = SENSES.map(|sense| order::contributions(layout, order, sense));
     [Quantity::Force, Quantity::Moment].map(|quantity| {
         let sums = contributions.each_ref().map(|of_sense| {
@@ -162,20 +162,20 @@ fn swings(layout: &Layout, motion: &Motion, order: u32, is_meant: impl Fn(&Contr
 }
 
 impl OrderLoads {
-    fn new(layout: &Layout, motion: &Motion, order: u32) -> Self {
+    fn new(layout: &Engine, motion: &Motion, order: u32) -> Self {
         let [force, moment] = swings(layout, motion, order, |_| true);
         OrderLoads { order, coefficient: motion.common(order), force, moment }
     }
 
     /// Whether there is nothing to judge: no piston has the order, and no shaft turns so.
-    pub fn exists(&self, layout: &Layout) -> bool {
+    pub fn exists(&self, layout: &Engine) -> bool {
         layout.mechanism.has_order(Quantity::Force, self.order)
             || layout.crankshaft.balancers.iter().any(|shaft| shaft.order == self.order)
     }
 }
 
 impl GroupLoads {
-    fn new(layout: &Layout, motion: &Motion, group: MassGroup, orders: &[u32]) -> Self {
+    fn new(layout: &Engine, motion: &Motion, group: MassGroup, orders: &[u32]) -> Self {
         let of_order = |&order: &u32| (order, swings(layout, motion, order, |one| one.source.group() == group));
         let by_order: Vec<(u32, [Swing; 2])> = orders.iter().map(of_order).collect();
         let waveform =
@@ -192,13 +192,13 @@ fn harmonic(order: u32, swing: &Swing) -> Harmonic {
 /// Both senses, direct first.
 const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
-fn torque(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
+fn torque(layout: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
     let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(layout, motion, order)).collect();
     Torque { waveform: Waveform::new(orders.iter().map(TorqueOrder::harmonic)), orders }
 }
 
 impl TorqueOrder {
-    fn new(layout: &Layout, motion: &Motion, order: u32) -> Self {
+    fn new(layout: &Engine, motion: &Motion, order: u32) -> Self {
         let sum = order::torque(layout, order);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
         let coefficient = match (motion.cranks.len(), pairs.as_slice()) {

@@ -1,7 +1,7 @@
 //! Which orders does a wanted accuracy of the peaks call for? Those that a rigorous bound cannot do without.
 
 use super::{Missing, Spectrum};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::proof::Quantity;
 
 /// Orders that are looked at one by one; the rest is bounded together.
@@ -106,7 +106,7 @@ struct Choices {
 }
 
 impl Choices {
-    fn new(layout: &Layout, accuracy: f64, at_least: u32) -> Result<Self, Missing> {
+    fn new(layout: &Engine, accuracy: f64, at_least: u32) -> Result<Self, Missing> {
         let with_torque = layout.effects.torque;
         let mut spectrum = Spectrum::new(layout)?;
         let mut found = None;
@@ -187,7 +187,7 @@ fn choose(choices: &[Choice], accuracy: f64) -> [Vec<u32>; 2] {
 ///
 /// # Errors
 /// What the layout lacks for numbers.
-pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> {
+pub fn needed_orders(layout: &Engine, accuracy: f64) -> Result<Needed, Missing> {
     let choices = Choices::new(layout, accuracy, 1)?;
     let [kept, dropped] = choose(&choices.swings, accuracy);
     let [torque_kept, torque_dropped] = choose(choices.torque.as_slice(), accuracy);
@@ -201,14 +201,14 @@ pub fn needed_orders(layout: &Layout, accuracy: f64) -> Result<Needed, Missing> 
 ///
 /// # Errors
 /// What the layout lacks for numbers.
-pub fn left_out(layout: &Layout, orders: &[u32], torque_orders: &[u32]) -> Result<LeftOut, Missing> {
+pub fn left_out(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<LeftOut, Missing> {
     let highest = orders.iter().chain(torque_orders).copied().max().unwrap_or(1);
     Ok(Choices::new(layout, USUAL, highest)?.left_out(orders, torque_orders))
 }
 
 /// The orders to judge where none are asked for: those of the layout file, else the first that exist and, where the engine has
 /// numbers, those that a thousandth of its peaks needs.
-pub fn usual_orders(layout: &Layout) -> Vec<u32> {
+pub fn usual_orders(layout: &Engine) -> Vec<u32> {
     if layout.orders_given {
         return layout.orders.clone();
     }
@@ -218,7 +218,7 @@ pub fn usual_orders(layout: &Layout) -> Vec<u32> {
 
 /// The orders of the torque that go with those of force and moment: the first four, these, and those that a thousandth of its peak
 /// needs.
-pub(super) fn usual_torque_orders(layout: &Layout, orders: &[u32]) -> Result<Vec<u32>, Missing> {
+pub(super) fn usual_torque_orders(layout: &Engine, orders: &[u32]) -> Result<Vec<u32>, Missing> {
     let choices = Choices::new(layout, USUAL, 1)?;
     let first = FIRST_OF_TORQUE.into_iter().chain(orders.iter().copied()).collect();
     Ok(with_largest(first, choices.torque.as_slice()))

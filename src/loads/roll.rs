@@ -8,14 +8,14 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform, exactly_one};
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::Layout;
 use crate::motion::Coefficient;
 use crate::order::{self, unit_mass, unit_radius};
 use crate::proof::Sense;
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
-pub(super) fn roll(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
+pub(super) fn roll(layout: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
     let shafts = layout.crankshaft.balancers.iter().map(|shaft| shaft.order);
     let mut all: Vec<u32> = orders.iter().copied().chain(shafts).collect();
     all.sort_unstable();
@@ -26,7 +26,7 @@ pub(super) fn roll(layout: &Layout, motion: &Motion, orders: &[u32]) -> Torque {
     Torque { waveform: Waveform::new(harmonics), orders }
 }
 
-fn of_order(layout: &Layout, motion: &Motion, order: u32) -> TorqueOrder {
+fn of_order(layout: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
     let minus = BigRational::from_integer((-1).into());
     let shafts = shafts(layout, order);
     let torque = order::torque(layout, order);
@@ -45,7 +45,7 @@ fn of_order(layout: &Layout, motion: &Motion, order: u32) -> TorqueOrder {
 }
 
 /// What the shafts of an order add, in multiples of m r²; their crank radius is known where there are any.
-fn shafts(layout: &Layout, order: u32) -> PhasorSum {
+fn shafts(layout: &Engine, order: u32) -> PhasorSum {
     let radius = unit_radius(layout);
     let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
     let share = square / (unit_mass(layout) * &radius * &radius);

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::layout::{Layout, LengthUnit};
+use crate::engine::{Engine, LengthUnit};
 use crate::order;
 
 /// What the multiples are multiples of.
@@ -47,14 +47,14 @@ pub enum Arm {
 
 impl Arm {
     /// The unit of the positions of a layout: a file that gives them without a unit gives metres.
-    pub fn of(layout: &Layout) -> Self {
+    pub fn of(layout: &Engine) -> Self {
         let known = layout.positions_given || layout.length_unit == LengthUnit::Metre;
         if known { Arm::Metre } else { Arm::Spacing }
     }
 }
 
 /// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
-pub fn scale(layout: &Layout) -> Option<Scale> {
+pub fn scale(layout: &Engine) -> Option<Scale> {
     let mechanism = &layout.mechanism;
     Some(Scale {
         mass: mechanism.mass.as_ref().map(|_| order::unit_mass(layout))?,

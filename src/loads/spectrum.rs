@@ -3,12 +3,12 @@
 use num_complex::Complex;
 
 use super::{Harmonic, Missing, Motion, OrderLoads, Swing, Tails, TorqueOrder, Waveform};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::proof::Quantity;
 
 /// All orders of an engine that exist, up to one that can be raised.
 pub struct Spectrum<'a> {
-    layout: &'a Layout,
+    layout: &'a Engine,
     motion: Motion,
     tails: Tails,
     highest: u32,
@@ -21,7 +21,7 @@ impl<'a> Spectrum<'a> {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn new(layout: &'a Layout) -> Result<Self, Missing> {
+    pub fn new(layout: &'a Engine) -> Result<Self, Missing> {
         let motion = Motion::new(layout)?;
         Ok(Spectrum { layout, tails: Tails::of(&motion), motion, highest: 0, orders: Vec::new(), torque: Vec::new() })
     }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
-use crate::layout::{Layout, Rod};
+use crate::engine::{Engine, Rod};
 use crate::motion::{Coefficient, Tail};
 use crate::order::{self, mass_radius};
 use crate::proof::Quantity;
@@ -25,7 +25,7 @@ impl Tails {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn new(layout: &Layout) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine) -> Result<Self, Missing> {
         Ok(Tails::of(&Motion::new(layout)?))
     }
 
@@ -37,7 +37,7 @@ impl Tails {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn with_coefficients(layout: &Layout, highest: u32) -> Result<Self, Missing> {
+    pub fn with_coefficients(layout: &Engine, highest: u32) -> Result<Self, Missing> {
         let tail = |(rod, crank): (&Rod, &crate::motion::SliderCrank)| {
             let coefficients: Vec<Coefficient> = (1..=highest).map(|order| crank.coefficient(order)).collect();
             (rod.clone(), Tail::with_coefficients(crank, &coefficients))
@@ -47,7 +47,7 @@ impl Tails {
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
     /// its multiples of m r ω²; 0 only where there is none.
-    pub fn above(&self, layout: &Layout, quantity: Quantity, order: u32) -> f64 {
+    pub fn above(&self, layout: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(layout, quantity, &|tail| match quantity {
             Quantity::Force | Quantity::Moment => tail.force(order),
             Quantity::Torque => tail.torque(order),
@@ -62,7 +62,7 @@ impl Tails {
     }
 
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
-    pub fn largest_sum(&self, layout: &Layout, quantity: Quantity) -> f64 {
+    pub fn largest_sum(&self, layout: &Engine, quantity: Quantity) -> f64 {
         self.sum(layout, quantity, &|tail| {
             let shaking = 1.0 + tail.force(0);
             match quantity {
@@ -73,7 +73,7 @@ impl Tails {
     }
 
     /// The bounds of the pistons, each as much as its load counts.
-    fn sum(&self, layout: &Layout, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
+    fn sum(&self, layout: &Engine, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
         let mut weights: BTreeMap<&Rod, BigRational> = BTreeMap::new();
         for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
             let weight = mass_radius(layout, cylinder).abs();
@@ -101,7 +101,7 @@ fn rounded_up(number: &BigRational) -> f64 {
 
 /// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
 /// multiples of m r ω²: what they add where higher orders are left out.
-fn faster_shafts(layout: &Layout, highest: u32) -> [BigRational; 2] {
+fn faster_shafts(layout: &Engine, highest: u32) -> [BigRational; 2] {
     let half = BigRational::new(1.into(), 2.into());
     let shafts = order::turning_masses(layout).into_iter().filter(|mass| mass.order > highest);
     shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {

@@ -9,7 +9,7 @@ use num_traits::{One, Signed};
 
 use super::form::{Form, Root};
 use crate::exact::Turn;
-use crate::layout::parse_number;
+use crate::file::parse_number;
 
 impl fmt::Display for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

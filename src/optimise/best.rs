@@ -14,15 +14,15 @@ use super::refused::Refused;
 use super::sample::Samples;
 use super::solve::{Goal, Least, Solution};
 use super::{Couple, Wish};
+use crate::engine::{Engine, throws};
 use crate::exact::Turn;
-use crate::layout::{Layout, throws};
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
 pub(super) const SLACK: f64 = 1e-6;
 
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
-    layout: &'a Layout,
+    layout: &'a Engine,
     wish: &'a Wish,
     pub places: Vec<Place>,
     problem: Problem,
@@ -32,7 +32,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(layout: &'a Layout, wish: &'a Wish) -> Result<Self, Refused> {
+    pub fn new(layout: &'a Engine, wish: &'a Wish) -> Result<Self, Refused> {
         let places = places(layout);
         let mut problem = Problem::new(layout, &places, wish)?;
         let own = throws(layout).into_iter().map(|throw| throw.angle);

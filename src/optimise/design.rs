@@ -9,8 +9,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::place::Place;
 use super::problem::direct;
 use super::refused::Refused;
+use crate::engine::{Engine, throws};
 use crate::exact::{PhasorSum, Term};
-use crate::layout::{Layout, throws};
 use crate::loads::{Arm, Method, Scale, bearing_loads};
 use crate::numbers;
 use crate::order::unit_mass;
@@ -18,7 +18,7 @@ use crate::order::unit_mass;
 /// A crankshaft with its counterweights.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// Mass of the crankshaft in kilograms, as [`Layout::crankshaft_mass`] counts it.
+    /// Mass of the crankshaft in kilograms, as [`Engine::crankshaft_mass`] counts it.
     pub mass: BigRational,
     /// Largest load of each main bearing in a revolution, in multiples of m r ω², on a continuous beam.
     pub peaks: Vec<f64>,
@@ -70,7 +70,7 @@ pub enum Left {
 ///
 /// # Errors
 /// What the layout lacks; [`Refused::Offset`].
-pub fn measure(layout: &Layout, places: &[Place], orders: &[u32]) -> Result<Design, Refused> {
+pub fn measure(layout: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, Refused> {
     let loads = bearing_loads(layout, orders, Method::Continuous)?;
     let (Some(mass), Some(radius)) = (layout.crankshaft_mass(), &layout.mechanism.crank_radius) else {
         return Err(Refused::NoMasses);
@@ -118,7 +118,7 @@ fn left(sum: &PhasorSum, factor: f64) -> Left {
 }
 
 /// What stands at a place.
-pub(super) fn weight(layout: &Layout, place: &Place) -> Weight {
+pub(super) fn weight(layout: &Engine, place: &Place) -> Weight {
     let here = || layout.crankshaft.counterweights.iter().filter(|weight| weight.position == place.position);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
     let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));

@@ -8,8 +8,8 @@ use num_traits::{One, Signed, ToPrimitive};
 use super::direction::Directions;
 use super::place::Place;
 use super::problem::Problem;
+use crate::engine::Counterweight;
 use crate::exact::{PhasorSum, Turn};
-use crate::layout::Counterweight;
 use crate::numbers;
 
 /// The steps that mass-radii and masses are rounded to.

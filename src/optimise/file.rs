@@ -4,18 +4,19 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::refused::Refused;
-use crate::layout::{Counterweight, Layout, parse};
+use crate::engine::{Counterweight, Engine};
+use crate::file::parse;
 
 /// The layout with these counterweights, read back from its own file: what is written is what is measured.
 ///
 /// # Errors
 /// [`Refused::File`] where the file names its counterweights in a way that this writer does not find.
 pub(super) fn with_counterweights(
-    layout: &Layout,
+    layout: &Engine,
     weights: &[Vec<Counterweight>],
     head: &str,
     notes: &[String],
-) -> Result<Layout, Refused> {
+) -> Result<Engine, Refused> {
     let mut text = format!("{}{}\n", comment(head), without_counterweights(layout.file.written()).trim_end());
     for (parts, note) in weights.iter().zip(notes) {
         if !parts.is_empty() {

@@ -8,13 +8,13 @@ use super::best::{SLACK, Search};
 use super::design::{Design, measure};
 use super::place::{Place, uniform};
 use super::refused::Refused;
-use crate::layout::Layout;
+use crate::engine::Engine;
 
 /// A crankshaft of the front.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// The layout with its counterweights, as its own file says.
-    pub layout: Layout,
+    pub layout: Engine,
     /// What it weighs and does.
     pub design: Design,
     /// No crankshaft of this mass that keeps the conditions has a lower largest bearing load, in multiples of m r ω²: by weak
@@ -54,7 +54,7 @@ pub struct Front {
 /// let file = "speed = 6000\nbearings = [1.5, 0.5, -0.5, -1.5]\n[inline]\nthrows = [0, 120, 240]\n[mechanism]\n\
 ///     reciprocating_mass = 0.65\nrotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n\
 ///     [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '45 mm'\nweb_offset = 0.2";
-/// let i3 = crankstar::layout::parse("i3.toml", file).unwrap();
+/// let i3 = crankstar::file::parse("i3.toml", file).unwrap();
 /// let wish = Wish { couple: Couple::Zero, points: 2, orders: vec![1, 2] };
 /// let front = front(&i3, &wish).unwrap();
 /// let [lightest, calmest] = front.points.as_slice() else { panic!() };
@@ -65,7 +65,7 @@ pub struct Front {
 ///
 /// # Errors
 /// [`Refused`] says what is missing.
-pub fn front(layout: &Layout, wish: &Wish) -> Result<Front, Refused> {
+pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, Refused> {
     if wish.points == 0 {
         return Err(Refused::NoPoints);
     }

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::layout::{Counterweight, Layout, throws};
+use crate::engine::{Counterweight, Engine, throws};
 
 /// A plane of the crankshaft with room for a counterweight.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub struct Place {
 }
 
 /// The places of the layout's counterweights, one a position, in the order of the file; what they weigh does not matter.
-pub fn places(layout: &Layout) -> Vec<Place> {
+pub fn places(layout: &Engine) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
     for weight in &layout.crankshaft.counterweights {
         if places.iter().all(|place| place.position != weight.position) {
@@ -28,7 +28,7 @@ pub fn places(layout: &Layout) -> Vec<Place> {
 }
 
 /// The layout without its counterweights.
-pub fn bare(layout: &Layout) -> Layout {
+pub fn bare(layout: &Engine) -> Engine {
     let mut bare = layout.clone();
     bare.crankshaft.counterweights.clear();
     bare.crankshaft.balance_factors.clear();
@@ -38,7 +38,7 @@ pub fn bare(layout: &Layout) -> Layout {
 /// The layout with counterweights opposite to each throw, of one balance factor for all: those of a throw share it evenly.
 ///
 /// `None` where a throw has no place for one, or the layout gives no masses.
-pub fn uniform(layout: &Layout, factor: &BigRational) -> Option<Layout> {
+pub fn uniform(layout: &Engine, factor: &BigRational) -> Option<Engine> {
     let (places, mut uniform) = (places(layout), bare(layout));
     for (index, throw) in throws(layout).iter().enumerate() {
         let own: Vec<&Place> = places.iter().filter(|place| place.throw == Some(index)).collect();

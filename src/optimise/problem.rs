@@ -8,8 +8,8 @@ use super::place::{Place, bare};
 use super::refused::Refused;
 use super::{Couple, Wish};
 use crate::beam::Beam;
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
 use crate::loads::{self, Arm, Harmonic, Method, Waveform, bearing_loads};
 use crate::order::{self, Factor, OrderSum, unit_mass};
 use crate::proof::Sense;
@@ -39,7 +39,7 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    pub fn new(layout: &Layout, places: &[Place], wish: &Wish) -> Result<Self, Refused> {
+    pub fn new(layout: &Engine, places: &[Place], wish: &Wish) -> Result<Self, Refused> {
         match places {
             [] => return Err(Refused::NoPlaces),
             [only] => return Err(Refused::OnePlane(only.position.to_string())),
@@ -102,7 +102,7 @@ impl Problem {
 ///
 /// The sums of a layout stand for `P⁺ = 2 · vector` (theory, section 3).
 pub(super) fn direct(
-    layout: &Layout,
+    layout: &Engine,
     weighing: &dyn Fn(&BigRational) -> BigRational,
     unit: &BigRational,
 ) -> Result<PhasorSum, Refused> {

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::layout::Rod;
+use crate::engine::Rod;
 use crate::proof::Quantity;
 
 /// The number that a sum stands before in an order.

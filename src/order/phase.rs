@@ -6,8 +6,8 @@
 //! - reverse: `−kβ + (k+1)α`,
 //! - inertia torque: `k(β − α)`.
 
+use crate::engine::Cylinder;
 use crate::exact::Turn;
-use crate::layout::Cylinder;
 use crate::proof::Sense;
 
 /// How many times the throw β and the bank angle α enter the phase: direct, reverse, or the torque's (none).

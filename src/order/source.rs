@@ -8,8 +8,8 @@ use super::masses::MassGroup;
 use super::phase::phase;
 use super::sum::OrderSum;
 use super::turning::{mass_radius, turning_masses};
+use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term};
-use crate::layout::{Cylinder, Layout};
 use crate::proof::{Quantity, Sense};
 
 /// What makes a force; by its index in the layout.
@@ -66,7 +66,7 @@ impl Contribution {
 
 /// What every mass of an engine adds to the force of one order and sense: a term per cylinder, where the order exists for
 /// its rod, then those of the masses that turn at this order.
-pub fn contributions(layout: &Layout, order: u32, sense: Sense) -> Vec<Contribution> {
+pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let piston = |(index, cylinder): (usize, &Cylinder)| {
         let (factor, sign) = Factor::of_force(layout.mechanism.rods.get(index), order)?;
         let term = Term { angle: phase(cylinder, order, Some(sense)), weight: mass_radius(layout, cylinder) * sign };
@@ -87,7 +87,7 @@ pub fn contributions(layout: &Layout, order: u32, sense: Sense) -> Vec<Contribut
 ///
 /// # Panics
 /// For the torque, which no position enters.
-pub fn lever(layout: &Layout, quantity: Quantity, position: &BigRational) -> BigRational {
+pub fn lever(layout: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
     match quantity {
         Quantity::Force => BigRational::one(),
         Quantity::Moment => position - &layout.reference_plane,
@@ -96,13 +96,13 @@ pub fn lever(layout: &Layout, quantity: Quantity, position: &BigRational) -> Big
 }
 
 /// One order and sense of the force or the moment of all masses.
-pub fn all_masses(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
+pub fn all_masses(layout: &Engine, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
     let contributions = contributions(layout, order, sense);
     OrderSum::new(contributions.iter().map(|one| one.weighed(|position| lever(layout, quantity, position))))
 }
 
 /// The groups of masses that an engine has: the reciprocating ones, and those that weigh something.
-pub fn groups_of(layout: &Layout) -> Vec<MassGroup> {
+pub fn groups_of(layout: &Engine) -> Vec<MassGroup> {
     let mut groups: Vec<MassGroup> = turning_masses(layout).into_iter().map(|mass| mass.source.group()).collect();
     groups.push(MassGroup::Reciprocating);
     groups.sort_unstable();
@@ -113,7 +113,7 @@ pub fn groups_of(layout: &Layout) -> Vec<MassGroup> {
 /// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.
 ///
 /// Masses and crank radii are in multiples of the layout's; its coefficient c_k and the factor ½ω² are left out.
-pub fn star(layout: &Layout, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
+pub fn star(layout: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
     let term = |cylinder: &Cylinder| {
         let by = match quantity {
             Quantity::Force => BigRational::one(),

@@ -4,11 +4,11 @@ use super::factor::Factor;
 use super::phase::phase;
 use super::sum::OrderSum;
 use super::turning::mass_radius;
+use crate::engine::Engine;
 use crate::exact::Term;
-use crate::layout::Layout;
 
 /// The inertia torque of one order: `Σ m r² e^{ik(β−α)}` before t_k of each rod, in multiples of m r².
-pub fn torque(layout: &Layout, order: u32) -> OrderSum {
+pub fn torque(layout: &Engine, order: u32) -> OrderSum {
     OrderSum::new(layout.cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
         let factor = Factor::of_torque(layout.mechanism.rods.get(index), order)?;
         let weight = mass_radius(layout, cylinder) * &cylinder.crank_radius;

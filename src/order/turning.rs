@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::source::Source;
+use crate::engine::{self, Cylinder, Engine};
 use crate::exact::Turn;
-use crate::layout::{self, Cylinder, Layout};
 use crate::proof::Sense;
 
 /// A mass that turns at a multiple of the crank speed.
@@ -39,7 +39,7 @@ impl TurningMass {
 }
 
 /// All masses of an engine that turn and weigh something.
-pub fn turning_masses(layout: &Layout) -> Vec<TurningMass> {
+pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
     let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
     let on_the_crank = |source, mass_radius, angle: &Turn, position: &BigRational| TurningMass {
         source,
@@ -54,7 +54,7 @@ pub fn turning_masses(layout: &Layout) -> Vec<TurningMass> {
         on_the_crank(Source::BigEnd(index), mass * &radius * &at.crank_radius, &at.throw, &at.position)
     });
     let named = !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty();
-    let throws = if named { layout::throws(layout) } else { Vec::new() };
+    let throws = if named { engine::throws(layout) } else { Vec::new() };
     let pins = throws.iter().zip(&crankshaft.pins).enumerate().map(|(index, (at, mass))| {
         on_the_crank(Source::Pin(index), mass * &radius * &at.crank_radius, &at.angle, &at.position)
     });
@@ -80,7 +80,7 @@ pub fn turning_masses(layout: &Layout) -> Vec<TurningMass> {
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
-pub fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
+pub fn mass_radius(layout: &Engine, cylinder: &Cylinder) -> BigRational {
     match &layout.mechanism.mass {
         Some(mass) if mass.is_zero() => BigRational::zero(),
         _ => cylinder.weight(),
@@ -88,12 +88,12 @@ pub fn mass_radius(layout: &Layout, cylinder: &Cylinder) -> BigRational {
 }
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
-pub fn unit_mass(layout: &Layout) -> BigRational {
+pub fn unit_mass(layout: &Engine) -> BigRational {
     let mass = layout.mechanism.mass.clone().filter(|mass| !mass.is_zero());
     mass.unwrap_or_else(BigRational::one)
 }
 
 /// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
-pub fn unit_radius(layout: &Layout) -> BigRational {
+pub fn unit_radius(layout: &Engine) -> BigRational {
     layout.mechanism.crank_radius.clone().unwrap_or_else(BigRational::one)
 }

@@ -37,9 +37,9 @@ pub fn corrected(subject: &Subject, orders: &[u32], weights: &[Weight]) -> Vec<C
     let mut judged = Vec::new();
     for &order in orders {
         for quantity in [Quantity::Force, Quantity::Moment] {
-            let lever = |position: &BigRational| order::lever(subject.layout(), quantity, position);
+            let lever = |position: &BigRational| order::lever(subject.engine(), quantity, position);
             for sense in [Sense::Direct, Sense::Reverse] {
-                let engine = order::contributions(subject.layout(), order, sense);
+                let engine = order::contributions(subject.engine(), order, sense);
                 let engine = engine.iter().map(|one| one.weighed(lever));
                 let added = weights
                     .iter()

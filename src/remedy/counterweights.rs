@@ -5,8 +5,8 @@ use num_traits::{One, Zero};
 
 use super::subject::Subject;
 use super::weight::{Weight, doubled_square};
+use crate::engine::{Throw, throws};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{Throw, throws};
 use crate::numbers;
 use crate::order::{self, Factor, OrderSum};
 use crate::proof::Sense;
@@ -16,7 +16,7 @@ use crate::proof::Sense;
 ///
 /// A list that is shorter than the number of throws goes on with its last value.
 pub fn bay_by_bay(subject: &Subject, factors: &[BigRational], skews: &[Turn]) -> Vec<Weight> {
-    let throws = throws(subject.layout());
+    let throws = throws(subject.engine());
     let wholes = throw_weights(subject, &throws);
     let weight = |(index, throw): (usize, &Throw)| {
         let factor = value_of(factors, index).cloned().unwrap_or_else(BigRational::zero);
@@ -39,7 +39,7 @@ fn value_of<T>(list: &[T], index: usize) -> Option<&T> {
 
 /// D of each throw in multiples of m r; engines without numbers have their reciprocating masses only.
 fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
-    let layout = subject.layout();
+    let layout = subject.engine();
     if let (Some([unit, _]), Some(wholes)) = (subject.scale(), layout.throw_mass_radii()) {
         return wholes.into_iter().map(|whole| whole / &unit).collect();
     }

@@ -9,7 +9,7 @@
 use num_traits::{ToPrimitive, Zero};
 
 use super::subject::Subject;
-use crate::layout::{Layout, Rod};
+use crate::engine::{Engine, Rod};
 use crate::motion::{Enclosure, SliderCrank};
 
 /// The height difference of a pair that takes the roll moment of its order away.
@@ -33,7 +33,7 @@ impl PairHeight {
 
 /// The height of the pair of an order in an engine whose cylinders stand in one line, with equal centric rods and crank
 /// radii; `None` for others, and where the rods are not known or the order has no force.
-pub fn pair_height(layout: &Layout, order: u32) -> Option<PairHeight> {
+pub fn pair_height(layout: &Engine, order: u32) -> Option<PairHeight> {
     let rod = layout.mechanism.rods.first()?;
     let [first, ..] = layout.cylinders.as_slice() else { return None };
     let alike = layout.cylinders.iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);

@@ -26,8 +26,8 @@ pub use subject::Subject;
 pub(crate) use weight::is_negative;
 pub use weight::{Weight, with_counterweights};
 
+use crate::engine::{Engine, throws};
 use crate::exact::Turn;
-use crate::layout::{Layout, throws};
 use crate::loads::Missing;
 use crate::proof::Sense;
 
@@ -71,10 +71,10 @@ impl Remedy {
         self.bays.iter().chain(shafts).cloned().collect()
     }
 
-    /// The crankshaft's mass in kilograms, as [`Layout::crankshaft_mass`] counts it, with the counterweights of the remedy at
+    /// The crankshaft's mass in kilograms, as [`Engine::crankshaft_mass`] counts it, with the counterweights of the remedy at
     /// the crank radius; `None` where the layout gives no numbers.
     pub fn crankshaft_mass(&self) -> Option<f64> {
-        let bare = self.subject.layout().crankshaft_mass()?.to_f64()?;
+        let bare = self.subject.engine().crankshaft_mass()?.to_f64()?;
         let own = self.crankshaft.iter().flat_map(|shaft| &shaft.weights);
         let masses = self.bays.iter().chain(own).map(|weight| weight.mass_at_crank_radius(&self.subject));
         Some(bare + masses.sum::<Option<f64>>()?)
@@ -134,7 +134,7 @@ impl std::error::Error for Refused {}
 ///
 /// ```standalone_crate
 /// use crankstar::remedy::{Wish, remedy};
-/// let i3 = crankstar::layout::find("I3").unwrap().layout().unwrap();
+/// let i3 = crankstar::file::find("I3").unwrap().engine().unwrap();
 /// let remedy = remedy(&i3, &Wish { orders: vec![1, 2], ..Wish::default() }).unwrap();
 /// assert!(remedy.holds());
 /// // Two counterweights in the planes of the outer throws, and three shafts with a couple each.
@@ -144,7 +144,7 @@ impl std::error::Error for Refused {}
 ///
 /// # Errors
 /// What is missing, or does not fit.
-pub fn remedy(layout: &Layout, wish: &Wish) -> Result<Remedy, Refused> {
+pub fn remedy(layout: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
     let subject = Subject::new(layout).map_err(Refused::Missing)?;
     let count = throws(layout).len();
     for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
@@ -195,7 +195,7 @@ fn on_the_crankshaft(
 }
 
 /// The planes of the outermost throws; of the outermost cylinders or weights where those stand together.
-fn usual_planes(layout: &Layout) -> [BigRational; 2] {
+fn usual_planes(layout: &Engine) -> [BigRational; 2] {
     let throws: Vec<BigRational> = throws(layout).into_iter().map(|throw| throw.position).collect();
     let cylinders: Vec<BigRational> = layout.cylinders.iter().map(|cylinder| cylinder.position.clone()).collect();
     let crankshaft = &layout.crankshaft;

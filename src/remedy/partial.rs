@@ -8,8 +8,8 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term};
-use crate::layout::Layout;
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::Sense;
@@ -41,11 +41,11 @@ impl Partial {
     /// use crankstar::remedy::Partial;
     /// use num_rational::BigRational;
     /// let twin = "vee = { bank_angle = 90, throws = [0] }";
-    /// let twin = Partial::new(&crankstar::layout::parse("twin.toml", twin).unwrap()).unwrap();
+    /// let twin = Partial::new(&crankstar::file::parse("twin.toml", twin).unwrap()).unwrap();
     /// let half = BigRational::new(1.into(), 2.into());
     /// assert_eq!(twin.ellipse(&half).peak_decimal, 0.0);
     /// ```
-    pub fn new(layout: &Layout) -> Option<Self> {
+    pub fn new(layout: &Engine) -> Option<Self> {
         let sum = |sense| {
             let term = |cylinder| Term {
                 angle: order::phase(cylinder, 1, Some(sense)),

@@ -4,8 +4,8 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
 use crate::loads::{self, Missing};
 use crate::motion::SliderCrank;
 use crate::numbers;
@@ -15,7 +15,7 @@ use crate::proof::Sense;
 /// An engine whose masses can be compared.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    layout: Layout,
+    layout: Engine,
 }
 
 impl Subject {
@@ -23,13 +23,13 @@ impl Subject {
     ///
     /// # Errors
     /// What the layout lacks for its masses to be compared.
-    pub fn new(layout: &Layout) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine) -> Result<Self, Missing> {
         loads::comparable(layout)?;
         Ok(Subject { layout: layout.clone() })
     }
 
     /// The layout.
-    pub fn layout(&self) -> &Layout {
+    pub fn engine(&self) -> &Engine {
         &self.layout
     }
 

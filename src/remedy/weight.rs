@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::subject::Subject;
+use crate::engine::{Counterweight, Engine};
 use crate::exact::{PhasorSum, Turn};
-use crate::layout::{Counterweight, Layout};
 use crate::numbers::{self, Direction, Form};
 use crate::order::{Factor, OrderSum};
 use crate::proof::Sense;
@@ -86,9 +86,9 @@ pub(super) fn doubled_square(order: u32) -> BigRational {
 /// The layout with these weights on its crankshaft, each as the rational counterweights that it is the sum of.
 ///
 /// `None` where a weight turns at another speed or holds a coefficient, or where the layout gives no numbers.
-pub fn with_counterweights(subject: &Subject, weights: &[Weight]) -> Option<Layout> {
+pub fn with_counterweights(subject: &Subject, weights: &[Weight]) -> Option<Engine> {
     let [unit, radius] = subject.scale()?;
-    let mut layout = subject.layout().clone();
+    let mut layout = subject.engine().clone();
     for weight in weights {
         let on_the_crank = (weight.order, weight.sense) == (1, Sense::Direct);
         for (factor, sum) in weight.vector.parts() {

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::accuracy_words::{self, AccuracyCase};
 use crate::accuracy::{Method, Row, Study};
-use crate::layout::Layout;
+use crate::engine::Engine;
 
 /// The methods and their errors as data.
 #[derive(Clone, Debug, Serialize)]
@@ -52,7 +52,7 @@ struct Entry {
 }
 
 /// The methods and their errors as data; errors and bounds are parts of the peak.
-pub fn accuracy_document(layout: &Layout, cases: &[AccuracyCase]) -> AccuracyDocument {
+pub fn accuracy_document(layout: &Engine, cases: &[AccuracyCase]) -> AccuracyDocument {
     let case = |case: &AccuracyCase| Case {
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(layout, study)).collect(),
@@ -60,7 +60,7 @@ pub fn accuracy_document(layout: &Layout, cases: &[AccuracyCase]) -> AccuracyDoc
     AccuracyDocument { title: layout.title.written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
-fn load(layout: &Layout, study: &Study) -> Load {
+fn load(layout: &Engine, study: &Study) -> Load {
     let (unit, multiple) = accuracy_words::unit(layout, study.quantity);
     let front = accuracy_words::front(study);
     let entry = |(place, row): (usize, &Row)| {

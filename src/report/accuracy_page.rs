@@ -11,7 +11,7 @@ use super::plot::{Axis, Curve, Plot, PointMark};
 use super::table::Table;
 use super::{render, svg};
 use crate::accuracy::{Method, Row, Study};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::text::Format;
 
 /// Errors smaller than this stand at the lower edge of a plot.
@@ -137,7 +137,7 @@ struct PageFigure {
 }
 
 /// The page of one engine with errors and times, and a plot a load and rod ratio; made for this machine at this hour.
-pub fn accuracy_page(layout: &Layout, cases: &[AccuracyCase]) -> Vec<File> {
+pub fn accuracy_page(layout: &Engine, cases: &[AccuracyCase]) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let (mut sections, mut drawings) = (Vec::new(), Vec::new());
     for (number, case) in cases.iter().enumerate() {
@@ -211,7 +211,7 @@ fn cost_plot(title: &str, study: &Study) -> Plot {
 }
 
 /// The page of errors alone, of several engines at several rod ratios: the same on every machine.
-pub fn accuracy_errors_page(engines: &[(Layout, Vec<AccuracyCase>)]) -> Vec<File> {
+pub fn accuracy_errors_page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let (mut sections, mut drawings) = (Vec::new(), Vec::new());
     for (number, (layout, cases)) in engines.iter().enumerate() {

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use super::loads_document::units;
 use super::typeset;
 use crate::accuracy::{self, Method, Row, Study};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads;
 use crate::proof::Quantity;
 use crate::text::SUPERSCRIPTS;
@@ -26,7 +26,7 @@ impl AccuracyCase {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn of(layout: &Layout, quantities: &[Quantity], timed: bool) -> Result<Self, loads::Missing> {
+    pub fn of(layout: &Engine, quantities: &[Quantity], timed: bool) -> Result<Self, loads::Missing> {
         let studies = quantities.iter().map(|quantity| accuracy::study(layout, *quantity, timed));
         let mut rods = layout.mechanism.rods.iter().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
@@ -43,7 +43,7 @@ impl AccuracyCase {
 }
 
 /// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
-pub fn accuracy_rows(layout: &Layout, study: &Study) -> Vec<[String; 6]> {
+pub fn accuracy_rows(layout: &Engine, study: &Study) -> Vec<[String; 6]> {
     let (unit, factor) = unit(layout, study.quantity);
     let front = front(study);
     let row = |(place, row): (usize, &Row)| {
@@ -65,7 +65,7 @@ pub fn accuracy_rows(layout: &Layout, study: &Study) -> Vec<[String; 6]> {
 pub const HEADER: [&str; 6] = ["Method", "Peak", "Error", "Guaranteed", "Time", "Front"];
 
 /// Unit of a load, and how many of it are one multiple.
-pub(super) fn unit(layout: &Layout, quantity: Quantity) -> (&'static str, f64) {
+pub(super) fn unit(layout: &Engine, quantity: Quantity) -> (&'static str, f64) {
     let scale = loads::scale(layout);
     let units = units(layout, scale.as_ref());
     let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);

@@ -7,8 +7,8 @@ use num_traits::{One, Signed};
 
 use super::star::{Ray, Star};
 use super::typeset;
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::Layout;
 use crate::proof::{Certificate, Polygon, Quantity, Residue, Step};
 use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason};
 
@@ -16,7 +16,7 @@ use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason}
 const MOST_TERMS_WRITTEN: usize = 9;
 
 /// The sentences that prove a verdict.
-pub(super) fn argument(layout: &Layout, verdict: &Verdict) -> String {
+pub(super) fn argument(layout: &Engine, verdict: &Verdict) -> String {
     let star = Star::new(verdict);
     match reason(layout, verdict) {
         Reason::NoWeight if verdict.quantity == Quantity::Moment => {
@@ -52,7 +52,7 @@ pub(super) fn argument(layout: &Layout, verdict: &Verdict) -> String {
     }
 }
 
-fn mirror(layout: &Layout) -> String {
+fn mirror(layout: &Engine) -> String {
     let partners = mirror_partners(layout).unwrap_or_default().into_iter().enumerate();
     format!(
         "the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, and \
@@ -61,7 +61,7 @@ fn mirror(layout: &Layout) -> String {
     )
 }
 
-fn opposed(layout: &Layout, verdict: &Verdict) -> String {
+fn opposed(layout: &Engine, verdict: &Verdict) -> String {
     let partners = opposed_partners(&verdict.sum).unwrap_or_default();
     let turned = match verdict.quantity {
         Quantity::Moment => ", each multiplied by its arm,",
@@ -78,13 +78,13 @@ fn opposed(layout: &Layout, verdict: &Verdict) -> String {
 }
 
 /// `1 and 4`, a pair of cylinders each.
-fn pairs(layout: &Layout, indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
+fn pairs(layout: &Engine, indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
     let name = |index: usize| layout.cylinders[index].name.as_str();
     indices.map(|(first, second)| format!("{} and {}", name(first), name(second))).collect()
 }
 
 /// Each direction with the weights that cancel on it.
-fn cancelling(layout: &Layout, verdict: &Verdict) -> String {
+fn cancelling(layout: &Engine, verdict: &Verdict) -> String {
     let mut directions: Vec<(&Turn, Vec<(&str, &BigRational)>)> = Vec::new();
     for (cylinder, term) in layout.cylinders.iter().zip(verdict.sum.terms()) {
         let entry = (cylinder.name.as_str(), &term.weight);
@@ -103,13 +103,13 @@ fn cancelling(layout: &Layout, verdict: &Verdict) -> String {
     directions.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-fn polygons(layout: &Layout, star: &Star) -> String {
+fn polygons(layout: &Engine, star: &Star) -> String {
     let turned = if star.has_turned { "With the vectors of negative arms turned by 180°: " } else { "" };
     let sentences: Vec<String> = star.polygons.iter().map(|polygon| polygon_sentence(layout, star, polygon)).collect();
     format!("{turned}{}", sentences.join(" "))
 }
 
-fn polygon_sentence(layout: &Layout, star: &Star, polygon: &Polygon) -> String {
+fn polygon_sentence(layout: &Engine, star: &Star, polygon: &Polygon) -> String {
     let corners: Vec<&Ray> = (0..polygon.sides)
         .filter_map(|j| {
             let angle = Turn::new(&polygon.rotation + BigRational::new(j.into(), polygon.sides.into()));

@@ -2,7 +2,7 @@
 
 use super::left;
 use super::typeset;
-use crate::layout::{DOES_NOT_EXIST, Firing};
+use crate::engine::{DOES_NOT_EXIST, Firing};
 use crate::proof::Sense;
 use crate::remedy::{Kind, Refused, Remedy, Shaft};
 use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, Theorem};

@@ -10,8 +10,8 @@ use crate::claim::{
     Absolute, Answer, Condition, Evidence, Finding, Provenance, Quote, StarTable, Statement, Status, Subject,
     TableVerdict, Witness,
 };
-use crate::layout::Layout;
-use crate::layout::{DOES_NOT_EXIST, WHY_NOT};
+use crate::engine::Engine;
+use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
 use crate::order;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense};
@@ -152,7 +152,7 @@ pub(super) fn said(provenance: &Provenance, above: Option<&Untrusted>, dialect: 
 /// A mass as a decimal where it ends, however many places that takes.
 fn kilograms(mass: &BigRational) -> String {
     let decimal = mass.to_f64().map(|mass| mass.to_string());
-    let is_exact = |text: &String| crate::layout::parse_number(text).is_ok_and(|number| number == *mass);
+    let is_exact = |text: &String| crate::file::parse_number(text).is_ok_and(|number| number == *mass);
     decimal.filter(is_exact).unwrap_or_else(|| typeset::number(mass))
 }
 
@@ -262,7 +262,7 @@ pub fn table_finding(table: &StarTable, verdict: &TableVerdict) -> String {
     match verdict {
         TableVerdict::Right(entries) => format!("true: all {entries} entries are right"),
         TableVerdict::WrongPhase { cylinder, sense, written, right } => {
-            let layout: &Layout = &table.layout;
+            let layout: &Engine = &table.layout;
             let cylinder = &layout.cylinders[*cylinder];
             debug_assert_eq!(order::phase(cylinder, table.order, Some(*sense)), *right);
             format!(

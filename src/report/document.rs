@@ -2,8 +2,8 @@
 
 use num_complex::Complex;
 
+use crate::engine::{self, Engine, Rod};
 use crate::exact::Term;
-use crate::layout::{self, Layout, Rod};
 use crate::numbers;
 use crate::proof::{
     Cylinder, Document, Format, Masses, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, Vector,
@@ -13,7 +13,7 @@ use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
 /// The verdicts on an engine as data: what `verify` reads. Statements on every order stand in it where they are given.
 pub fn document(
-    layout: &Layout,
+    layout: &Engine,
     orders: &[OrderBalance],
     quantities: &[Quantity],
     every_order: Option<&Theorem>,
@@ -52,7 +52,7 @@ pub fn quantities(with_torque: bool) -> Vec<Quantity> {
     [Quantity::Force, Quantity::Moment].into_iter().chain(with_torque.then_some(Quantity::Torque)).collect()
 }
 
-fn cylinder(cylinder: &layout::Cylinder, rod: Option<&Rod>) -> Cylinder {
+fn cylinder(cylinder: &engine::Cylinder, rod: Option<&Rod>) -> Cylinder {
     Cylinder {
         name: cylinder.name.clone(),
         throw: cylinder.throw.turns().clone(),

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::dialect::Dialect;
 use super::table::Table;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::verdict::{Balance, Disturbance, Firmness, OrderBalance, Outcome, firmness};
 
 /// The section on how firm the zeros are.
@@ -44,7 +44,7 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
 
 impl Section {
     /// One row a zero; `None` where nothing vanishes.
-    pub fn new(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]) -> Option<Self> {
+    pub fn new(dialect: Dialect, layout: &Engine, orders: &[OrderBalance]) -> Option<Self> {
         let mut header = vec!["Zero"];
         header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
         header.push("Verdict");
@@ -75,7 +75,7 @@ fn row(name: &str, balance: &Balance, firmness: &Firmness) -> Vec<String> {
 }
 
 /// How firm the zeros of one order are, in a few words: `force firm; moment needs symmetric spacing`.
-pub(super) fn summary(layout: &Layout, order: &OrderBalance) -> String {
+pub(super) fn summary(layout: &Engine, order: &OrderBalance) -> String {
     let part = |name: &str, balance| {
         let firmness = firmness(layout, balance)?;
         Some(match firmness.is_firm() {
@@ -89,7 +89,7 @@ pub(super) fn summary(layout: &Layout, order: &OrderBalance) -> String {
 }
 
 /// What has to stay as it is.
-fn needs(layout: &Layout, firmness: &Firmness) -> Vec<&'static str> {
+fn needs(layout: &Engine, firmness: &Firmness) -> Vec<&'static str> {
     let spacing = match (firmness.outcome(Disturbance::SymmetricSpacing), firmness.breaks(Disturbance::AnySpacing)) {
         (Outcome::Survives, true) => Some("symmetric spacing"),
         (Outcome::Breaks, _) | (_, true) => Some("this spacing"),
@@ -102,7 +102,7 @@ fn needs(layout: &Layout, firmness: &Firmness) -> Vec<&'static str> {
 }
 
 /// Whether the banks stand at different positions.
-fn has_offset(layout: &Layout) -> bool {
+fn has_offset(layout: &Engine) -> bool {
     let mut banks: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
     for cylinder in &layout.cylinders {
         banks.entry(&cylinder.bank).or_default().insert(&cylinder.position);

@@ -8,8 +8,9 @@ use super::open_page::OpenPage;
 use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
 use super::remedy::remedy_figure;
 use super::{left, render};
+use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
-use crate::layout::{Entry, Family, Layout};
+use crate::file::Entry;
 use crate::verdict::OrderBalance;
 
 /// A file to be written: its name inside the folder, and its text.
@@ -71,20 +72,20 @@ struct Line {
 }
 
 /// The orders of the index: those that every engine is judged at.
-fn common_orders(engines: &[(Entry, Layout, Vec<OrderBalance>)]) -> Vec<u32> {
-    let judged = |engine: &(Entry, Layout, Vec<OrderBalance>), order: u32| engine.2.iter().any(|o| o.order == order);
+fn common_orders(engines: &[(Entry, Engine, Vec<OrderBalance>)]) -> Vec<u32> {
+    let judged = |engine: &(Entry, Engine, Vec<OrderBalance>), order: u32| engine.2.iter().any(|o| o.order == order);
     let first = engines.first().map_or(&[][..], |(_, _, orders)| orders);
     first.iter().map(|order| order.order).filter(|&order| engines.iter().all(|engine| judged(engine, order))).collect()
 }
 
 /// The index page over the reports of the catalogue: one line an engine, at the orders that all are judged at.
-pub fn index(engines: &[(Entry, Layout, Vec<OrderBalance>)]) -> File {
+pub fn index(engines: &[(Entry, Engine, Vec<OrderBalance>)]) -> File {
     let dialect = Dialect::GithubMarkdown;
     let columns = common_orders(engines);
     let cells = |orders: &[OrderBalance], cell: fn(&OrderBalance) -> String| {
         orders.iter().filter(|order| columns.contains(&order.order)).map(cell).collect()
     };
-    let line = |(entry, layout, orders): &(Entry, Layout, Vec<OrderBalance>)| Line {
+    let line = |(entry, layout, orders): &(Entry, Engine, Vec<OrderBalance>)| Line {
         name: entry.name,
         title: dialect.quoted(&layout.title),
         firing: layout.firing.as_ref().map_or_else(String::new, intervals),

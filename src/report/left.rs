@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
+use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::exact::{PhasorSum, Turn};
-use crate::layout::{DOES_NOT_EXIST, Layout};
 use crate::numbers::{self, Direction};
 use crate::order;
 use crate::proof::{Quantity, Shape};
@@ -97,7 +97,7 @@ pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺
                           times the unit of the positions; = exact, ≈ decimal.";
 
 /// Whose masses the verdicts are about, where the layout has others than the reciprocating ones.
-pub fn whose_masses(layout: &Layout) -> Option<&'static str> {
+pub fn whose_masses(layout: &Engine) -> Option<&'static str> {
     (order::groups_of(layout).len() > 1).then_some(
         "These are the verdicts on the reciprocating masses alone; loads, remedies and bearings reckon with all masses of the layout.",
     )

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::calculation::Numbers;
 use crate::accuracy::Largest;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{Arm, Bound, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
 use crate::numbers;
 use crate::order::MassGroup;
@@ -180,7 +180,7 @@ fn largest_entry(largest: &Largest, factor: f64) -> LargestEntry {
 }
 
 /// The loads of an engine as data, in newtons where the layout gives mass, crank radius and speed.
-pub fn loads_document(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> LoadsDocument {
+pub fn loads_document(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> LoadsDocument {
     let Numbers { loads, largest, left } = numbers;
     let factor = loads.scale.as_ref().map_or(1.0, |scale| scale.force());
     let torque_factor = loads.scale.as_ref().map_or(1.0, |scale| scale.torque());
@@ -269,7 +269,7 @@ pub(super) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
     there.re * along.re + there.im * along.im
 }
 
-fn order_entry(quantity: &'static str, order: &OrderLoads, layout: &Layout, swing: &Swing, factor: f64) -> OrderEntry {
+fn order_entry(quantity: &'static str, order: &OrderLoads, layout: &Engine, swing: &Swing, factor: f64) -> OrderEntry {
     let vector = |vector: &Vector| VectorEntry {
         amplitude: vector.value.norm() / 2.0 * factor,
         angle_deg: angle(vector),
@@ -323,7 +323,7 @@ pub(super) fn effect_name(effect: MassGroup) -> &'static str {
     }
 }
 
-pub(super) fn units(layout: &Layout, scale: Option<&Scale>) -> Units {
+pub(super) fn units(layout: &Engine, scale: Option<&Scale>) -> Units {
     match (scale, Arm::of(layout)) {
         (Some(_), Arm::Metre) => Units { force: "N", moment: "N m", torque: "N m" },
         (Some(_), Arm::Spacing) => Units { force: "N", moment: "N a", torque: "N m" },

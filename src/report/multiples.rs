@@ -4,7 +4,7 @@ use num_traits::Zero;
 
 use super::figure::{Figure, Point};
 use super::star::{PANEL, RESULTANT, Star, draw_star, scale};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::verdict::OrderBalance;
 
 /// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
@@ -12,7 +12,7 @@ pub(super) struct Column<'a> {
     /// What stands above it.
     pub name: String,
     /// The engine.
-    pub layout: &'a Layout,
+    pub layout: &'a Engine,
     /// The order.
     pub order: &'a OrderBalance,
 }
@@ -28,7 +28,7 @@ const NAMES: f64 = 7.0;
 ///
 /// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
 pub(super) fn multiples(columns: &[Column]) -> Figure {
-    let in_line = |layout: &Layout| layout.cylinders.windows(2).all(|pair| pair[0].bank == pair[1].bank);
+    let in_line = |layout: &Engine| layout.cylinders.windows(2).all(|pair| pair[0].bank == pair[1].bank);
     let senses = if columns.iter().all(|column| in_line(column.layout)) { 1 } else { 2 };
     let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
     let quantities = if columns.iter().any(has_arm) { 2 } else { 1 };

@@ -1,8 +1,8 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
 use super::document::vectors;
+use crate::engine::{Family, Linear, SymbolicCylinder};
 use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
-use crate::layout::{Family, Linear, SymbolicCylinder};
 use crate::proof::{
     AlternativeClaim, ConditionClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim,
     PartClaim, Quantity, SumClaim, WhenClaim,

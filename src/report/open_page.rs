@@ -6,8 +6,8 @@ use super::dialect::Dialect;
 use super::open_table;
 use super::open_words;
 use super::table::Table;
+use crate::engine::{Family, PHI};
 use crate::family::{self, OpenOrder, OpenVerdict};
-use crate::layout::{Family, PHI};
 
 /// Everything that the template of a family's report places.
 #[derive(Clone, Debug, Serialize)]

@@ -3,8 +3,8 @@
 use super::dialect::Dialect;
 use super::open_words;
 use super::table::{Table, phase_formula};
+use crate::engine::{Family, SymbolicCylinder};
 use crate::family::{self, OpenOrder};
-use crate::layout::{Family, SymbolicCylinder};
 use crate::proof::Sense;
 
 /// A family: orders × (force, moment) × (direct, reverse), for which angles each vanishes.

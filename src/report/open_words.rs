@@ -9,9 +9,9 @@ use super::argument;
 use super::left;
 use super::page::capital;
 use super::typeset::{self, Bearing};
+use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
-use crate::layout::{DELTA, Linear, PHI};
 use crate::numbers::Form;
 
 /// When a verdict vanishes, in a few words of plain text: `0`, `never 0`, `0 at φ = 90°, 270°`, `= 2√10 (2a + b + 2c)`.

@@ -16,8 +16,8 @@ use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
 use super::{argument, firmness, left, tikz, typeset};
+use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
-use crate::layout::{Cycle, DOES_NOT_EXIST, Family, Firing, Layout, WHY_NOT};
 use crate::loads::{Missing, Needed};
 use crate::proof::Sense;
 use crate::remedy::{self, Refused, Remedy, Wish};
@@ -92,7 +92,7 @@ pub(super) struct Drawing {
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
     /// The engine.
-    pub layout: &'a Layout,
+    pub layout: &'a Engine,
     /// The verdicts on it.
     pub orders: &'a [OrderBalance],
     /// The family that it is a member of, judged, where the file gives values to symbols.
@@ -134,7 +134,7 @@ impl NamedFigure {
 }
 
 /// All drawings of a report: the two views, then the stars of each order.
-pub(super) fn figures(layout: &Layout, orders: &[OrderBalance]) -> Vec<NamedFigure> {
+pub(super) fn figures(layout: &Engine, orders: &[OrderBalance]) -> Vec<NamedFigure> {
     let named = |name: String, caption: String, figure| NamedFigure { name, caption, figure };
     let mut figures = vec![
         named(
@@ -213,7 +213,7 @@ impl Page {
 /// The verdicts on the inertia torque, where the file asks for it and the rods are equal: at the orders that it has numbers of, else at
 /// the first and those of force and moment.
 pub(super) fn torque_verdicts(
-    layout: &Layout,
+    layout: &Engine,
     orders: &[OrderBalance],
     numbers: Option<&Result<Numbers, Missing>>,
 ) -> Vec<Verdict> {
@@ -229,7 +229,7 @@ pub(super) fn torque_verdicts(
 }
 
 /// The drawing of the stars of the inertia torque.
-pub(super) fn torque_stars(layout: &Layout, verdicts: &[Verdict]) -> NamedFigure {
+pub(super) fn torque_stars(layout: &Engine, verdicts: &[Verdict]) -> NamedFigure {
     NamedFigure {
         name: "torque-stars".into(),
         caption: "Vector stars of the inertia torque, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant.".into(),
@@ -238,7 +238,7 @@ pub(super) fn torque_stars(layout: &Layout, verdicts: &[Verdict]) -> NamedFigure
 }
 
 fn torque_section(
-    layout: &Layout,
+    layout: &Engine,
     orders: &[OrderBalance],
     numbers: Option<&Result<Numbers, Missing>>,
     dialect: Dialect,
@@ -266,7 +266,7 @@ pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
 }
 
 impl Section {
-    fn new(layout: &Layout, order: &OrderBalance, dialect: Dialect, stars: Drawing) -> Self {
+    fn new(layout: &Engine, order: &OrderBalance, dialect: Dialect, stars: Drawing) -> Self {
         let part = order.class.as_ref().map(|class| layout.only_with(&class.rod));
         let layout = part.as_ref().unwrap_or(layout);
         let paragraphs = |balance: &Balance, symbol: &str| {
@@ -296,7 +296,7 @@ fn missing(order: &OrderBalance) -> String {
     format!("Whatever the sums are, order {} {DOES_NOT_EXIST}. {WHY_NOT}", order.order)
 }
 
-fn moment_left(layout: &Layout, order: &OrderBalance) -> String {
+fn moment_left(layout: &Engine, order: &OrderBalance) -> String {
     let kind = if order.moment_is_couple() {
         "The force of this order vanishes, so the moment is a free couple: the same about every plane.".to_owned()
     } else {
@@ -309,7 +309,7 @@ fn moment_left(layout: &Layout, order: &OrderBalance) -> String {
 }
 
 impl Paragraph {
-    fn new(layout: &Layout, verdict: &Verdict, symbol: &str, dialect: Dialect) -> Self {
+    fn new(layout: &Engine, verdict: &Verdict, symbol: &str, dialect: Dialect) -> Self {
         let sense = match verdict.sense {
             Some(Sense::Direct) => "+",
             Some(Sense::Reverse) => "-",
@@ -337,7 +337,7 @@ impl Paragraph {
     }
 }
 
-fn title_block(layout: &Layout, dialect: Dialect) -> Option<Table> {
+fn title_block(layout: &Engine, dialect: Dialect) -> Option<Table> {
     let rows: Vec<Vec<String>> = layout
         .title_block
         .rows
@@ -402,11 +402,11 @@ fn plural(orders: &[String]) -> String {
     format!("order{} {}", if orders.len() == 1 { "" } else { "s" }, orders.join(", "))
 }
 
-fn units(layout: &Layout) -> String {
+fn units(layout: &Engine) -> String {
     let mass = if layout.has_unit_masses() { "m r ω² c_k" } else { "r ω² c_k · kg" };
     let arm = match layout.length_unit {
-        crate::layout::LengthUnit::Metre => "times metres",
-        crate::layout::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
+        crate::engine::LengthUnit::Metre => "times metres",
+        crate::engine::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
     };
     let mass = mass.replace("c_k", "$c_k$");
     let whose = left::whose_masses(layout).map_or_else(String::new, |words| format!(" {words}"));
@@ -417,7 +417,7 @@ fn units(layout: &Layout) -> String {
     )
 }
 
-fn firing(layout: &Layout) -> Vec<String> {
+fn firing(layout: &Engine) -> Vec<String> {
     let Some(firing) = &layout.firing else { return Vec::new() };
     let names: Vec<&str> = firing.shots.iter().map(|shot| layout.cylinders[shot.cylinder].name.as_str()).collect();
     let cycle = match firing.cycle {
@@ -439,7 +439,7 @@ pub(super) fn intervals(firing: &Firing) -> String {
     }
 }
 
-fn conventions(layout: &Layout) -> Vec<String> {
+fn conventions(layout: &Engine) -> Vec<String> {
     let plane = typeset::number(&layout.reference_plane);
     let unit = table::position_unit(layout).replace(['(', ')'], "");
     let why = if layout.reference_plane_given { "as the layout file says" } else { "the middle of the cylinders" };
@@ -453,7 +453,7 @@ fn conventions(layout: &Layout) -> Vec<String> {
 }
 
 /// What the verdicts rest on.
-fn assumed(layout: &Layout) -> String {
+fn assumed(layout: &Engine) -> String {
     match (layout.rods().len() > 1, layout.has_offset()) {
         (false, false) => ASSUMED.to_owned(),
         (unequal, offset) => format!(

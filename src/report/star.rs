@@ -8,8 +8,8 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::typeset;
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::Layout;
 use crate::numbers;
 use crate::proof::{Certificate, Polygon, Quantity};
 use crate::verdict::{Balance, OrderBalance, Verdict};
@@ -41,7 +41,7 @@ impl Ray {
     }
 
     /// The names of the cylinders.
-    pub fn names(&self, layout: &Layout) -> String {
+    pub fn names(&self, layout: &Engine) -> String {
         let names: Vec<&str> = self.members.iter().map(|(index, _)| layout.cylinders[*index].name.as_str()).collect();
         typeset::names(&names)
     }
@@ -87,7 +87,7 @@ const LABEL_HEIGHT: f64 = 3.4;
 const MOST_LABELS: usize = 36;
 
 /// The stars of one order: force above moment, direct beside reverse; the moment only where an arm is not zero.
-pub(super) fn star_figure(layout: &Layout, order: &OrderBalance) -> Figure {
+pub(super) fn star_figure(layout: &Engine, order: &OrderBalance) -> Figure {
     let with_moment = order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
     let rows: Vec<&Balance> = if with_moment { vec![&order.moment, &order.force] } else { vec![&order.force] };
     let mut figure = Figure::new(2.0 * PANEL.0, rows.len() as f64 * PANEL.1);
@@ -101,7 +101,7 @@ pub(super) fn star_figure(layout: &Layout, order: &OrderBalance) -> Figure {
 }
 
 /// The stars of the inertia torque, two beside each other, the first above.
-pub(super) fn torque_figure(layout: &Layout, verdicts: &[Verdict]) -> Figure {
+pub(super) fn torque_figure(layout: &Engine, verdicts: &[Verdict]) -> Figure {
     let rows = verdicts.len().div_ceil(2);
     let mut figure = Figure::new(2.0 * PANEL.0, rows as f64 * PANEL.1);
     for (index, verdict) in verdicts.iter().enumerate() {
@@ -111,7 +111,7 @@ pub(super) fn torque_figure(layout: &Layout, verdicts: &[Verdict]) -> Figure {
     figure
 }
 
-fn draw(figure: &mut Figure, corner: Point, layout: &Layout, verdict: &Verdict) {
+fn draw(figure: &mut Figure, corner: Point, layout: &Engine, verdict: &Verdict) {
     let star = Star::new(verdict);
     let scale = scale(star.reach());
     draw_star(figure, corner, layout, verdict, &star, (scale, RESULTANT));
@@ -129,7 +129,7 @@ pub(super) fn scale(reach: f64) -> f64 {
 pub(super) fn draw_star(
     figure: &mut Figure,
     corner: Point,
-    layout: &Layout,
+    layout: &Engine,
     verdict: &Verdict,
     star: &Star,
     (scale, width): (f64, f64),
@@ -209,7 +209,7 @@ fn draw_polygon(figure: &mut Figure, centre: Point, scale: f64, polygon: &Polygo
 }
 
 /// Names of the cylinders on a ring, tied to their vectors; close neighbours on a second ring.
-fn draw_labels(figure: &mut Figure, centre: Point, layout: &Layout, star: &Star) {
+fn draw_labels(figure: &mut Figure, centre: Point, layout: &Engine, star: &Star) {
     let mut last: Option<Point> = None;
     let mut first: Option<Point> = None;
     let mut ring = 0;

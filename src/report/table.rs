@@ -7,7 +7,7 @@ use super::dialect::Dialect;
 use super::firmness;
 use super::left;
 use super::typeset;
-use crate::layout::{Cylinder, Layout, LengthUnit};
+use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::order;
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, Theorem, Verdict};
@@ -64,7 +64,7 @@ fn size(width: usize) -> &'static str {
 }
 
 /// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros are.
-pub(super) fn summary(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]) -> Table {
+pub(super) fn summary(dialect: Dialect, layout: &Engine, orders: &[OrderBalance]) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
     let firm = |order: &OrderBalance| match order.class {
         None => firmness::summary(layout, order),
@@ -78,7 +78,7 @@ pub(super) fn summary(dialect: Dialect, layout: &Layout, orders: &[OrderBalance]
 }
 
 /// One row a cylinder: throw, bank, position, and mass where they differ from 1.
-pub(super) fn cylinders(dialect: Dialect, layout: &Layout) -> Table {
+pub(super) fn cylinders(dialect: Dialect, layout: &Engine) -> Table {
     let unit = position_unit(layout);
     let mut header = vec!["Cylinder".to_owned(), "Throw β".into(), "Bank α".into(), format!("Position z{unit}")];
     if !layout.has_unit_masses() {
@@ -101,7 +101,7 @@ pub(super) fn cylinders(dialect: Dialect, layout: &Layout) -> Table {
 }
 
 /// ` (m)`, or nothing where positions are multiples of the spacing.
-pub(super) fn position_unit(layout: &Layout) -> &'static str {
+pub(super) fn position_unit(layout: &Engine) -> &'static str {
     match layout.length_unit {
         LengthUnit::Metre => " (m)",
         LengthUnit::Spacing => "",
@@ -122,7 +122,7 @@ pub(super) fn period(dialect: Dialect, theorem: &Theorem) -> Table {
 }
 
 /// The vector-star table of order k: how each phase comes about, where there is room for it, and the sums.
-pub(super) fn vector_star(dialect: Dialect, layout: &Layout, order: &OrderBalance) -> Table {
+pub(super) fn vector_star(dialect: Dialect, layout: &Engine, order: &OrderBalance) -> Table {
     let (header, rows) = star_cells(layout, order, phase);
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     if width(&header, &rows) <= WIDEST {
@@ -134,7 +134,7 @@ pub(super) fn vector_star(dialect: Dialect, layout: &Layout, order: &OrderBalanc
 /// Multiples of an angle in degrees whose sum is a phase.
 type Parts<'a> = [(i64, &'a BigRational); 2];
 
-fn star_cells(layout: &Layout, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
+fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
     let k = i64::from(order.order);
     let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
     let with_mass = !layout.has_unit_masses();

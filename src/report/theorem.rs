@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::dialect::Dialect;
 use super::left;
 use super::table::{self, Table};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::proof::Survivors;
 use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 
@@ -26,7 +26,7 @@ pub(super) struct Section {
 
 impl Section {
     /// Sets the section in a dialect.
-    pub fn new(layout: &Layout, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
+    pub fn new(layout: &Engine, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
         let theorem = match theorem {
             Ok(theorem) => theorem,
             Err(reason) => {
@@ -57,7 +57,7 @@ fn no_theorem(reason: &NoTheorem) -> String {
     format!("No statement is made on every order at once: {why}.")
 }
 
-fn why(layout: &Layout, theorem: &Theorem) -> String {
+fn why(layout: &Engine, theorem: &Theorem) -> String {
     let period = theorem.period;
     let even = if period == 2 { "order 2".to_owned() } else { format!("the even orders 2 to {period}") };
     let plane = super::typeset::number(&layout.reference_plane);

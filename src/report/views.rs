@@ -8,8 +8,8 @@ use num_traits::{Signed, ToPrimitive};
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::star::towards;
 use super::typeset;
+use crate::engine::{Cylinder, Engine};
 use crate::exact::Turn;
-use crate::layout::{Cylinder, Layout};
 
 /// More banks than this are not drawn as rows of the side view.
 const MOST_ROWS: usize = 4;
@@ -17,7 +17,7 @@ const MOST_ROWS: usize = 4;
 const MOST_LABELS: usize = 36;
 
 /// The names of the cylinders that share something, by what they share.
-fn groups<K: Ord>(layout: &Layout, key: impl Fn(&Cylinder) -> K) -> BTreeMap<K, Vec<&str>> {
+fn groups<K: Ord>(layout: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeMap<K, Vec<&str>> {
     let mut groups: BTreeMap<K, Vec<&str>> = BTreeMap::new();
     for cylinder in &layout.cylinders {
         groups.entry(key(cylinder)).or_default().push(&cylinder.name);
@@ -26,7 +26,7 @@ fn groups<K: Ord>(layout: &Layout, key: impl Fn(&Cylinder) -> K) -> BTreeMap<K, 
 }
 
 /// The engine from its free end at θ = 0: pins inside, cylinder axes outside, angle 0 upwards.
-pub(super) fn end_view(layout: &Layout) -> Figure {
+pub(super) fn end_view(layout: &Engine) -> Figure {
     let mut figure = Figure::new(100.0, 92.0);
     let centre = Point::new(50.0, 46.0);
     let throws = groups(layout, |cylinder| cylinder.throw.clone());
@@ -73,7 +73,7 @@ const FIRST_ROW: f64 = 42.0;
 const ROW: f64 = 9.0;
 
 /// The crankshaft from the side, free end at the left: pins at the height of their throws, cylinders above.
-pub(super) fn side_view(layout: &Layout) -> Figure {
+pub(super) fn side_view(layout: &Engine) -> Figure {
     let banks: BTreeSet<&Turn> = layout.cylinders.iter().map(|cylinder| &cylinder.bank).collect();
     let rows = if banks.len() <= MOST_ROWS { banks.len() } else { 1 };
     let mut figure = Figure::new(WIDTH, FIRST_ROW + ROW * rows as f64 + 3.0);
@@ -103,7 +103,7 @@ struct Scale {
 }
 
 impl Scale {
-    fn new(layout: &Layout) -> Self {
+    fn new(layout: &Engine) -> Self {
         let mut positions: Vec<f64> =
             layout.cylinders.iter().filter_map(|cylinder| cylinder.position.to_f64()).collect();
         positions.sort_by(f64::total_cmp);
@@ -122,7 +122,7 @@ impl Scale {
     }
 }
 
-fn draw_pins(figure: &mut Figure, layout: &Layout, scale: &Scale) {
+fn draw_pins(figure: &mut Figure, layout: &Engine, scale: &Scale) {
     let mut at_position: BTreeMap<&BigRational, BTreeSet<&Turn>> = BTreeMap::new();
     for cylinder in &layout.cylinders {
         at_position.entry(&cylinder.position).or_default().insert(&cylinder.throw);
@@ -142,7 +142,7 @@ fn draw_pins(figure: &mut Figure, layout: &Layout, scale: &Scale) {
     }
 }
 
-fn draw_cylinders(figure: &mut Figure, layout: &Layout, scale: &Scale, banks: &BTreeSet<&Turn>) {
+fn draw_cylinders(figure: &mut Figure, layout: &Engine, scale: &Scale, banks: &BTreeSet<&Turn>) {
     let as_rows = banks.len() <= MOST_ROWS;
     let row_of = |cylinder: &Cylinder| {
         if as_rows { banks.iter().position(|bank| **bank == cylinder.bank).unwrap_or(0) } else { 0 }

@@ -4,7 +4,7 @@ use super::answer::Front;
 use super::found::FoundStar;
 use super::problem::Problem;
 use super::run::{self, Options, SearchError};
-use crate::layout::Cycle;
+use crate::engine::Cycle;
 
 /// The best in-line stars of a number of cylinders.
 #[derive(Clone, Debug)]

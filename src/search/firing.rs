@@ -2,8 +2,8 @@
 
 use num_rational::BigRational;
 
+use crate::engine::Cycle;
 use crate::exact::Turn;
-use crate::layout::Cycle;
 
 use super::problem::Problem;
 

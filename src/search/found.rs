@@ -5,8 +5,9 @@ use std::fmt::Write;
 
 use num_rational::BigRational;
 
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{self, Layout, LayoutError};
+use crate::file::{self, LayoutError};
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::Sense;
@@ -87,8 +88,8 @@ impl FoundStar {
     ///
     /// # Errors
     /// Those of a layout file, though none is known to arise.
-    pub fn layout(&self, problem: &Problem) -> Result<Layout, LayoutError> {
-        layout::parse("star.toml", &self.layout_file(problem))
+    pub fn engine(&self, problem: &Problem) -> Result<Engine, LayoutError> {
+        file::parse("star.toml", &self.layout_file(problem))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which crank star balances best? All stars of an engine, up to their symmetries, and the exact front of the best.
 //!
 //! ```standalone_crate
-//! use crankstar::layout::Cycle;
+//! use crankstar::engine::Cycle;
 //! use crankstar::search::{Options, Problem, search};
 //! let six = Problem::inline(6, Cycle::TwoStroke, &[1, 2]);
 //! let front = search(&six, &Options::default()).unwrap();

@@ -4,8 +4,8 @@ use std::fmt;
 
 use num_rational::BigRational;
 
+use crate::engine::Cycle;
 use crate::exact::Turn;
-use crate::layout::Cycle;
 
 /// More throws than this are not searched: sixteen have 1.3 million million stars.
 pub const MOST_THROWS: u32 = 16;

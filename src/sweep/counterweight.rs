@@ -5,7 +5,7 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::point::{Part, float};
 use super::whole::Whole;
-use crate::layout::{Layout, throws};
+use crate::engine::{Engine, throws};
 use crate::order::{self, Factor};
 use crate::proof::{Quantity, Sense};
 
@@ -14,12 +14,12 @@ use crate::proof::{Quantity, Sense};
 ///
 /// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
 /// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
-pub fn counterweight(layout: &Layout) -> Option<Part> {
+pub fn counterweight(layout: &Engine) -> Option<Part> {
     counterweight_of(layout, Whole::new(layout).as_ref())
 }
 
 /// The same for an engine whose whole numbers are known already.
-pub(super) fn counterweight_of(layout: &Layout, whole: Option<&Whole>) -> Option<Part> {
+pub(super) fn counterweight_of(layout: &Engine, whole: Option<&Whole>) -> Option<Part> {
     let whole = whole.filter(|whole| whole.knows(1));
     let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match whole {
         Some(_) if layout.has_offset() => None,

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::Arm;
 
 /// The assumptions, as multiples of the crank radius r where nothing else is said.
@@ -69,7 +69,7 @@ pub struct Envelope {
 }
 
 /// The box round an engine; none for one with cylinders of different strokes.
-pub fn envelope(layout: &Layout, geometry: &Geometry) -> Option<Envelope> {
+pub fn envelope(layout: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
     if layout.cylinders.iter().any(|cylinder| cylinder.crank_radius != one) {
         return None;
@@ -116,7 +116,7 @@ const RAYS: u32 = 3600;
 /// Area of the end view, of all banks and the crankcase together, in r²: times the length it is what the engine fills.
 ///
 /// Every bank and the crankcase are seen whole from the shaft, so that the area is `½ ∫ ρ² dθ` over the farthest of them.
-pub fn section(layout: &Layout, geometry: &Geometry) -> Option<f64> {
+pub fn section(layout: &Engine, geometry: &Geometry) -> Option<f64> {
     let half = geometry.half_width * geometry.bore;
     let mut banks = Vec::new();
     for (index, cylinder) in layout.cylinders.iter().enumerate() {

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use super::whole::Whole;
-use crate::layout::{Cycle, Layout};
+use crate::engine::{Cycle, Engine};
 
 /// The longest and the shortest interval between firings, in turns of the crank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,12 +33,12 @@ const MOST_CYLINDERS: usize = 12;
 ///
 /// In a four-stroke engine each cylinder fires at every other of its top dead centres: all choices are tried for up to 12
 /// cylinders, and of those with the least difference the one with the shortest longest interval is taken.
-pub fn evenness(layout: &Layout, cycle: Option<Cycle>) -> Option<Evenness> {
+pub fn evenness(layout: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
     evenness_of(layout, cycle, None)
 }
 
 /// The same for an engine whose whole numbers may be known already.
-pub(super) fn evenness_of(layout: &Layout, cycle: Option<Cycle>, known: Option<&Whole>) -> Option<Evenness> {
+pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&Whole>) -> Option<Evenness> {
     if let Some(firing) = &layout.firing {
         let intervals = firing.intervals();
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
@@ -69,7 +69,7 @@ pub(super) fn evenness_of(layout: &Layout, cycle: Option<Cycle>, known: Option<&
 }
 
 /// Top dead centres after that of the first cylinder over their common denominator, which is a turn.
-fn top_dead_centres(layout: &Layout) -> Option<(Vec<i64>, i64)> {
+fn top_dead_centres(layout: &Engine) -> Option<(Vec<i64>, i64)> {
     let first = layout.cylinders.first()?.top_dead_centre();
     let centres: Vec<BigRational> =
         layout.cylinders.iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();

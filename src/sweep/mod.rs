@@ -26,7 +26,7 @@ pub use zeros::{ZeroSet, Zeros, zeros};
 
 use std::fmt;
 
-use crate::layout::LayoutError;
+use crate::file::LayoutError;
 
 /// Why a sweep is refused.
 #[derive(Clone, Debug)]

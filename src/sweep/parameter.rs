@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::Refused;
 use super::range::Range;
-use crate::layout::{Key, Template};
+use crate::file::{Key, Template};
 
 /// A value of the layout file and the values that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -11,8 +11,8 @@ use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness_of};
 use super::whole::{Pair, Whole};
+use crate::engine::{Cycle, Engine, Rod};
 use crate::exact::PhasorSum;
-use crate::layout::{Cycle, Layout, Rod};
 use crate::loads::{self, Missing};
 use crate::motion::{SliderCrank, coefficients_fast};
 use crate::order::{self, Factor, OrderSum};
@@ -109,12 +109,12 @@ fn coefficients(rod: &Rod, highest: u32) -> Vec<Complex<f64>> {
 ///
 /// # Errors
 /// What the layout lacks for its masses to be compared.
-pub fn judge(layout: &Layout, cycle: Option<Cycle>, orders: &[u32], geometry: &Geometry) -> Result<Point, Missing> {
+pub fn judge(layout: &Engine, cycle: Option<Cycle>, orders: &[u32], geometry: &Geometry) -> Result<Point, Missing> {
     judge_with(layout, cycle, orders, geometry, &mut Motions::default())
 }
 
 pub(super) fn judge_with(
-    layout: &Layout,
+    layout: &Engine,
     cycle: Option<Cycle>,
     orders: &[u32],
     geometry: &Geometry,
@@ -148,7 +148,7 @@ pub(super) fn judge_with(
 }
 
 fn from_words(
-    layout: &Layout,
+    layout: &Engine,
     whole: &Whole,
     quantity: Quantity,
     order: u32,
@@ -205,7 +205,7 @@ fn amplitudes(
     }
 }
 
-fn from_sums(layout: &Layout, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
+fn from_sums(layout: &Engine, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
     let [direct, reverse] =
         [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
     let mirrored = reverse.mirrored();

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::Refused;
-use crate::layout::parse_number;
+use crate::file::parse_number;
 
 /// More points than this are refused by name: at some kilobytes each they would fill a memory.
 pub const MOST_POINTS: usize = 100_000;

@@ -12,7 +12,8 @@ use super::parameter::Parameter;
 use super::point::{Motions, Point, judge_with};
 use super::range::MOST_POINTS;
 use super::{Refused, ZeroSet, zeros};
-use crate::layout::{Engine, Key, Layout, Template};
+use crate::engine::Engine;
+use crate::file::{Key, Layout, Template};
 use crate::loads::{self, Arm};
 use crate::text::Untrusted;
 
@@ -74,7 +75,7 @@ pub fn sweep(
         return Err(Refused::new(message));
     };
     let reader = Reader::new(template, parameters);
-    let first = reader.layout(&reader.values(0))?;
+    let first = reader.engine(&reader.values(0))?;
     let usual = loads::usual_orders(&first);
     let orders = if orders.is_empty() { usual.as_slice() } else { orders };
     let points = all(count, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
@@ -146,19 +147,19 @@ impl<'a> Reader<'a> {
     }
 
     /// The layout with these values.
-    pub fn layout(&self, values: &[BigRational]) -> Result<Layout, Refused> {
+    pub fn engine(&self, values: &[BigRational]) -> Result<Engine, Refused> {
         let pairs = || self.parameters.iter().zip(values);
         let texts: Vec<String> = pairs().map(|(parameter, value)| parameter.range.written(value)).collect();
         let put: Vec<(&Key, &str)> =
             self.parameters.iter().zip(&texts).map(|(parameter, text)| (&parameter.key, text.as_str())).collect();
-        let read = self.template.engine(&put).or_else(|error| match &self.unfired {
-            Some(unfired) => unfired.engine(&put).map_err(|_| error),
+        let read = self.template.layout(&put).or_else(|error| match &self.unfired {
+            Some(unfired) => unfired.layout(&put).map_err(|_| error),
             None => Err(error),
         });
         let at = || pairs().map(|(parameter, value)| parameter.at(value)).collect::<Vec<_>>().join(", ");
         match read.map_err(|error| Refused::at(&at(), &error))? {
-            Engine::Known(layout, _) => Ok(*layout),
-            Engine::Open(family) => {
+            Layout::Known(layout, _) => Ok(*layout),
+            Layout::Open(family) => {
                 let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
                 let message = format!("the layout leaves {} open; give values below [values]", unknowns.join(", "));
                 Err(Refused::new(message))
@@ -173,7 +174,7 @@ impl<'a> Reader<'a> {
         geometry: &Geometry,
         motions: &mut Motions,
     ) -> Result<Point, Refused> {
-        let layout = self.layout(values)?;
+        let layout = self.engine(values)?;
         let judged = judge_with(&layout, self.template.cycle(), orders, geometry, motions);
         let judged = judged.map_err(|missing| Refused::new(missing.to_string()))?;
         Ok(Point { values: values.to_vec(), ..judged })

@@ -11,8 +11,8 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use crate::engine::Engine;
 use crate::exact;
-use crate::layout::Layout;
 use crate::order;
 use crate::proof::{Quantity, Sense};
 
@@ -50,7 +50,7 @@ pub(super) struct Pair {
 
 impl Whole {
     /// The engine in words; none where it has no reciprocating masses, rods differ, or a number is too long.
-    pub fn new(layout: &Layout) -> Option<Self> {
+    pub fn new(layout: &Engine) -> Option<Self> {
         let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
         let weightless = mechanism.mass.as_ref().is_some_and(Zero::is_zero);
         if weightless || mechanism.rods.windows(2).any(|pair| pair[0] != pair[1]) {

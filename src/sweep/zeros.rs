@@ -12,9 +12,10 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
 use super::run::Reader;
+use crate::engine::{self, Engine, Family, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Component, OpenVerdict, component_zeros};
-use crate::layout::{self, Engine, Family, Layout, PHI, Template};
+use crate::file::{self, Layout, Template};
 use crate::order;
 use crate::proof::{Quantity, Sense};
 
@@ -65,16 +66,16 @@ impl ZeroSet {
 
 /// Where the vectors of these orders vanish; `None` where the parameter is no angle.
 pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Option<Vec<ZeroSet>> {
-    let per_unit = layout::turns_per_unit(parameter.range.unit())?;
+    let per_unit = file::turns_per_unit(parameter.range.unit())?;
     let open =
         template.without(&["firing_order", "firing_angles", "bearings", "crankshaft", "counterweight", "balancer"]);
-    let Ok(Engine::Open(open)) = open.engine(&[(&parameter.key, PHI)]) else { return None };
+    let Ok(Layout::Open(open)) = open.layout(&[(&parameter.key, PHI)]) else { return None };
     if !open.unknowns().into_iter().eq([PHI]) {
         return None;
     }
     let parameters = [parameter.clone()];
     let reader = Reader::new(template, &parameters);
-    let engine = reader.layout(&reader.values(0)).ok()?;
+    let engine = reader.engine(&reader.values(0)).ok()?;
     let same_rods = engine.rods().len() < 2;
     let mut sets = Vec::new();
     for order in family::classify(&open, orders) {
@@ -87,7 +88,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                 let found = find(&open, quantity, order.order, verdicts, of);
                 let turns = same_rods && !with_turning_masses(&engine, order.order, of);
                 let is_so = |value: &BigRational| {
-                    let layout = reader.layout(std::slice::from_ref(value));
+                    let layout = reader.engine(std::slice::from_ref(value));
                     layout.is_ok_and(|layout| vanishes(&layout, quantity, order.order, of))
                 };
                 let by_points = || {
@@ -144,7 +145,7 @@ enum Found {
     NotSolved,
 }
 
-fn find(open: &layout::Family, quantity: Quantity, order: u32, verdicts: &[OpenVerdict; 2], of: Zeros) -> Found {
+fn find(open: &engine::Family, quantity: Quantity, order: u32, verdicts: &[OpenVerdict; 2], of: Zeros) -> Found {
     let one = |verdict: &OpenVerdict| match (verdict.always(), verdict.bank_angles()) {
         (true, _) => Found::Everywhere,
         (false, Some(set)) => Found::At(set),
@@ -171,13 +172,13 @@ fn find(open: &layout::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
 }
 
 /// Whether an order has the coefficient 0: the odd ones of centric rods.
-fn is_gone(layout: &Layout, order: u32) -> bool {
+fn is_gone(layout: &Engine, order: u32) -> bool {
     let balanced = layout.crankshaft.balancers.iter().all(|shaft| shaft.order != order);
     balanced && !layout.mechanism.has_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.
-fn with_turning_masses(layout: &Layout, order: u32, of: Zeros) -> bool {
+fn with_turning_masses(layout: &Engine, order: u32, of: Zeros) -> bool {
     let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
     let on_the_crank = !mechanism.rotating_masses.iter().all(Zero::is_zero)
         || !crankshaft.pins.is_empty()
@@ -193,7 +194,7 @@ fn with_turning_masses(layout: &Layout, order: u32, of: Zeros) -> bool {
 }
 
 /// Whether a vector of this engine vanishes, decided exactly.
-fn vanishes(layout: &Layout, quantity: Quantity, order: u32, of: Zeros) -> bool {
+fn vanishes(layout: &Engine, quantity: Quantity, order: u32, of: Zeros) -> bool {
     let [direct, reverse] =
         [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
     match of {

@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_traits::{Signed, Zero};
 
 use super::{Balance, Verdict};
+use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term};
-use crate::layout::{Cylinder, Layout};
 use crate::order;
 use crate::proof::Quantity;
 
@@ -74,7 +74,7 @@ impl Firmness {
 }
 
 /// How firm the zero of a balance is; `None` where something is left.
-pub fn firmness(layout: &Layout, balance: &Balance) -> Option<Firmness> {
+pub fn firmness(layout: &Engine, balance: &Balance) -> Option<Firmness> {
     let outcome = |disturbance| {
         let coefficients = balance.verdicts().map(|verdict| coefficients(layout, verdict, disturbance));
         match coefficients.into_iter().collect::<Option<Vec<_>>>() {
@@ -87,7 +87,7 @@ pub fn firmness(layout: &Layout, balance: &Balance) -> Option<Firmness> {
 }
 
 /// The coefficient of every symbol of a disturbance; `None` where it does not apply.
-fn coefficients(layout: &Layout, verdict: &Verdict, disturbance: Disturbance) -> Option<Vec<PhasorSum>> {
+fn coefficients(layout: &Engine, verdict: &Verdict, disturbance: Disturbance) -> Option<Vec<PhasorSum>> {
     let moves_cylinders = !matches!(disturbance, Disturbance::BankMasses | Disturbance::CylinderMasses);
     if moves_cylinders && verdict.quantity != Quantity::Moment {
         return None;
@@ -118,7 +118,7 @@ fn coefficients(layout: &Layout, verdict: &Verdict, disturbance: Disturbance) ->
 }
 
 /// The sum with the terms below the reference plane reversed, and those in it left out.
-fn either_side(layout: &Layout, sum: &PhasorSum) -> PhasorSum {
+fn either_side(layout: &Engine, sum: &PhasorSum) -> PhasorSum {
     let terms = layout.cylinders.iter().zip(sum.terms());
     let signed = |(cylinder, term): (&Cylinder, &Term)| Term {
         angle: term.angle.clone(),
@@ -133,12 +133,12 @@ fn differences(sums: &[PhasorSum]) -> Vec<PhasorSum> {
     sums.windows(2).map(|pair| pair[1].minus(&pair[0])).collect()
 }
 
-fn distinct<K: Ord>(layout: &Layout, key: impl Fn(&Cylinder) -> K) -> BTreeSet<K> {
+fn distinct<K: Ord>(layout: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeSet<K> {
     layout.cylinders.iter().map(key).collect()
 }
 
 /// The sums over the cylinders that share something.
-fn grouped<K: Ord>(layout: &Layout, sum: &PhasorSum, key: impl Fn(&Cylinder) -> K) -> Vec<PhasorSum> {
+fn grouped<K: Ord>(layout: &Engine, sum: &PhasorSum, key: impl Fn(&Cylinder) -> K) -> Vec<PhasorSum> {
     let mut groups: BTreeMap<K, Vec<Term>> = BTreeMap::new();
     for (cylinder, term) in layout.cylinders.iter().zip(sum.terms()) {
         groups.entry(key(cylinder)).or_default().push(term.clone());

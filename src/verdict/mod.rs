@@ -8,8 +8,8 @@ pub use firmness::{Disturbance, Firmness, Outcome, firmness};
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
 
+use crate::engine::{Engine, Rod};
 use crate::exact::PhasorSum;
-use crate::layout::{Layout, Rod};
 use crate::order;
 use crate::proof::{Certificate, Quantity, Sense, Shape};
 
@@ -29,7 +29,7 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    fn new(layout: &Layout, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
+    fn new(layout: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
         Verdict::of(quantity, order, sense, order::star(layout, quantity, order, sense))
     }
 
@@ -58,7 +58,7 @@ pub struct Balance {
 }
 
 impl Balance {
-    fn new(layout: &Layout, quantity: Quantity, order: u32) -> Self {
+    fn new(layout: &Engine, quantity: Quantity, order: u32) -> Self {
         let sum = |sense| order::star(layout, quantity, order, Some(sense));
         Balance::of(quantity, order, sum(Sense::Direct), sum(Sense::Reverse))
     }
@@ -131,9 +131,9 @@ impl OrderBalance {
 ///
 /// Where rods differ, each class of equal ones is judged by itself: the sum of an order vanishes, whatever the
 /// coefficients, where each class does. All centric cranks have `c_1 = 1` in common.
-pub fn classify(layout: &Layout, orders: &[u32], with_torque: bool) -> Vec<OrderBalance> {
+pub fn classify(layout: &Engine, orders: &[u32], with_torque: bool) -> Vec<OrderBalance> {
     let rods = layout.rods();
-    let judge = |layout: &Layout, order: u32, class: Option<Class>| OrderBalance {
+    let judge = |layout: &Engine, order: u32, class: Option<Class>| OrderBalance {
         order,
         exists: has_order(layout, class.as_ref(), Quantity::Force, order),
         torque_exists: has_order(layout, class.as_ref(), Quantity::Torque, order),
@@ -160,11 +160,11 @@ pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
 }
 
 /// Judges the inertia torque of an engine with equal rods at these orders; 0 is no order and is not judged.
-pub fn torque(layout: &Layout, orders: &[u32]) -> Vec<Verdict> {
+pub fn torque(layout: &Engine, orders: &[u32]) -> Vec<Verdict> {
     judged(orders).map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
 }
 
-fn has_order(layout: &Layout, class: Option<&Class>, quantity: Quantity, order: u32) -> bool {
+fn has_order(layout: &Engine, class: Option<&Class>, quantity: Quantity, order: u32) -> bool {
     match class {
         Some(class) => class.rod.has_order(quantity, order),
         None => layout.mechanism.has_order(quantity, order),
@@ -177,7 +177,7 @@ fn judged(orders: &[u32]) -> impl Iterator<Item = u32> {
 }
 
 impl Class {
-    fn new(layout: &Layout, rod: &Rod) -> Self {
+    fn new(layout: &Engine, rod: &Rod) -> Self {
         let of = layout.cylinders.iter().zip(&layout.mechanism.rods).filter(|(_, of)| *of == rod);
         Class { rod: rod.clone(), cylinders: of.map(|(cylinder, _)| cylinder.name.clone()).collect() }
     }

@@ -3,8 +3,8 @@
 use num_traits::Zero;
 
 use super::Verdict;
+use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::layout::{Cylinder, Layout};
 use crate::proof::{Certificate, Quantity};
 
 /// The plainest reason for a verdict.
@@ -34,7 +34,7 @@ pub enum Reason {
 }
 
 /// The plainest reason for a verdict on this engine.
-pub fn reason(layout: &Layout, verdict: &Verdict) -> Reason {
+pub fn reason(layout: &Engine, verdict: &Verdict) -> Reason {
     let collected = verdict.sum.collected();
     let no_weight = verdict.sum.terms().iter().all(|term| term.weight.is_zero());
     match (&verdict.certificate, collected.as_slice()) {
@@ -57,7 +57,7 @@ pub fn reason(layout: &Layout, verdict: &Verdict) -> Reason {
 /// For each cylinder its mirror image across the reference plane: equal throw, bank and mass, opposite arm.
 ///
 /// `None` where some cylinder has none. A cylinder in the plane is its own image.
-pub fn mirror_partners(layout: &Layout) -> Option<Vec<usize>> {
+pub fn mirror_partners(layout: &Engine) -> Option<Vec<usize>> {
     let mut partners: Vec<Option<usize>> = vec![None; layout.cylinders.len()];
     let is_image = |a: &Cylinder, b: &Cylinder| {
         layout.arm(a) == -layout.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
@@ -97,7 +97,7 @@ fn cancel(a: &Term, b: &Term) -> bool {
     (turn == Turn::zero() && a.weight == -&b.weight) || (turn == Turn::fraction(1, 2) && a.weight == b.weight)
 }
 
-fn has_mirror(layout: &Layout) -> bool {
+fn has_mirror(layout: &Engine) -> bool {
     mirror_partners(layout).is_some()
 }
 

@@ -10,7 +10,7 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 use super::{Balance, Verdict};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::proof::{Quantity, Sense, Survivors};
 
 /// Longer periods are not judged.
@@ -66,7 +66,7 @@ impl fmt::Display for NoTheorem {
 impl std::error::Error for NoTheorem {}
 
 /// The least even number that makes every throw and bank whole: the sums of order k depend on k only modulo it.
-pub fn period(layout: &Layout) -> BigInt {
+pub fn period(layout: &Engine) -> BigInt {
     let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
     angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
 }
@@ -76,7 +76,7 @@ pub fn period(layout: &Layout) -> BigInt {
 /// # Errors
 /// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, and where the engine is not one of equal
 /// centric cranks.
-pub fn theorem(layout: &Layout) -> Result<Theorem, NoTheorem> {
+pub fn theorem(layout: &Engine) -> Result<Theorem, NoTheorem> {
     if layout.rods().len() > 1 {
         return Err(NoTheorem::RodsDiffer);
     }
@@ -91,7 +91,7 @@ pub fn theorem(layout: &Layout) -> Result<Theorem, NoTheorem> {
 }
 
 impl EveryOrder {
-    fn new(layout: &Layout, quantity: Quantity, period: u32) -> Self {
+    fn new(layout: &Engine, quantity: Quantity, period: u32) -> Self {
         let orders = || std::iter::once(1).chain((2..=period).step_by(2));
         let judge = |sense| orders().map(|order| Verdict::new(layout, quantity, order, Some(sense))).collect();
         let mut every = EveryOrder { direct: judge(Sense::Direct), reverse: judge(Sense::Reverse), first: None };

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, thread};
 
 use crankstar::accuracy::{self, Method, Row, Study};
-use crankstar::layout::{self, Engine, Layout};
+use crankstar::engine::Engine;
+use crankstar::file::{self, Layout};
 use crankstar::loads::Missing;
 use crankstar::motion::{Coefficient, Enclosure, SliderCrank};
 use crankstar::proof::Quantity;
@@ -20,17 +21,17 @@ fn reports() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
 }
 
-fn example(name: &str) -> Layout {
+fn example(name: &str) -> Engine {
     let file = reports().join("examples").join(name).join("layout.toml");
     let text = fs::read_to_string(file).expect("a layout file");
-    match layout::parse_engine("layout.toml", &text).expect("it reads") {
-        Engine::Known(layout, _) => *layout,
-        Engine::Open(_) => panic!("{name} has unknowns"),
+    match file::parse_layout("layout.toml", &text).expect("it reads") {
+        Layout::Known(layout, _) => *layout,
+        Layout::Open(_) => panic!("{name} has unknowns"),
     }
 }
 
-fn catalogue(name: &str, ratio: &BigRational) -> Layout {
-    let layout = layout::find(name).expect("it is known").layout().expect("it reads");
+fn catalogue(name: &str, ratio: &BigRational) -> Engine {
+    let layout = file::find(name).expect("it is known").engine().expect("it reads");
     accuracy::with_rod_ratio(&layout, ratio)
 }
 
@@ -38,7 +39,7 @@ fn fraction(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
-fn study(layout: &Layout, quantity: Quantity) -> Study {
+fn study(layout: &Engine, quantity: Quantity) -> Study {
     accuracy::study(layout, quantity, false).expect("it has numbers")
 }
 
@@ -59,7 +60,7 @@ fn root(number: &BigRational) -> [BigRational; 2] {
 }
 
 /// What every study has to keep, whatever the engine.
-fn guarantees_hold(layout: &Layout, quantity: Quantity) {
+fn guarantees_hold(layout: &Engine, quantity: Quantity) {
     let study = study(layout, quantity);
     let peak = middle(&study.peak);
     let doubt = (study.peak.width()).to_f64().expect("a float") / peak;
@@ -103,7 +104,7 @@ fn guarantees_hold_for_engines_of_all_kinds_at_all_rod_ratios() {
 fn guarantees_hold_with_masses_on_the_crankshaft() {
     guarantees_hold(&example("thesis-v8-crossplane"), Quantity::Moment);
     let text = fs::read_to_string(reports().join("thesis/i3-skewed.toml")).expect("a layout file");
-    let skewed = layout::parse("i3-skewed.toml", &text).expect("it reads");
+    let skewed = file::parse("i3-skewed.toml", &text).expect("it reads");
     assert!(!skewed.crankshaft.counterweights.is_empty());
     guarantees_hold(&skewed, Quantity::Moment);
     guarantees_hold(&skewed, Quantity::Force);
@@ -114,7 +115,7 @@ fn engines_with_balancer_shafts_are_refused_with_words() {
     let numbers = "[mechanism]\nrod_ratio = 0.25\ncrank_radius = 1\nreciprocating_mass = 1\n";
     let shaft = "[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0\n";
     let layout =
-        layout::parse("x.toml", &format!("inline.throws = [0, 180, 180, 0]\n{numbers}{shaft}")).expect("it reads");
+        file::parse("x.toml", &format!("inline.throws = [0, 180, 180, 0]\n{numbers}{shaft}")).expect("it reads");
     let refused = accuracy::study(&layout, Quantity::Force, false).map(|_| ());
     assert_eq!(refused, Err(Missing::BalancerShafts));
 }
@@ -227,7 +228,7 @@ fn a_load_of_one_length_is_known_without_a_search() {
 
 #[test]
 fn what_a_layout_lacks_is_told() {
-    let layout = layout::find("I4").expect("it is known").layout().expect("it reads");
+    let layout = file::find("I4").expect("it is known").engine().expect("it reads");
     assert_eq!(accuracy::study(&layout, Quantity::Force, false).map(|_| ()), Err(Missing::Rods));
     let too_long = accuracy::with_rod_ratio(&example("i6-offset"), &fraction(999, 1000));
     assert!(accuracy::study(&too_long, Quantity::Force, false).is_err());
@@ -260,7 +261,7 @@ fn page() -> BTreeMap<String, String> {
         (example("marine-i4"), [Quantity::Force, Quantity::Torque]),
         (example("thesis-v8-crossplane"), [Quantity::Force, Quantity::Moment]),
     ];
-    let cases = |(layout, quantities): (Layout, [Quantity; 2])| {
+    let cases = |(layout, quantities): (Engine, [Quantity; 2])| {
         let case = |ratio: &BigRational| {
             let changed = accuracy::with_rod_ratio(&layout, ratio);
             AccuracyCase::of(&changed, &quantities, false).expect("it has numbers")

@@ -9,7 +9,8 @@ use std::process::Command;
 use std::sync::OnceLock;
 use std::{env, fs};
 
-use crankstar::layout::{self, Cycle};
+use crankstar::engine::Cycle;
+use crankstar::file;
 use crankstar::search::{self, Best, Options, Problem};
 
 fn best(cylinders: u32, cycle: Cycle) -> Best {
@@ -162,7 +163,7 @@ fn known_stars_and_counts_stand_in_the_atlas() {
     let v8 = of("catalogue", "V8-crossplane", "1")[0];
     assert_eq!([&v8["moment_exact"], &v8["moment_shape"]], ["√10", "rotating"]);
     assert_eq!(v8["remedy_of_orders_1_and_2"], "2 counterweights (couple)");
-    let engines = layout::catalogue().expect("it reads");
+    let engines = file::catalogue().expect("it reads");
     assert!(engines.iter().all(|(entry, _)| of("catalogue", entry.name, "8").len() == 1));
 }
 

@@ -1,7 +1,8 @@
 //! Do the main bearings feel what a beam on supports hands on, order by order and through a revolution?
 
 use crankstar::beam::Beam;
-use crankstar::layout::{Layout, parse};
+use crankstar::engine::Engine;
+use crankstar::file::parse;
 use crankstar::loads::{BearingLoads, Harmonic, Method, Missing, Waveform, bearing_loads, loads};
 use crankstar::motion::SliderCrank;
 use num_complex::Complex;
@@ -36,11 +37,11 @@ crank_radius = '45 mm'
 rod_ratio = 0.25
 ";
 
-fn layout(text: &str) -> Layout {
+fn layout(text: &str) -> Engine {
     parse("bearings.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-fn solved(layout: &Layout, orders: &[u32], method: Method) -> BearingLoads {
+fn solved(layout: &Engine, orders: &[u32], method: Method) -> BearingLoads {
     bearing_loads(layout, orders, method).unwrap_or_else(|missing| panic!("{missing}"))
 }
 
@@ -123,12 +124,12 @@ impl Crank {
 
     /// The layout, with two counterweights opposite to each pin for a balance factor in hundredths. Pins and
     /// counterweights are cylinders without a reciprocating mass.
-    fn layout(&self, balance_factor: i64) -> Layout {
+    fn layout(&self, balance_factor: i64) -> Engine {
         self.with_counterweights(balance_factor, &vec![180; 2 * self.pins.len()])
     }
 
     /// The same with the angle of each counterweight to its pin.
-    fn with_counterweights(&self, balance_factor: i64, angles: &[i64]) -> Layout {
+    fn with_counterweights(&self, balance_factor: i64, angles: &[i64]) -> Engine {
         let bearings: Vec<String> = self.bearings.iter().map(|at| format!("'{at} mm'")).collect();
         let (mut tables, mut masses) = (String::new(), Vec::new());
         let mut add = |throw: i64, bank: i64, at: i64, reciprocating: i64, rotating: String| {
@@ -342,7 +343,7 @@ fn the_worst_bearings_are_those_of_the_largest_peak_and_equal_ones_share_the_pla
 }
 
 /// A random engine on random bearings, some cylinders beyond the outer ones.
-fn random(dice: &mut Dice) -> Layout {
+fn random(dice: &mut Dice) -> Engine {
     let cylinders = dice.below(7) + 1;
     let mut tables = String::new();
     let (mut ratios, mut radii, mut masses) = (Vec::new(), Vec::new(), Vec::new());

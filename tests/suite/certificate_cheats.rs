@@ -2,7 +2,7 @@
 
 use crate::support::written::{ratio, sum, vectors};
 use crankstar::exact::PhasorSum;
-use crankstar::layout;
+use crankstar::file;
 use crankstar::numbers::evaluate;
 use crankstar::proof::{
     Certificate, Document, Fault, Format, Masses, Polygon, Quantity, Refusal, Residue, RodClaim, RodStatement, Sense,
@@ -315,7 +315,7 @@ const FORCE_SHAPES: [Shape; 4] = [Shape::Elliptical, Shape::Rotating, Shape::Pla
 
 /// Orders 1 to 4, five verdicts and two shapes each: force direct, reverse, moment direct, reverse, torque.
 fn document() -> Document {
-    let engine = layout::parse("twin.toml", V_TWIN).expect("reads");
+    let engine = file::parse("twin.toml", V_TWIN).expect("reads");
     report::document(&engine, &classify(&engine, &[1, 2, 3, 4], true), &report::quantities(true), None)
 }
 
@@ -471,7 +471,7 @@ const CANCELLING: &str = "
 
 #[test]
 fn decimals_of_a_sum_that_cancels_are_right_and_no_others_pass() {
-    let engine = layout::parse("engine.toml", CANCELLING).expect("reads");
+    let engine = file::parse("engine.toml", CANCELLING).expect("reads");
     let honest = report::document(&engine, &classify(&engine, &[1], false), &report::quantities(false), None);
     check_document(&honest).expect("it holds");
     let verdict = &honest.verdicts[FORCE_DIRECT];

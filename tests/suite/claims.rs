@@ -1,13 +1,14 @@
 //! Are claims answered rightly, and is every answer proved?
 
 use crankstar::claim::{Answer, Finding, Status, answer, parse_statement};
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::proof::{Vector, check_certificate};
 
 use crate::support::dice::Dice;
 
 fn status(engine: &str, says: &str) -> Status {
-    let layout = layout::find(engine).expect("an engine").layout().expect("reads");
+    let layout = file::find(engine).expect("an engine").engine().expect("reads");
     let statement = parse_statement(says).unwrap_or_else(|mistake| panic!("{says}: {mistake:?}"));
     let answer = answer(&layout, &statement, None);
     for evidence in &answer.evidence {
@@ -59,12 +60,12 @@ fn claims_are_answered() {
     }
 }
 
-fn written(text: &str) -> Layout {
-    layout::parse("layout.toml", text).expect("it reads")
+fn written(text: &str) -> Engine {
+    file::parse("layout.toml", text).expect("it reads")
 }
 
 /// The answer to a claim, its certificates checked.
-fn checked(layout: &Layout, says: &str) -> Answer {
+fn checked(layout: &Engine, says: &str) -> Answer {
     let statement = parse_statement(says).unwrap_or_else(|mistake| panic!("{says}: {mistake:?}"));
     let answer = answer(layout, &statement, None);
     for evidence in &answer.evidence {

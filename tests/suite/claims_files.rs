@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crankstar::claim::{Claims, Provenance, Quote, Status, TableVerdict, parse_claims};
-use crankstar::layout::{self, LayoutError};
+use crankstar::file::{self, LayoutError};
 use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
 use crankstar::text::Untrusted;
 
 fn claims(text: &str) -> Result<Claims, LayoutError> {
-    parse_claims("claims.toml", text, &|name| match layout::find(name) {
-        Some(entry) => entry.layout().map_err(|error| error.to_string()),
+    parse_claims("claims.toml", text, &|name| match file::find(name) {
+        Some(entry) => entry.engine().map_err(|error| error.to_string()),
         None => Err(format!("there is no engine `{name}`")),
     })
 }
@@ -119,11 +119,11 @@ fn newtons_of_the_worked_in_line_five_are_answered_with_the_exact_ones() {
 fn published() -> Claims {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/claims");
     let text = fs::read_to_string(folder.join("claims.toml")).expect("the claims");
-    let find = |name: &str| match layout::find(name) {
-        Some(entry) => entry.layout().map_err(|error| error.to_string()),
+    let find = |name: &str| match file::find(name) {
+        Some(entry) => entry.engine().map_err(|error| error.to_string()),
         None => {
             let text = fs::read_to_string(folder.join(name)).map_err(|error| error.to_string())?;
-            layout::parse(name, &text).map_err(|error| error.to_string())
+            file::parse(name, &text).map_err(|error| error.to_string())
         }
     };
     parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}"))
@@ -234,11 +234,11 @@ fn every_row_that_is_counted_as_a_source_s_claim_names_its_place_in_few_words() 
     for name in ["claims", "thesis"] {
         let at = folder.join(name);
         let text = fs::read_to_string(at.join("claims.toml")).expect("the claims");
-        let find = |name: &str| match layout::find(name) {
-            Some(entry) => entry.layout().map_err(|error| error.to_string()),
+        let find = |name: &str| match file::find(name) {
+            Some(entry) => entry.engine().map_err(|error| error.to_string()),
             None => {
                 let text = fs::read_to_string(at.join(name)).map_err(|error| error.to_string())?;
-                layout::parse(name, &text).map_err(|error| error.to_string())
+                file::parse(name, &text).map_err(|error| error.to_string())
             }
         };
         let claims = parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}"));

@@ -1,15 +1,16 @@
 //! Are claims in newtons, on torques and on unequal rods answered by what decides them?
 
 use crankstar::claim::{self, Status};
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 
-fn status(layout: &Layout, says: &str) -> Status {
+fn status(layout: &Engine, says: &str) -> Status {
     claim::answer(layout, &claim::parse_statement(says).unwrap_or_else(|_| panic!("not read: {says}")), None).status
 }
 
 /// A flat four that leaves a sixth-order couple of 0.2418 N·m.
-fn flat_four() -> Layout {
-    layout::parse("layout.toml", include_str!("../../reports/examples/boxer-4-ej25/layout.toml")).expect("it reads")
+fn flat_four() -> Engine {
+    file::parse("layout.toml", include_str!("../../reports/examples/boxer-4-ej25/layout.toml")).expect("it reads")
 }
 
 #[test]
@@ -29,7 +30,7 @@ fn newtons_are_not_compared_with_fractions_and_roots() {
 
 #[test]
 fn no_claim_on_every_order_of_the_torque_is_called_true() {
-    let four = layout::find("I4").expect("known").layout().expect("reads");
+    let four = file::find("I4").expect("known").engine().expect("reads");
     for says in ["every order of the torque vanishes", "orders 2 and 4 of the torque vanish"] {
         assert!(!matches!(status(&four, says), Status::True), "{says}");
     }
@@ -39,17 +40,16 @@ fn no_claim_on_every_order_of_the_torque_is_called_true() {
 #[test]
 fn orders_of_unequal_rods_are_not_decided_by_one_of_their_classes() {
     let text = "[inline]\nthrows = [0, 120, 240, 240, 120, 0]\n[mechanism]\ncrank_radius = 1\nrod_length = [4, 4, 5, 5, 4, 4]\n";
-    let six = layout::parse("x.toml", text).expect("it reads");
+    let six = file::parse("x.toml", text).expect("it reads");
     assert!(!matches!(status(&six, "second-order force vanishes"), Status::True | Status::False));
 }
 
 #[test]
 fn forces_beyond_the_decimals_are_refused_with_words() {
     let text = "speed = 1e99\ninline.throws = [0]\n[mechanism]\ncrank_radius = 1e99\nrod_ratio = 0.25\nreciprocating_mass = 1e99\n";
-    let refused = layout::parse("x.toml", text).expect_err("refused").to_string();
+    let refused = file::parse("x.toml", text).expect_err("refused").to_string();
     assert!(refused.contains("between 10^-40 and 10^40"), "{refused}");
     let largest = text.replace("1e99", "1e30");
-    let loads =
-        crankstar::loads::loads(&layout::parse("x.toml", &largest).expect("it reads"), &[1, 2]).expect("numbers");
+    let loads = crankstar::loads::loads(&file::parse("x.toml", &largest).expect("it reads"), &[1, 2]).expect("numbers");
     assert!(loads.scale.expect("newtons").force().is_finite());
 }

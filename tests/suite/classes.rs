@@ -1,27 +1,28 @@
 //! Is an engine with unequal rods judged class by class, and does its document say so?
 
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::proof::{Document, check_document};
 use crankstar::{report, verdict};
 
-fn engine(rods: &str) -> Layout {
+fn engine(rods: &str) -> Engine {
     let text =
         format!("[inline]\nthrows = [0, 120, 240, 240, 120, 0]\n[mechanism]\ncrank_radius = 1\nrod_length = {rods}\n");
-    layout::parse("engine.toml", &text).expect("it reads")
+    file::parse("engine.toml", &text).expect("it reads")
 }
 
-fn two_rods() -> Layout {
+fn two_rods() -> Engine {
     engine("[4, 4, 5, 5, 4, 4]")
 }
 
-fn document(layout: &Layout) -> Document {
+fn document(layout: &Engine) -> Document {
     let orders = verdict::classify(layout, &[1, 2, 4], false);
     report::document(layout, &orders, &report::quantities(false), None)
 }
 
 #[test]
 fn equal_rods_are_judged_together_and_unequal_ones_by_class() {
-    let classes = |layout: &Layout| -> Vec<(u32, usize)> {
+    let classes = |layout: &Engine| -> Vec<(u32, usize)> {
         let orders = verdict::classify(layout, &[1, 2], false);
         orders
             .iter()
@@ -75,7 +76,7 @@ fn a_class_cannot_hide_a_cylinder_or_name_one_that_is_not_there() {
 fn no_statement_on_every_order_is_made_of_unequal_rods_or_an_offset() {
     assert!(verdict::theorem(&two_rods()).is_err());
     let offset =
-        layout::parse("o.toml", "inline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = 0.02\n");
+        file::parse("o.toml", "inline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = 0.02\n");
     assert!(verdict::theorem(&offset.expect("it reads")).is_err());
     assert!(verdict::theorem(&engine("4")).is_ok());
 }

@@ -2,8 +2,9 @@
 
 use crate::support::dice::Dice;
 use crate::support::{decimals, whole_degrees};
+use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Turn};
-use crankstar::layout::{self, Layout};
+use crankstar::file;
 use crankstar::numbers::{self, Budget, Direction, Form};
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
@@ -11,12 +12,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 /// The catalogue, and in-line engines whose stars lead to cubic and quintic fields.
-fn engines() -> Vec<(String, Layout)> {
-    let catalogue = layout::catalogue().expect("the catalogue reads").into_iter();
+fn engines() -> Vec<(String, Engine)> {
+    let catalogue = file::catalogue().expect("the catalogue reads").into_iter();
     let odd = [("I7", "1-3-5-7-6-4-2"), ("I9", "1-3-5-7-9-8-6-4-2"), ("I11", "1-3-5-7-9-11-10-8-6-4-2")];
     let odd = odd.map(|(name, order)| {
         let text = format!("cycle = 'four-stroke'\nfiring_order = '{order}'\n[inline]");
-        (name.to_owned(), layout::parse(name, &text).expect("it reads"))
+        (name.to_owned(), file::parse(name, &text).expect("it reads"))
     });
     catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(odd).collect()
 }
@@ -77,7 +78,7 @@ fn every_direction_agrees_with_its_sum_to_fifty_digits() {
 #[test]
 fn known_lengths_are_printed_as_a_book_would() {
     let length = |engine: &str, quantity, order, sense| {
-        let layout = layout::find(engine).expect("in the catalogue").layout().expect("it reads");
+        let layout = file::find(engine).expect("in the catalogue").engine().expect("it reads");
         numbers::modulus(&order::star(&layout, quantity, order, Some(sense))).expect("small").to_string()
     };
     assert_eq!(length("I3", Quantity::Moment, 1, Sense::Direct), "√3");
@@ -90,7 +91,7 @@ fn known_lengths_are_printed_as_a_book_would() {
 
 #[test]
 fn the_moment_plane_of_the_cross_plane_v8_is_minus_arctan_one_third() {
-    let v8 = layout::find("V8-crossplane").expect("in the catalogue").layout().expect("it reads");
+    let v8 = file::find("V8-crossplane").expect("in the catalogue").engine().expect("it reads");
     let sum = order::star(&v8, Quantity::Moment, 1, Some(Sense::Direct));
     let third = Form::rational(BigRational::new((-1).into(), 3.into()));
     assert_eq!(numbers::direction_of(&sum), Some(Direction::Arctangent { tangent: third, opposite: false }));
@@ -136,7 +137,7 @@ fn closed_forms_stop_at_conductor_1000() {
 fn random_lengths(mut look: impl FnMut(&PhasorSum, Option<Form>, (u32, u32))) {
     let mut dice = Dice::new(7);
     for form in whole_degrees::FORMS.iter().cycle().take(2 * whole_degrees::FORMS.len()) {
-        let layout = layout::parse("random", &whole_degrees::file(&mut dice, form, 24)).expect("it reads");
+        let layout = file::parse("random", &whole_degrees::file(&mut dice, form, 24)).expect("it reads");
         for (quantity, sense) in [(Quantity::Force, Sense::Direct), (Quantity::Moment, Sense::Reverse)] {
             for order in [1, 2, 4] {
                 let sum = order::star(&layout, quantity, order, Some(sense));
@@ -178,7 +179,7 @@ fn a_search_for_a_form_takes_the_same_steps_each_time() {
 #[test]
 fn a_spent_budget_ends_in_no_form() {
     let mut budget = Budget::new();
-    let layout = layout::parse("i8", "[inline]\nthrows = [0, 11, 47, 101, 190, 222, 251, 333]").expect("it reads");
+    let layout = file::parse("i8", "[inline]\nthrows = [0, 11, 47, 101, 190, 222, 251, 333]").expect("it reads");
     let sum = order::star(&layout, Quantity::Moment, 1, Some(Sense::Direct));
     while numbers::modulus_within(&sum, &mut budget).is_some() || budget.spent().1 + 1000 < Budget::PROPOSALS {
         let before = budget.spent();
@@ -194,7 +195,7 @@ fn a_spent_budget_ends_in_no_form() {
 #[test]
 fn a_bank_factor_is_found_at_any_bank_angle() {
     let text = "[vee]\nbank_angle = 77\nthrows = [0, 72, 144, 216, 288]";
-    let layout = layout::parse("V10", text).expect("it reads");
+    let layout = file::parse("V10", text).expect("it reads");
     let sum = order::star(&layout, Quantity::Moment, 1, Some(Sense::Direct));
     let length = numbers::modulus(&sum).expect("a form");
     assert!(decimals::agree(&decimals::form(&length), &decimals::modulus(&sum)), "{length}");

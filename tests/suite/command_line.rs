@@ -37,7 +37,7 @@ fn text(path: &std::path::Path) -> &str {
 #[test]
 fn list_prints_a_line_an_engine() {
     let list = succeeds(&["list"]);
-    let engines = crankstar::layout::catalogue().expect("the catalogue reads");
+    let engines = crankstar::file::catalogue().expect("the catalogue reads");
     assert_eq!(list.lines().count(), engines.len());
     assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(layout.title.written())));
 }
@@ -92,7 +92,7 @@ fn what_remedy_cannot_take_is_told() {
 #[test]
 fn every_engine_of_the_catalogue_verifies() {
     let folder = scratch("verify-all");
-    for (entry, _) in crankstar::layout::catalogue().expect("the catalogue reads") {
+    for (entry, _) in crankstar::file::catalogue().expect("the catalogue reads") {
         let file = folder.join(format!("{}.json", entry.name));
         fs::write(&file, succeeds(&["classify", entry.name, "--json", "--torque", "--orders", "1,2,3,4,5,6,8,10,12"]))
             .expect("a file");

@@ -1,5 +1,6 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
-use crankstar::layout::{Layout, find, parse, throws};
+use crankstar::engine::{Engine, throws};
+use crankstar::file::{find, parse};
 use crankstar::loads::{Loads, Missing, Outcome, loads};
 use crankstar::order::MassGroup;
 use num_rational::BigRational;
@@ -9,7 +10,7 @@ const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/la
 const FLAT: &str = include_str!("../../reports/examples/thesis-v8-flatplane/layout.toml");
 
 #[track_caller]
-fn read(text: &str) -> Layout {
+fn read(text: &str) -> Engine {
     parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
@@ -18,20 +19,20 @@ fn ratio(numerator: i64, denominator: i64) -> BigRational {
 }
 
 /// The engine with these keys in its table [crankshaft].
-fn with_keys(engine: &str, keys: &str) -> Layout {
+fn with_keys(engine: &str, keys: &str) -> Engine {
     const HEAD: &str = "[crankshaft]\n";
     let engine = if engine.contains(HEAD) { engine.to_owned() } else { format!("{engine}\n{HEAD}") };
     read(&engine.replace(HEAD, &format!("{HEAD}{keys}\n")))
 }
 
-fn with_factor(engine: &str, factor: &str, web_offset: &str) -> Layout {
+fn with_factor(engine: &str, factor: &str, web_offset: &str) -> Engine {
     with_keys(
         engine,
         &format!("balance_factor = {factor}\ncounterweight_radius = '45 mm'\nweb_offset = '{web_offset}'"),
     )
 }
 
-fn computed(layout: &Layout) -> Loads {
+fn computed(layout: &Engine) -> Loads {
     loads(layout, &[1, 2]).expect("numbers")
 }
 
@@ -49,7 +50,7 @@ fn assert_near(value: f64, expected: f64) {
 #[test]
 fn cylinders_that_share_a_pin_make_one_throw() {
     let angles = |name: &str| {
-        let layout = find(name).unwrap_or_else(|| panic!("{name}")).layout().expect("a layout");
+        let layout = find(name).unwrap_or_else(|| panic!("{name}")).engine().expect("a layout");
         throws(&layout)
             .into_iter()
             .map(|throw| (throw.angle.degrees().to_string(), throw.cylinders))
@@ -89,7 +90,7 @@ fn cylinders_of_single_tables_share_a_pin_where_they_say_so_or_stand_together() 
 
 #[test]
 fn the_thesis_weighs_its_crankshafts_so() {
-    let mass = |layout: Layout| layout.crankshaft_mass().expect("masses");
+    let mass = |layout: Engine| layout.crankshaft_mass().expect("masses");
     assert_eq!(mass(read(I3)), ratio(2475, 1000));
     assert_eq!(mass(with_factor(I3, "0.65", "20 mm")), ratio(408_375, 100_000));
     assert_eq!(mass(with_factor(I3, "1", "20 mm")), ratio(495, 100));

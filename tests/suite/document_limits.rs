@@ -1,12 +1,12 @@
 //! Is every document read as what it says it is, once, and without taking long?
 
-use crankstar::layout;
+use crankstar::file;
 use crankstar::proof::{LARGEST_DOCUMENT, Reason, Unreadable, read_document};
 use crankstar::{report, verdict};
 use serde_json::{Value, json};
 
 fn genuine() -> Value {
-    let layout = layout::parse("engine", "vee = { bank_angle = 60, throws = [0, 180] }").expect("a layout");
+    let layout = file::parse("engine", "vee = { bank_angle = 60, throws = [0, 180] }").expect("a layout");
     let orders = verdict::classify(&layout, &[1, 2], false);
     serde_json::to_value(report::document(&layout, &orders, &report::quantities(false), None)).expect("JSON")
 }

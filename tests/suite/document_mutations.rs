@@ -3,7 +3,7 @@
 //! All fields that are found in the JSON are changed, one at a time: values altered, entries dropped, repeated and
 //! exchanged, keys dropped and added. What is accepted has to be on one of the short lists below.
 
-use crankstar::layout::{self, Engine};
+use crankstar::file::{self, Layout};
 use crankstar::proof::read_document;
 use crankstar::remedy::{Wish, remedy};
 use crankstar::{family, report, verdict};
@@ -202,7 +202,7 @@ fn assert_guarded(document: &impl serde::Serialize) {
 }
 
 fn classify(text: &str, orders: &[u32], torque: bool, all_orders: bool) {
-    let layout = layout::parse("engine", text).expect("a layout");
+    let layout = file::parse("engine", text).expect("a layout");
     let every = all_orders.then(|| verdict::theorem(&layout).expect("a theorem"));
     let balances = verdict::classify(&layout, orders, torque);
     assert_guarded(&report::document(&layout, &balances, &report::quantities(torque), every.as_ref()));
@@ -231,7 +231,7 @@ fn every_change_of_a_family_is_refused() {
         "vee = { bank_angle = 'phi', pin_split = 'delta', throws = [0, 90], spacing = 'a' }",
         "fan = { banks = ['-phi', 0, 'phi'], throws = [0], positions = ['a'], bank_offsets = ['b', 0, '-b'] }",
     ] {
-        let Ok(Engine::Open(open)) = layout::parse_engine("family", text) else { panic!("a family: {text}") };
+        let Ok(Layout::Open(open)) = file::parse_layout("family", text) else { panic!("a family: {text}") };
         assert_guarded(&report::open_document(&open, &family::classify(&open, &[1])));
     }
 }
@@ -243,7 +243,7 @@ fn every_change_of_a_remedy_is_refused() {
         "vee = { bank_angle = 60, throws = [0, 180] }\n[mechanism]\nrotating_mass = '1/3'\nreciprocating_mass = 1",
         "inline.throws = [0, 100]\n[mechanism]\nrod_ratio = 0.3\noffset_ratio = [0.1, -0.1]\nreciprocating_mass = [1, 2]",
     ] {
-        let layout = layout::parse("engine", text).expect("a layout");
+        let layout = file::parse("engine", text).expect("a layout");
         let found = remedy(&layout, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
         assert_guarded(&report::remedy_document(&found));
     }

@@ -1,6 +1,7 @@
 //! Does every document that the program makes verify, whatever the engine is?
 
-use crankstar::layout::{self, Engine, Layout};
+use crankstar::engine::Engine;
+use crankstar::file::{self, Layout};
 use crankstar::proof::{AnyDocument, Checked, read_document};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::{family, report, verdict};
@@ -23,19 +24,19 @@ fn verified(document: &impl serde::Serialize, text: &str) -> (AnyDocument, Check
 }
 
 /// The engines that are read, of so many files; most are.
-fn engines(seed: u64, mut file: impl FnMut(&mut Dice) -> String) -> Vec<(String, Engine)> {
+fn engines(seed: u64, mut file: impl FnMut(&mut Dice) -> String) -> Vec<(String, Layout)> {
     let mut dice = Dice::new(seed);
     let files = (0..count()).map(|_| file(&mut dice));
     let read: Vec<_> =
-        files.filter_map(|text| Some((text.clone(), layout::parse_engine("engine", &text).ok()?))).collect();
+        files.filter_map(|text| Some((text.clone(), file::parse_layout("engine", &text).ok()?))).collect();
     assert!(read.len() > count() / 2, "{} of {} are read", read.len(), count());
     read
 }
 
-fn known(seed: u64) -> impl Iterator<Item = (String, Layout)> {
+fn known(seed: u64) -> impl Iterator<Item = (String, Engine)> {
     engines(seed, every_form::known).into_iter().filter_map(|(text, engine)| match engine {
-        Engine::Known(layout, _) => Some((text, *layout)),
-        Engine::Open(_) => None,
+        Layout::Known(layout, _) => Some((text, *layout)),
+        Layout::Open(_) => None,
     })
 }
 
@@ -57,7 +58,7 @@ fn every_document_of_verdicts_verifies_with_and_without_torque_and_every_order()
 fn every_document_of_a_family_verifies() {
     let mut families = 0;
     for (text, engine) in engines(2, every_form::open) {
-        let Engine::Open(open) = engine else { continue };
+        let Layout::Open(open) = engine else { continue };
         families += 1;
         verified(&report::open_document(&open, &family::classify(&open, &[1, 2, 3])), &text);
     }

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crankstar::exact::Turn;
 use crankstar::family::{self, Left, NotComparable, OpenVerdict, When};
-use crankstar::layout::{self, DELTA, Engine, Family, PHI};
+use crankstar::engine::{DELTA, Family, PHI};
+use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
 use crankstar::proof::Quantity;
 use crankstar::{order, report};
@@ -21,9 +22,9 @@ const UNEQUAL: &str = "
                 { throw = 0, bank = 'phi/2', position = 1, reciprocating_mass = '3/2' }]";
 
 fn open(text: &str) -> Family {
-    match layout::parse_engine("test", text).expect("it reads") {
-        Engine::Open(family) => *family,
-        Engine::Known(..) => panic!("nothing is open in {text}"),
+    match file::parse_layout("test", text).expect("it reads") {
+        Layout::Open(family) => *family,
+        Layout::Known(..) => panic!("nothing is open in {text}"),
     }
 }
 
@@ -198,17 +199,17 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
 fn values_close_a_family_and_keep_it_beside() {
     let text = "values = { a = '22 mm', b = '16 mm', c = '30 mm' }\n\
                 vee = { bank_angle = 90, throws = [0, 180, 180, 0], spacing = '2a + b + 2c', bank_offset = 'b' }";
-    let Engine::Known(engine, Some(family)) = layout::parse_engine("v8", text).expect("it reads") else {
+    let Layout::Known(engine, Some(family)) = file::parse_layout("v8", text).expect("it reads") else {
         panic!("open")
     };
     assert_eq!(engine.cylinders[0].position.to_string(), "47/250");
     assert_eq!(family.unknowns().into_iter().collect::<Vec<_>>(), ["a", "b", "c"]);
-    assert_eq!(layout::parse("v8", text).expect("it is known").cylinders, engine.cylinders);
+    assert_eq!(file::parse("v8", text).expect("it is known").cylinders, engine.cylinders);
 }
 
 #[test]
 fn mistakes_about_unknowns_are_told() {
-    let message = |text: &str| layout::parse("test", text).expect_err(text).to_string();
+    let message = |text: &str| file::parse("test", text).expect_err(text).to_string();
     assert!(message(V_TWIN).contains("leaves phi open"));
     assert!(message("values = { d = 1 }\ninline.throws = [0]").contains("no unknown `d`"));
     assert!(

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crankstar::layout::{Cylinder, Layout, catalogue, find, parse};
+use crankstar::engine::{Cylinder, Engine};
+use crankstar::file::{catalogue, find, parse};
 use crankstar::order;
 use crankstar::proof::Quantity::{self, Force, Moment};
 use crankstar::verdict::Disturbance::{self, AnySpacing, BankMasses, BankOffset, CylinderMasses, SymmetricSpacing};
@@ -13,16 +14,16 @@ use num_traits::{Signed, Zero};
 
 use crate::support::dice::Dice;
 
-fn engine(name: &str) -> Layout {
-    find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).layout().unwrap()
+fn engine(name: &str) -> Engine {
+    find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
 }
 
-fn balance(layout: &Layout, quantity: Quantity, order: u32) -> Balance {
+fn balance(layout: &Engine, quantity: Quantity, order: u32) -> Balance {
     let order = classify(layout, &[order], false).remove(0);
     if quantity == Force { order.force } else { order.moment }
 }
 
-fn outcome(layout: &Layout, quantity: Quantity, order: u32, disturbance: Disturbance) -> Outcome {
+fn outcome(layout: &Engine, quantity: Quantity, order: u32, disturbance: Disturbance) -> Outcome {
     firmness(layout, &balance(layout, quantity, order)).expect("a zero").outcome(disturbance)
 }
 
@@ -80,14 +81,14 @@ fn amount(dice: &mut Dice) -> BigRational {
 }
 
 /// A random amount for each value of a key, the same for cylinders that share it.
-fn amounts<K: Ord>(layout: &Layout, dice: &mut Dice, key: impl Fn(&Cylinder) -> K) -> Vec<BigRational> {
+fn amounts<K: Ord>(layout: &Engine, dice: &mut Dice, key: impl Fn(&Cylinder) -> K) -> Vec<BigRational> {
     let mut drawn: BTreeMap<K, BigRational> = BTreeMap::new();
     let mut draw = |cylinder| drawn.entry(key(cylinder)).or_insert_with(|| amount(dice)).clone();
     layout.cylinders.iter().map(&mut draw).collect()
 }
 
 /// The engine with one thing changed at random.
-fn disturbed(layout: &Layout, disturbance: Disturbance, dice: &mut Dice) -> Layout {
+fn disturbed(layout: &Engine, disturbance: Disturbance, dice: &mut Dice) -> Engine {
     let plane = &layout.reference_plane;
     let bank = |cylinder: &Cylinder| cylinder.bank.clone();
     let drawn = match disturbance {
@@ -111,7 +112,7 @@ fn disturbed(layout: &Layout, disturbance: Disturbance, dice: &mut Dice) -> Layo
 }
 
 /// Disturbs every zero of an engine at random and compares with what is said of it; returns how many outcomes it met.
-fn check(layout: &Layout, dice: &mut Dice) -> [usize; 3] {
+fn check(layout: &Engine, dice: &mut Dice) -> [usize; 3] {
     let mut met = [0; 3];
     for order in classify(layout, &layout.orders, false) {
         for balance in [&order.force, &order.moment] {

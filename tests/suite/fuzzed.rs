@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support::dice::Dice;
-use crankstar::layout::{self, Engine};
+use crankstar::file::{self, Layout};
 use crankstar::remedy::{self, Wish};
 use crankstar::search::{Options, search};
 use crankstar::{family, report, verdict};
@@ -121,7 +121,7 @@ fn drive(target: &str, more: Vec<Vec<u8>>, function: fn(&[u8])) {
 }
 
 fn catalogue() -> Vec<Vec<u8>> {
-    layout::catalogue().expect("a catalogue").into_iter().map(|(entry, _)| entry.text.into()).collect()
+    file::catalogue().expect("a catalogue").into_iter().map(|(entry, _)| entry.text.into()).collect()
 }
 
 #[test]
@@ -151,13 +151,13 @@ fn any_value_of_the_command_line_is_taken_or_refused() {
 
 #[test]
 fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
-    let engine = |name: &str| layout::find(name).expect("an engine").layout().expect("a layout");
+    let engine = |name: &str| file::find(name).expect("an engine").engine().expect("a layout");
     let twin = engine("V2-60");
     let theorem = verdict::theorem(&twin).expect("a theorem");
     let orders = verdict::classify(&twin, &[1, 2], true);
     let verdicts = report::document(&twin, &orders, &report::quantities(true), Some(&theorem));
     assert_golden("document", "verdicts.json", &json(&verdicts));
-    let Ok(Engine::Open(family)) = layout::parse_engine("v.toml", OPEN) else { panic!("a family") };
+    let Ok(Layout::Open(family)) = file::parse_layout("v.toml", OPEN) else { panic!("a family") };
     assert_golden("document", "family.json", &json(&report::open_document(&family, &family::classify(&family, &[2]))));
     let wish = Wish { orders: vec![1, 2], planes: None, factors: Vec::new(), skews: Vec::new() };
     let remedy = remedy::remedy(&engine("I3"), &wish).expect("a remedy");

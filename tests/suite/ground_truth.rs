@@ -1,8 +1,9 @@
 //! Do the facts that are known about real engines come out, exactly?
 use std::collections::BTreeSet;
 
+use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, Turn};
-use crankstar::layout::{Layout, catalogue, find, parse};
+use crankstar::file::{catalogue, find, parse};
 use crankstar::numbers::evaluate;
 use crankstar::proof::Quantity::{self, Force, Moment};
 use crankstar::proof::Shape::{self, Balanced, CounterRotating, Planar, Rotating};
@@ -10,11 +11,11 @@ use crankstar::text::Untrusted;
 use crankstar::verdict::{Balance, classify};
 use num_rational::BigRational;
 
-fn engine(name: &str) -> Layout {
-    find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).layout().unwrap()
+fn engine(name: &str) -> Engine {
+    find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
 }
 
-fn balance(layout: &Layout, quantity: Quantity, order: u32) -> Balance {
+fn balance(layout: &Engine, quantity: Quantity, order: u32) -> Balance {
     let order = classify(layout, &[order], false).remove(0);
     match quantity {
         Force => order.force,
@@ -67,7 +68,7 @@ fn coefficient_squared(balance: &Balance) -> PhasorSum {
 }
 
 #[track_caller]
-fn assert_left(layout: &Layout, quantity: Quantity, order: u32, shape: Shape, squared: &PhasorSum) {
+fn assert_left(layout: &Engine, quantity: Quantity, order: u32, shape: Shape, squared: &PhasorSum) {
     let what = format!("{}, {quantity:?} of order {order}", layout.title.written());
     let balance = balance(layout, quantity, order);
     assert_eq!(balance.shape, shape, "{what}");
@@ -229,7 +230,7 @@ fn radial_of_n_even_keeps_order_1_alone() {
     }
 }
 
-fn radial(cylinders: u32) -> Layout {
+fn radial(cylinders: u32) -> Engine {
     parse("radial.toml", &format!("radial.cylinders = {cylinders}")).unwrap()
 }
 

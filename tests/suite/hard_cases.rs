@@ -7,7 +7,8 @@ use std::{env, fs};
 
 use crate::support::hard::{Ask, CASES, Case};
 use crate::support::written::vectors;
-use crankstar::layout::{self, Layout, parse_number};
+use crankstar::engine::Engine;
+use crankstar::file::{self, parse_number};
 use crankstar::loads::{self, Outcome};
 use crankstar::motion::SliderCrank;
 use crankstar::proof::{Shape, check_certificate};
@@ -25,7 +26,7 @@ fn decimal(text: &str) -> BigRational {
 }
 
 /// The engine of a case: at 3000 rpm, with 1 kg, r = 50 mm and λ = 1/4 where it says nothing else.
-fn engine(case: &str) -> Layout {
+fn engine(case: &str) -> Engine {
     let mut text = String::new();
     if !case.contains("speed") {
         text += "speed = 3000\n";
@@ -43,7 +44,7 @@ fn engine(case: &str) -> Layout {
         }
         text += case;
     }
-    layout::parse("case.toml", &text).unwrap_or_else(|error| panic!("{text}\n{error}"))
+    file::parse("case.toml", &text).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
 fn crank(ratio: &str, offset: &str) -> SliderCrank {
@@ -256,7 +257,7 @@ fn naive_root_loses_every_digit_where_the_closed_form_loses_none() {
 const ORDERS: [u32; 5] = [1, 2, 3, 4, 6];
 
 /// Shapes of force and moment and the torque's verdict, order by order; every certificate is checked.
-fn verdicts(layout: &Layout) -> Vec<(Shape, Shape, bool)> {
+fn verdicts(layout: &Engine) -> Vec<(Shape, Shape, bool)> {
     let judged = verdict::classify(layout, &ORDERS, true);
     let outcome = |order: OrderBalance| {
         let torque = order.torque.expect("a torque");
@@ -273,8 +274,8 @@ fn verdicts(layout: &Layout) -> Vec<(Shape, Shape, bool)> {
 const ENGINES: [&str; 7] = ["I4", "I5-12453", "I6", "V6-60-even", "V8-crossplane", "boxer-6", "radial-9"];
 
 /// The engine with its numbers changed, and the reason for a message.
-fn hostile(name: &str, change: impl Fn(&mut Layout)) -> Layout {
-    let mut layout = layout::find(name).expect("an engine").layout().expect("it reads");
+fn hostile(name: &str, change: impl Fn(&mut Engine)) -> Engine {
+    let mut layout = file::find(name).expect("an engine").engine().expect("it reads");
     change(&mut layout);
     layout
 }
@@ -341,11 +342,11 @@ fn loads_vanish_where_the_verdicts_say_so_whatever_the_rod_the_mass_and_the_spee
     let mechanisms =
         [("0.00000001", 1, "3000"), ("0.999999999999", 1, "0"), ("0.3", 1_000_000, "1e6"), ("0.999", 3, "1e-30")];
     for name in ENGINES {
-        let text = &layout::find(name).expect("an engine").layout().expect("it reads").file.written().to_owned();
+        let text = &file::find(name).expect("an engine").engine().expect("it reads").file.written().to_owned();
         for (ratio, mass, speed) in mechanisms {
             let mechanism =
                 format!("mechanism = {{ crank_radius = 0.05, rod_ratio = \"{ratio}\", reciprocating_mass = {mass} }}");
-            let layout = layout::parse(name, &format!("speed = \"{speed}\"\n{mechanism}\n{text}")).expect("it reads");
+            let layout = file::parse(name, &format!("speed = \"{speed}\"\n{mechanism}\n{text}")).expect("it reads");
             let plain = verdict::classify(&layout, &ORDERS, false);
             let loads = loads::loads(&layout, &ORDERS).expect("numbers");
             for (verdict, loads) in plain.iter().zip(&loads.orders) {

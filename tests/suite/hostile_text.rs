@@ -124,7 +124,7 @@ fn file_is_harmless(path: &Path) {
             assert_eq!(text.matches('<').count(), text.matches('>').count(), "{what}");
         }
         Some("json") => drop(serde_json::from_str::<serde_json::Value>(&text).expect("JSON")),
-        Some("toml") => drop(crankstar::layout::parse_engine("again", &text).expect("a layout file")),
+        Some("toml") => drop(crankstar::file::parse_layout("again", &text).expect("a layout file")),
         other => panic!("{what}: no check for {other:?}"),
     }
 }
@@ -212,7 +212,7 @@ fn no_text_of_a_claims_file_acts() {
     let file = folder.join("claims.toml");
     fs::write(&file, &text).expect("a file");
     assert!(answered(&["check", file.to_str().expect("UTF-8")]).contains("true"));
-    let find = |_: &str| crankstar::layout::parse("i3.toml", &layout_text()).map_err(|error| error.to_string());
+    let find = |_: &str| crankstar::file::parse("i3.toml", &layout_text()).map_err(|error| error.to_string());
     let claims = crankstar::claim::parse_claims("<script>.toml", &text, &find).expect("it reads");
     let page = crankstar::report::claims_page(&claims);
     nothing_acts("the page of claims", &page.text);

@@ -3,7 +3,8 @@ use std::f64::consts::TAU;
 
 use crankstar::accuracy::{self, Largest, LargestLoads, Method, largest};
 use crankstar::claim;
-use crankstar::layout::{self, Engine, Layout};
+use crankstar::engine::Engine;
+use crankstar::file::{self, Layout};
 use crankstar::loads::{self, Missing, loads, needed_orders, usual_orders, vanishes_at_every_order};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Numbers};
@@ -12,15 +13,15 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
-fn engine(text: &str) -> Layout {
-    layout::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
+fn engine(text: &str) -> Engine {
+    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
 const QUANTITIES: [Quantity; 3] = [Quantity::Force, Quantity::Moment, Quantity::Torque];
 
 /// Force, moment and torque of the pistons at an angle, in m r ω², that times metres, and m r² ω²: written out once more, from the
 /// position `cos ψ + √(1 − (λ sin ψ − δ)²)/λ`, without order or phasor.
-fn at(layout: &Layout, theta: f64) -> [f64; 3] {
+fn at(layout: &Engine, theta: f64) -> [f64; 3] {
     let float = |number: &BigRational| number.to_f64().expect("a float");
     let mut sums = [[0.0; 2]; 2];
     let mut torque = 0.0;
@@ -54,7 +55,7 @@ fn at(layout: &Layout, theta: f64) -> [f64; 3] {
 }
 
 /// The largest values of many angles, and the sizes beside which their roundings count.
-fn sampled(layout: &Layout, steps: u32) -> [f64; 3] {
+fn sampled(layout: &Engine, steps: u32) -> [f64; 3] {
     let mut largest = [0.0_f64; 3];
     for place in 0..steps {
         for (most, value) in largest.iter_mut().zip(at(layout, TAU * f64::from(place) / f64::from(steps))) {
@@ -321,12 +322,12 @@ fn sweep_says_of_a_force_that_vanishes_everywhere_that_it_does() {
     let text = format!(
         "speed = 6000\n[vee]\nbank_angle = 60\nthrows = [0, 120, 240]\nspacing = \"0.1 m\"\n{MECHANISM}rotating_mass = 1\n"
     );
-    let template = layout::Template::new("vee.toml", &text).expect("a template");
+    let template = file::Template::new("vee.toml", &text).expect("a template");
     let parameter = crankstar::sweep::Parameter::parse("vee.bank_angle=0..180:30").expect("a range");
     let sweep = crankstar::sweep::sweep(&template, &[parameter], &[1, 2, 3], &Default::default()).expect("a sweep");
     let sets = sweep.zeros.expect("angles");
     let force = |order: u32| sets.iter().filter(move |set| set.quantity == Quantity::Force && set.order == order);
     assert!(force(1).all(|set| set.everywhere && set.exists), "{sets:?}");
     assert!(force(3).all(|set| !set.exists), "{sets:?}");
-    assert!(matches!(layout::parse_engine("vee.toml", &text), Ok(Engine::Known(..))));
+    assert!(matches!(file::parse_layout("vee.toml", &text), Ok(Layout::Known(..))));
 }

@@ -1,11 +1,12 @@
 //! Does a layout file mean what a person wrote: forms, numbers, units, firing intervals, reference plane?
 
+use crankstar::engine::{Cylinder, Engine, Form, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::layout::{Cylinder, Form, Layout, LengthUnit, find, parse};
+use crankstar::file::{find, parse};
 use crankstar::text::Untrusted;
 use num_rational::BigRational;
 
-fn read(text: &str) -> Layout {
+fn read(text: &str) -> Engine {
     parse("layout.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
@@ -14,7 +15,7 @@ fn fraction(text: &str) -> BigRational {
 }
 
 /// A file in the general form: throw, bank, position of each cylinder.
-fn general(cylinders: &[(&str, &str, &str)]) -> Layout {
+fn general(cylinders: &[(&str, &str, &str)]) -> Engine {
     let table = |(throw, bank, position): &(&str, &str, &str)| {
         format!("[[cylinder]]\nthrow = \"{throw}\"\nbank = \"{bank}\"\nposition = \"{position}\"\n")
     };
@@ -222,7 +223,7 @@ fn the_file_may_name_its_orders_title_and_source() {
 }
 
 /// Firing intervals in degrees.
-fn intervals(layout: &Layout) -> Vec<BigRational> {
+fn intervals(layout: &Engine) -> Vec<BigRational> {
     let firing = layout.firing.as_ref().unwrap();
     firing.intervals().iter().map(|turns| turns * fraction("360")).collect()
 }
@@ -242,7 +243,7 @@ fn firing_intervals_come_out_exactly() {
         ("radial-7", "720/7 720/7 720/7 720/7 720/7 720/7 720/7", true),
         ("radial-9", "80 80 80 80 80 80 80 80 80", true),
     ] {
-        let layout = find(name).unwrap().layout().unwrap();
+        let layout = find(name).unwrap().engine().unwrap();
         let expected: Vec<BigRational> = degrees.split(' ').map(fraction).collect();
         assert_eq!(intervals(&layout), expected, "{name}");
         assert_eq!(layout.firing.unwrap().is_even(), even, "{name}");

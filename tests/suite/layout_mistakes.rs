@@ -1,6 +1,6 @@
 //! Does every mistake in a layout file end in a message that says what is wrong, and in which line?
 
-use crankstar::layout::parse;
+use crankstar::file::parse;
 
 /// The file is refused; the message has these words, and points at this line (0: at no line).
 #[track_caller]

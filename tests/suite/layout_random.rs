@@ -1,6 +1,7 @@
 //! Does any text at all end in an engine or a message, and does every engine get the verdict that decimals suggest?
+use crankstar::engine::{Cylinder, Engine};
 use crankstar::exact::Turn;
-use crankstar::layout::{Cylinder, Layout, catalogue, parse};
+use crankstar::file::{catalogue, parse};
 use crankstar::proof::{Quantity, Sense};
 use crankstar::verdict::{Verdict, classify};
 use num_complex::Complex;
@@ -125,7 +126,7 @@ fn regular() -> impl Strategy<Value = String> {
 }
 
 /// The sum of a verdict in plain decimals, from the definition (theory, section 3).
-fn in_decimals(layout: &Layout, verdict: &Verdict) -> Complex<f64> {
+fn in_decimals(layout: &Engine, verdict: &Verdict) -> Complex<f64> {
     let decimal = |number: &BigRational| number.to_f64().unwrap();
     let radians = |angle: &Turn| std::f64::consts::TAU * decimal(angle.turns());
     let k = f64::from(verdict.order);

@@ -2,7 +2,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use crankstar::layout::{self, Cylinder, Layout, Rod};
+use crankstar::engine::{Cylinder, Engine, Rod};
+use crankstar::file;
 use crankstar::loads::{Harmonic, Loads, Missing, Outcome, Waveform, loads, needed_orders};
 use crankstar::motion::SliderCrank;
 use crankstar::order::MassGroup;
@@ -11,21 +12,21 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
 
-fn engine(text: &str) -> Layout {
-    layout::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
+fn engine(text: &str) -> Engine {
+    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-fn example(name: &str) -> Layout {
+fn example(name: &str) -> Engine {
     let path = format!("{}/reports/examples/{name}/layout.toml", env!("CARGO_MANIFEST_DIR"));
     engine(&std::fs::read_to_string(path).expect("the example"))
 }
 
-fn computed(layout: &Layout, orders: &[u32]) -> Loads {
+fn computed(layout: &Engine, orders: &[u32]) -> Loads {
     loads(layout, orders).expect("numbers")
 }
 
 /// Largest force and moment of an order, in newtons and newton-metres.
-fn newtons(layout: &Layout, order: u32) -> [f64; 2] {
+fn newtons(layout: &Engine, order: u32) -> [f64; 2] {
     let loads = computed(layout, &[order]);
     let unit = loads.scale.as_ref().expect("mass, radius and speed").force();
     [&loads.orders[0].force, &loads.orders[0].moment].map(|swing| swing.largest() * unit)
@@ -50,7 +51,7 @@ struct Piston {
 }
 
 impl Pistons {
-    fn of(layout: &Layout) -> Self {
+    fn of(layout: &Engine) -> Self {
         let float = |number: &BigRational| number.to_f64().expect("a float");
         let mechanism = &layout.mechanism;
         let piston = |(index, cylinder): (usize, &Cylinder)| {
@@ -326,7 +327,7 @@ fn peak_is_the_higher_of_two_tops_though_a_sample_stands_on_the_lower() {
 }
 
 /// The same engine with hostile rods: cylinders 1 and 2 pull one way at order 2, cylinders 3 and 4 the other.
-fn four_with_rods(ratios: &str) -> Layout {
+fn four_with_rods(ratios: &str) -> Engine {
     engine(&format!(
         "inline = {{ throws = [0, 0, 90, 90], spacing = 1 }}\nmechanism = {{ rod_ratio = {ratios}, reciprocating_mass = 1 }}"
     ))
@@ -394,10 +395,7 @@ fn zero_speed_and_zero_mass_give_zero_newtons_and_keep_the_verdicts() {
     let torque = weightless.torque.expect("a torque");
     assert!(torque.orders.iter().all(|order| order.vector.outcome == Outcome::Zero));
     assert_eq!((weightless.coefficients, torque.waveform.real_peak().value), (0, 0.0));
-    assert_eq!(
-        loads(&layout::find("I4").expect("an engine").layout().expect("reads"), &[1]).err(),
-        Some(Missing::Rods)
-    );
+    assert_eq!(loads(&file::find("I4").expect("an engine").engine().expect("reads"), &[1]).err(), Some(Missing::Rods));
 }
 
 #[test]
@@ -425,7 +423,7 @@ fn no_coefficient_is_computed_but_for_what_is_left_and_asked_for() {
 }
 
 /// The largest distance between the motion itself and the orders that were kept.
-fn true_error(layout: &Layout, kept: &[u32], place: usize) -> f64 {
+fn true_error(layout: &Engine, kept: &[u32], place: usize) -> f64 {
     let loads = computed(layout, kept);
     let waveform = [&loads.force, &loads.moment][place];
     let pistons = Pistons::of(layout);

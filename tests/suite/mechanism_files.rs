@@ -1,10 +1,11 @@
 //! Are crank, rods, masses and speed read as they are written, and every mistake in them told?
 
-use crankstar::layout::{self, Layout, Rod};
+use crankstar::engine::{self, Engine, Rod};
+use crankstar::file;
 use num_rational::BigRational;
 
-fn engine(numbers: &str) -> Layout {
-    layout::parse("layout.toml", &text(numbers)).unwrap_or_else(|error| panic!("{error}"))
+fn engine(numbers: &str) -> Engine {
+    file::parse("layout.toml", &text(numbers)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn text(numbers: &str) -> String {
@@ -44,7 +45,7 @@ fn a_rod_with_its_centre_of_gravity_is_split_in_two_masses_that_keep_its_mass() 
 #[test]
 fn a_list_gives_each_cylinder_its_own_and_the_first_that_is_not_zero_is_the_unit() {
     let layout = engine("[mechanism]\ncrank_radius = [1, 2]\nrod_ratio = ['1/3', '1/4']\nreciprocating_mass = [0, 3]");
-    let weights: Vec<BigRational> = layout.cylinders.iter().map(layout::Cylinder::weight).collect();
+    let weights: Vec<BigRational> = layout.cylinders.iter().map(engine::Cylinder::weight).collect();
     assert_eq!(weights, [ratio(0, 1), ratio(2, 1)]);
     assert_eq!((layout.mechanism.mass, layout.mechanism.crank_radius), (Some(ratio(3, 1)), Some(ratio(1, 1))));
     assert_eq!(layout.mechanism.rods[1].ratio, ratio(1, 4));
@@ -101,7 +102,7 @@ const MISTAKES: &[(&str, usize, &str)] = &[
 #[test]
 fn every_mistake_is_told_with_its_line() {
     for (numbers, line, words) in MISTAKES {
-        let error = layout::parse("layout.toml", &text(numbers)).err().unwrap_or_else(|| panic!("accepted: {numbers}"));
+        let error = file::parse("layout.toml", &text(numbers)).err().unwrap_or_else(|| panic!("accepted: {numbers}"));
         let error = error.to_string();
         assert!(error.contains(words), "no {words:?} for\n{numbers}\n{error}");
         assert!(error.contains(&format!("layout.toml:{line}:")), "not in line {line}:\n{numbers}\n{error}");
@@ -111,8 +112,8 @@ fn every_mistake_is_told_with_its_line() {
 #[test]
 fn masses_that_the_cylinders_give_are_not_given_again() {
     let cylinder = "[[cylinder]]\nthrow = 0\nbank = 0\nposition = 0\nreciprocating_mass = 2\n";
-    let error = layout::parse("x.toml", &format!("{cylinder}[mechanism]\nreciprocating_mass = 1"));
+    let error = file::parse("x.toml", &format!("{cylinder}[mechanism]\nreciprocating_mass = 1"));
     assert!(error.expect_err("twice").to_string().contains("given twice"));
-    let layout = layout::parse("x.toml", &format!("{cylinder}[mechanism]\nrod_ratio = 0.25")).expect("once");
+    let layout = file::parse("x.toml", &format!("{cylinder}[mechanism]\nrod_ratio = 0.25")).expect("once");
     assert_eq!(layout.mechanism.mass, Some(ratio(1, 1)));
 }

@@ -1,7 +1,7 @@
 //! Is every way to cheat the checker of a family's document caught?
 
 use crankstar::family;
-use crankstar::layout::{self, Engine};
+use crankstar::file::{self, Layout};
 use crankstar::proof::{Exact, OpenDocument, Quantity, WhenClaim, check_open_document};
 use crankstar::report;
 use num_rational::BigRational;
@@ -13,7 +13,7 @@ const UNEQUAL: &str = "
                 { throw = 0, bank = 'phi/2', position = 1, reciprocating_mass = '3/2' }]";
 
 fn document(text: &str) -> OpenDocument {
-    let Ok(Engine::Open(family)) = layout::parse_engine("test", text) else { panic!("not a family: {text}") };
+    let Ok(Layout::Open(family)) = file::parse_layout("test", text) else { panic!("not a family: {text}") };
     report::open_document(&family, &family::classify(&family, &[1, 2, 4]))
 }
 

@@ -11,7 +11,8 @@ use std::sync::OnceLock;
 use std::{env, fs};
 
 use crankstar::beam::Beam;
-use crankstar::layout::{Layout, parse};
+use crankstar::engine::Engine;
+use crankstar::file::parse;
 use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, loads};
 use crankstar::optimise::{
     Couple, Front, Left, Place, Point, Refused, Uniform, Wish, bare, front, measure, places, uniform,
@@ -30,16 +31,16 @@ fn folder(engine: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("reports/optimise").join(engine)
 }
 
-fn read(engine: &str, file: &str) -> Layout {
+fn read(engine: &str, file: &str) -> Engine {
     let text = fs::read_to_string(folder(engine).join(file)).unwrap_or_else(|error| panic!("{engine}/{file}: {error}"));
     parse(file, &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn wish(layout: &Layout, couple: Couple, points: usize) -> Wish {
+fn wish(layout: &Engine, couple: Couple, points: usize) -> Wish {
     Wish { couple, points, orders: layout.orders.clone() }
 }
 
-fn solved(layout: &Layout, couple: Couple, points: usize) -> Front {
+fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
     front(layout, &wish(layout, couple, points)).unwrap_or_else(|refused| panic!("{refused}"))
 }
 
@@ -260,7 +261,7 @@ struct Felt {
 }
 
 impl Felt {
-    fn new(layout: &Layout, places: &[Place]) -> Self {
+    fn new(layout: &Engine, places: &[Place]) -> Self {
         let circle = Circle::new(720);
         let bare = bearing_loads(&bare(layout), &layout.orders, Method::Continuous).expect("loads");
         let beam = Beam::new(layout.bearings.clone()).expect("a beam");
@@ -354,7 +355,7 @@ fn no_uniform_balance_factor_comes_below_the_front_of_the_flat_plane_v8() {
 }
 
 /// An engine with two counterweights a throw.
-fn engine(throws: &str, bearings: &str, more: &str) -> Layout {
+fn engine(throws: &str, bearings: &str, more: &str) -> Engine {
     let text = format!(
         "speed = 6000\nbearings = {bearings}\norders = [1, 2]\n[inline]\nthrows = {throws}\nspacing = 0.1\n[mechanism]\nreciprocating_mass = 0.65\n\
          rotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n{more}"
@@ -438,7 +439,7 @@ fn listed_counterweights_give_planes_and_radii_and_are_replaced() {
 #[test]
 fn what_is_missing_is_named() {
     let beam = "[0.15, 0.05, -0.05, -0.15]";
-    let refused = |layout: &Layout, couple: Couple, points: usize| {
+    let refused = |layout: &Engine, couple: Couple, points: usize| {
         front(layout, &wish(layout, couple, points)).err().map(|refused| refused.to_string()).unwrap_or_default()
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);

@@ -11,7 +11,8 @@ use std::{env, fs};
 
 use crate::support::dice::Dice;
 use crate::support::{engines, oracle};
-use crankstar::layout::{Cylinder, Engine, Layout, parse_engine};
+use crankstar::engine::{Cylinder, Engine};
+use crankstar::file::{Layout, parse_layout};
 use crankstar::proof::{self, Document, OpenDocument, Quantity, Sense, Shape};
 use crankstar::verdict::{Balance, OrderBalance, Verdict, classify};
 use crankstar::{family, report};
@@ -60,7 +61,7 @@ impl Oracle {
 }
 
 /// The vectors of an order from the definition: the force along the axis of its cylinder, at the cylinder's own crank angle.
-fn terms(layout: &Layout, of: &[&Cylinder], verdict: &Verdict) -> Terms {
+fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
     let k = BigRational::from_integer(verdict.order.into());
     let vector = |cylinder: &&Cylinder| {
         let (throw, bank) = (cylinder.throw.turns(), cylinder.bank.turns());
@@ -93,7 +94,7 @@ fn difference(direct: &Terms, reverse: &Terms) -> Terms {
 }
 
 impl Tally {
-    fn judge(&mut self, oracle: &mut Oracle, layout: &Layout, text: &str) {
+    fn judge(&mut self, oracle: &mut Oracle, layout: &Engine, text: &str) {
         let orders = classify(layout, &ORDERS, true);
         for order in &orders {
             let is_meant = |cylinder: &&Cylinder| match &order.class {
@@ -115,7 +116,7 @@ impl Tally {
         *(if verdict.vanishes() { &mut self.zero } else { &mut self.other }) += 1;
     }
 
-    fn shape(&mut self, oracle: &mut Oracle, layout: &Layout, of: &[&Cylinder], balance: &Balance, text: &str) {
+    fn shape(&mut self, oracle: &mut Oracle, layout: &Engine, of: &[&Cylinder], balance: &Balance, text: &str) {
         let [direct, reverse] = balance.verdicts().map(|verdict| {
             let terms = terms(layout, of, verdict);
             self.verdict(oracle, &terms, verdict, text);
@@ -138,14 +139,14 @@ impl Tally {
     }
 
     /// The document as `verify` reads it: from its text.
-    fn verify(&mut self, layout: &Layout, orders: &[OrderBalance], text: &str) {
+    fn verify(&mut self, layout: &Engine, orders: &[OrderBalance], text: &str) {
         let json = serde_json::to_string(&report::document(layout, orders, &report::quantities(true), None))
             .expect("a document");
         let document: Document = serde_json::from_str(&json).expect("the same document");
         self.count(proof::check_document(&document), text);
     }
 
-    fn verify_open(&mut self, family: &crankstar::layout::Family, text: &str) {
+    fn verify_open(&mut self, family: &crankstar::engine::Family, text: &str) {
         let verdicts = family::classify(family, &[1, 2]);
         let json = serde_json::to_string(&report::open_document(family, &verdicts)).expect("a document");
         let document: OpenDocument = serde_json::from_str(&json).expect("the same document");
@@ -168,9 +169,9 @@ fn run(count: u64) -> BTreeMap<&'static str, Tally> {
         let text = engines::file(&mut Dice::new(number), form);
         let tally = tallies.entry(form).or_default();
         tally.engines += 1;
-        match parse_engine("engine.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}")) {
-            Engine::Known(layout, _) => tally.judge(&mut oracle, &layout, &text),
-            Engine::Open(family) => tally.verify_open(&family, &text),
+        match parse_layout("engine.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}")) {
+            Layout::Known(layout, _) => tally.judge(&mut oracle, &layout, &text),
+            Layout::Open(family) => tally.verify_open(&family, &text),
         }
     }
     tallies

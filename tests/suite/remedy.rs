@@ -1,8 +1,9 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
 use std::f64::consts::TAU;
 
+use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, Turn};
-use crankstar::layout::{Layout, catalogue, find, parse};
+use crankstar::file::{catalogue, find, parse};
 use crankstar::loads::{Outcome, loads};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
@@ -19,12 +20,12 @@ const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
 
 #[track_caller]
-fn read(text: &str) -> Layout {
+fn read(text: &str) -> Engine {
     parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-fn engine(name: &str) -> Layout {
-    find(name).unwrap_or_else(|| panic!("{name}")).layout().expect("a layout")
+fn engine(name: &str) -> Engine {
+    find(name).unwrap_or_else(|| panic!("{name}")).engine().expect("a layout")
 }
 
 fn ratio(numerator: i64, denominator: i64) -> BigRational {

@@ -1,6 +1,6 @@
 //! Does the checker of remedies refuse what does not hold, whatever is changed?
 
-use crankstar::layout::parse;
+use crankstar::file::parse;
 use crankstar::proof::{
     Certificate, Format, Masses, RemedyDocument, RodStatement, Sense, Vector, check_remedy_document,
 };

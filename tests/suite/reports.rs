@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use crankstar::engine::Engine;
 use crankstar::family;
-use crankstar::layout::{self, Engine, Entry, Layout};
+use crankstar::file::{self, Entry, Layout};
 use crankstar::report::{self, Dialect};
 use crankstar::verdict::{self, OrderBalance};
 
@@ -15,13 +16,13 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
 }
 
-fn judged(entry: Entry, layout: Layout) -> (Entry, Layout, Vec<OrderBalance>) {
+fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderBalance>) {
     let orders = verdict::classify(&layout, &layout.orders, false);
     (entry, layout, orders)
 }
 
 /// The files of an engine's folder, by name.
-fn written(layout: &Layout, orders: &[OrderBalance]) -> BTreeMap<String, String> {
+fn written(layout: &Engine, orders: &[OrderBalance]) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
     let files = dialects.into_iter().flat_map(|dialect| {
         report::report(report::Subject { layout, orders, family: None, needed: None, accuracy: None }, dialect)
@@ -63,7 +64,7 @@ fn compare(folder: &Path, written: &BTreeMap<String, String>) {
 }
 
 fn compare_family(prefix: &str) {
-    let engines: Vec<_> = layout::catalogue().expect("the catalogue reads").into_iter().collect();
+    let engines: Vec<_> = file::catalogue().expect("the catalogue reads").into_iter().collect();
     let family: Vec<_> = engines.into_iter().filter(|(entry, _)| entry.name.starts_with(prefix)).collect();
     assert!(!family.is_empty(), "no engine is called {prefix}…");
     for (entry, layout) in family {
@@ -81,7 +82,7 @@ macro_rules! families {
 
         #[test]
         fn every_engine_of_the_catalogue_belongs_to_a_family() {
-            for (entry, _) in layout::catalogue().expect("the catalogue reads") {
+            for (entry, _) in file::catalogue().expect("the catalogue reads") {
                 assert!([$($prefix),*].iter().any(|prefix| entry.name.starts_with(prefix)), "{}", entry.name);
             }
         }
@@ -112,8 +113,8 @@ fn compare_layouts(below: &str) {
         let layout = fs::read_to_string(folder.join("layout.toml")).expect("a layout file");
         let mut files = BTreeMap::from([("layout.toml".to_owned(), layout.clone())]);
         for dialect in [Dialect::GithubMarkdown, Dialect::Latex] {
-            let written = match layout::parse_engine("layout.toml", &layout).expect("it reads") {
-                Engine::Known(engine, open) => {
+            let written = match file::parse_layout("layout.toml", &layout).expect("it reads") {
+                Layout::Known(engine, open) => {
                     let open = open.map(|open| (family::classify(&open, &engine.orders), open));
                     let orders = verdict::classify(&engine, &engine.orders, false);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
@@ -122,7 +123,7 @@ fn compare_layouts(below: &str) {
                         dialect,
                     )
                 }
-                Engine::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
+                Layout::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
             };
             files.extend(written.into_iter().map(|file| (file.name, file.text)));
         }
@@ -142,7 +143,7 @@ fn reports_on_examples_with_numbers_are_as_stored() {
 
 #[test]
 fn the_index_is_as_stored_and_every_folder_is_an_engine() {
-    let engines: Vec<_> = layout::catalogue().expect("reads").into_iter().map(|(e, l)| judged(e, l)).collect();
+    let engines: Vec<_> = file::catalogue().expect("reads").into_iter().map(|(e, l)| judged(e, l)).collect();
     let index = report::index(&engines);
     compare(&folder(), &BTreeMap::from([(index.name, index.text)]));
     let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
@@ -165,7 +166,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "trust"
             ]
             .contains(&name.as_str())
-                || layout::find(&name).is_some(),
+                || file::find(&name).is_some(),
             "reports/{name} belongs to no engine"
         );
     }
@@ -173,7 +174,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
 
 #[test]
 fn no_report_holds_a_path_a_date_or_a_version() {
-    for (entry, layout) in layout::catalogue().expect("the catalogue reads") {
+    for (entry, layout) in file::catalogue().expect("the catalogue reads") {
         let (_, layout, orders) = judged(entry, layout);
         for (name, text) in written(&layout, &orders) {
             let unwanted =

@@ -10,8 +10,8 @@ use crate::support::imports;
 const STOREYS: [&[&str]; 10] = [
     &["proof", "motion", "beam", "text"],
     &["exact"],
-    &["layout"],
-    &["order", "numbers"],
+    &["engine"],
+    &["file", "order", "numbers"],
     &["verdict"],
     &["loads", "family"],
     &["accuracy", "remedy", "optimise", "sweep", "search"],

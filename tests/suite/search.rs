@@ -8,8 +8,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crankstar::engine::Cycle;
 use crankstar::exact::Turn;
-use crankstar::layout::Cycle;
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::search::{FoundStar, Front, Options, Problem, Standing, document, every_value, search};
@@ -246,7 +246,7 @@ fn a_found_star_is_an_engine_with_the_moments_it_claims() {
         [Problem::inline(7, Cycle::TwoStroke, &[1, 2, 4]), Problem::inline(6, Cycle::FourStroke, &[1]), vee, grid]
     {
         for star in found(&problem).stars {
-            let layout = star.layout(&problem).expect("a layout that reads");
+            let layout = star.engine(&problem).expect("a layout that reads");
             let firing = layout.firing.as_ref();
             assert_eq!(star.firing_order.is_some(), firing.is_some_and(|firing| firing.is_even()));
             for moment in &star.moments {

@@ -2,8 +2,9 @@
 
 use std::process::Command;
 
+use crankstar::engine::{self, Cycle};
 use crankstar::family::{self, Component, component_zeros};
-use crankstar::layout::{self, Cycle, Engine, Key, Template};
+use crankstar::file::{self, Key, Layout, Template};
 use crankstar::loads;
 use crankstar::numbers::Form;
 use crankstar::proof::{Quantity, Sense};
@@ -156,13 +157,13 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
     for throws in ["[0, 240, 120]", "[0, 270, 90, 180]", "[0, 180]", "[0, 72, 144, 216, 288]"] {
         let text = format!("[vee]\nbank_angle = \"phi\"\nthrows = {throws}\n");
         let template = Template::new("v.toml", &text).expect("TOML");
-        let Ok(Engine::Open(open)) = template.engine(&[]) else { panic!("it is open") };
+        let Ok(Layout::Open(open)) = template.layout(&[]) else { panic!("it is open") };
         let key = Key::parse("vee.bank_angle").expect("a key");
         for order in [1, 2, 3, 4] {
             for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
                 let found = component_zeros(&open, Quantity::Moment, order, component);
                 for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
-                    let Ok(Engine::Known(layout, _)) = template.engine(&[(&key, &degrees.to_string())]) else {
+                    let Ok(Layout::Known(layout, _)) = template.layout(&[(&key, &degrees.to_string())]) else {
                         panic!("it is known")
                     };
                     let sum = |sense| {
@@ -187,7 +188,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
 }
 
 /// The amplitudes of a sweep against those of the room of loads, which sums exactly and encloses its coefficients.
-fn same_as_loads(point: &Point, layout: &layout::Layout, orders: &[u32]) {
+fn same_as_loads(point: &Point, layout: &engine::Engine, orders: &[u32]) {
     let loads = loads::loads(layout, orders).expect("loads");
     for (own, other) in point.orders.iter().zip(&loads.orders) {
         for (own, swing) in [(&own.force, &other.force), (&own.moment, &other.moment)] {
@@ -218,7 +219,7 @@ fn amplitudes_are_those_of_the_loads_with_and_without_masses_that_turn() {
             let key = Key::parse("vee.bank_angle").expect("a key");
             for point in &sweep.points {
                 let value = point.values[0].to_string();
-                let Ok(Engine::Known(layout, _)) = template.engine(&[(&key, &value)]) else { panic!("it reads") };
+                let Ok(Layout::Known(layout, _)) = template.layout(&[(&key, &value)]) else { panic!("it reads") };
                 same_as_loads(point, &layout, &orders);
             }
         }
@@ -240,7 +241,7 @@ fn words_decide_as_the_exact_sums_do_on_random_engines() {
             15 * dice.below(12),
             15 * dice.below(6)
         );
-        let layout = layout::parse("r.toml", &text).expect("it reads");
+        let layout = file::parse("r.toml", &text).expect("it reads");
         let point = sweep::judge(&layout, None, &[1, 2, 3, 4, 6, 12], &Geometry::default()).expect("judged");
         for order in &point.orders {
             for (quantity, own) in [(Quantity::Force, order.force), (Quantity::Moment, order.moment)] {
@@ -270,7 +271,7 @@ fn counterweights_of_the_six_at_90_degrees_are_root_3_in_closed_form() {
         let text = format!(
             "[vee]\nbank_angle = 90\nthrows = [0, 240, 120]\n[mechanism]\nreciprocating_mass = {reciprocating}\nrotating_mass = {rotating}\n"
         );
-        let layout = layout::parse("v6.toml", &text).expect("it reads");
+        let layout = file::parse("v6.toml", &text).expect("it reads");
         let subject = Subject::new(&layout).expect("masses");
         let planes = [ratio(1, 1), ratio(-1, 1)];
         let (force, moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));
@@ -289,10 +290,10 @@ fn counterweights_of_the_six_at_90_degrees_are_root_3_in_closed_form() {
 
 #[test]
 fn a_balanced_shaft_needs_no_counterweight_and_that_is_proved() {
-    let i4 = layout::find("I4").expect("I4").layout().expect("it reads");
+    let i4 = file::find("I4").expect("I4").engine().expect("it reads");
     let none = sweep::counterweight(&i4).expect("planes");
     assert!(none.vanishes && none.value == 0.0);
-    let i2 = layout::parse("i2.toml", "[inline]\nthrows = [0, 0]").expect("it reads");
+    let i2 = file::parse("i2.toml", "[inline]\nthrows = [0, 0]").expect("it reads");
     // P = 2, one in each plane: U = 1/2.
     assert!(close(sweep::counterweight(&i2).expect("planes").value, 0.5));
 }
@@ -308,10 +309,10 @@ fn the_most_even_firing_of_the_six_is_that_of_its_bank_angle() {
         assert_eq!(evenness.unevenness() * ratio(360, 1), ratio(right, 1), "{angle}");
         assert!(!evenness.of_the_file);
     }
-    let of_the_file = layout::find("I6").expect("I6").layout().expect("it reads");
+    let of_the_file = file::find("I6").expect("I6").engine().expect("it reads");
     let even = sweep::evenness(&of_the_file, None).expect("a firing order");
     assert!(even.of_the_file && even.unevenness() == ratio(0, 1));
-    let two_stroke = layout::parse("i3.toml", "[inline]\nthrows = [0, 120, 200]").expect("it reads");
+    let two_stroke = file::parse("i3.toml", "[inline]\nthrows = [0, 120, 200]").expect("it reads");
     let uneven = sweep::evenness(&two_stroke, Some(Cycle::TwoStroke)).expect("a cycle");
     assert_eq!((uneven.longest * ratio(360, 1), uneven.shortest * ratio(360, 1)), (ratio(160, 1), ratio(80, 1)));
 }
@@ -329,11 +330,11 @@ fn a_firing_order_that_some_throws_cannot_fire_leaves_the_most_even_one() {
 #[test]
 fn the_envelope_is_that_of_its_geometry() {
     let geometry = Geometry::default();
-    let one = layout::parse("i1.toml", "[inline]\nthrows = [0]").expect("it reads");
+    let one = file::parse("i1.toml", "[inline]\nthrows = [0]").expect("it reads");
     let box_of = sweep::envelope(&one, &geometry).expect("a box");
     // D = 2r, λ = 1/4: 1 + 4 + 1.5·2 above the shaft and 1.6 below it; 1.6 to both sides; 1.2·2 along.
     assert!(close(box_of.height, 9.6) && close(box_of.breadth, 3.2) && close(box_of.length.expect("a length"), 2.4));
-    let flat = layout::parse("f.toml", "[flat]\nthrows = [0]").expect("it reads");
+    let flat = file::parse("f.toml", "[flat]\nthrows = [0]").expect("it reads");
     let box_of = sweep::envelope(&flat, &geometry).expect("a box");
     assert!(close(box_of.breadth, 16.0) && close(box_of.height, 3.2));
     // Half a circle of radius 1.6, and the rectangle 2.4 wide above it with what the circle shows beside it.
@@ -344,7 +345,7 @@ fn the_envelope_is_that_of_its_geometry() {
     let right = std::f64::consts::PI * reach * reach / 2.0 + 2.0 * half * top + beside;
     let area = sweep::section(&one, &geometry).expect("an area");
     assert!((area - right).abs() < 1e-2 * right, "{area} {right}");
-    let metric = layout::parse("m.toml", "[inline]\nthrows = [0, 180]\nspacing = \"100 mm\"").expect("it reads");
+    let metric = file::parse("m.toml", "[inline]\nthrows = [0, 180]\nspacing = \"100 mm\"").expect("it reads");
     assert_eq!(sweep::envelope(&metric, &geometry).expect("a box").length, None);
 }
 

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::order;
 use crankstar::proof::{
     Certificate, Document, Fault, Quantity, RodClaim, RodStatement, Sense, Survivors, check_document,
@@ -11,15 +12,15 @@ use crankstar::report::{self, Dialect};
 use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 use num_rational::BigRational;
 
-fn named(name: &str) -> Layout {
-    layout::find(name).expect("a name of the catalogue").layout().expect("it reads")
+fn named(name: &str) -> Engine {
+    file::find(name).expect("a name of the catalogue").engine().expect("it reads")
 }
 
-fn written(form: &str) -> Layout {
-    layout::parse("layout.toml", &format!("title = 'engine'\n{form}")).expect("it reads")
+fn written(form: &str) -> Engine {
+    file::parse("layout.toml", &format!("title = 'engine'\n{form}")).expect("it reads")
 }
 
-fn proved(layout: &Layout) -> Theorem {
+fn proved(layout: &Engine) -> Theorem {
     verdict::theorem(layout).expect("a short period")
 }
 
@@ -31,7 +32,7 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
     [&every.direct, &every.reverse].map(|verdicts| verdict::survivors(verdicts))
 }
 
-fn text(layout: &Layout, dialect: Dialect) -> String {
+fn text(layout: &Engine, dialect: Dialect) -> String {
     let orders = verdict::classify(layout, &layout.orders, false);
     report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
         .remove(0)
@@ -39,7 +40,7 @@ fn text(layout: &Layout, dialect: Dialect) -> String {
 }
 
 /// Each of these lines stands in the report.
-fn says(layout: &Layout, lines: &[&str]) {
+fn says(layout: &Engine, lines: &[&str]) {
     let text = text(layout, Dialect::DollarMarkdown);
     for line in lines {
         assert!(text.lines().any(|found| found == *line), "{}: no line {line}", layout.title.written());
@@ -138,12 +139,12 @@ fn the_formula_needs_no_bar_in_a_table_and_compiles_as_latex() {
     assert!(latex.contains("amssymb"), "the sign for `does not divide` is there");
 }
 
-fn sum_vanishes(layout: &Layout, quantity: Quantity, order: u32, sense: Sense) -> bool {
+fn sum_vanishes(layout: &Engine, quantity: Quantity, order: u32, sense: Sense) -> bool {
     order::star(layout, quantity, order, Some(sense)).vanishes()
 }
 
 /// Compares the statements with direct verdicts at order 1 and the even orders up to 200.
-fn agrees(layout: &Layout, theorem: &Theorem) {
+fn agrees(layout: &Engine, theorem: &Theorem) {
     for (quantity, every) in [(Quantity::Force, &theorem.force), (Quantity::Moment, &theorem.moment)] {
         let ([direct, reverse], both) = (senses(every), every.survivors());
         let mut lowest = None;
@@ -160,14 +161,14 @@ fn agrees(layout: &Layout, theorem: &Theorem) {
 
 #[test]
 fn every_statement_on_the_catalogue_agrees_with_direct_verdicts_up_to_order_200() {
-    for (_, layout) in layout::catalogue().expect("it reads") {
+    for (_, layout) in file::catalogue().expect("it reads") {
         agrees(&layout, &proved(&layout));
     }
 }
 
 #[test]
 fn no_statement_on_the_catalogue_holds_with_a_smaller_modulus() {
-    for (_, layout) in layout::catalogue().expect("it reads") {
+    for (_, layout) in file::catalogue().expect("it reads") {
         let theorem = proved(&layout);
         for every in [&theorem.force, &theorem.moment] {
             for found in senses(every).into_iter().chain([every.survivors()]) {
@@ -207,14 +208,14 @@ fn a_period_too_long_is_named() {
 }
 
 /// The verdicts on order 1 with the theorems: force direct, reverse, moment direct, reverse.
-fn document(layout: &Layout) -> Document {
+fn document(layout: &Engine) -> Document {
     let orders = verdict::classify(layout, &[1], false);
     report::document(layout, &orders, &report::quantities(false), Some(&proved(layout)))
 }
 
 #[test]
 fn every_theorem_on_the_catalogue_passes_the_checker_as_json() {
-    for (_, layout) in layout::catalogue().expect("it reads") {
+    for (_, layout) in file::catalogue().expect("it reads") {
         let document = document(&layout);
         let subjects: BTreeSet<_> = document.theorems.iter().map(|claim| (claim.quantity, claim.sense)).collect();
         assert_eq!((document.theorems.len(), subjects.len()), (4, 4));

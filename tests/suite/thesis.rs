@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crankstar::claim::{Claims, Provenance, Statement, Status, answer, parse_claims, parse_statement};
-use crankstar::layout::{self, Layout};
+use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
@@ -15,15 +16,15 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/thesis")
 }
 
-fn engine(name: &str) -> Layout {
+fn engine(name: &str) -> Engine {
     let text = fs::read_to_string(folder().join(name)).expect("a layout file");
-    layout::parse(name, &text).unwrap_or_else(|error| panic!("{error}"))
+    file::parse(name, &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn claims() -> Claims {
     let text = fs::read_to_string(folder().join("claims.toml")).expect("the claims");
-    let find = |name: &str| match layout::find(name) {
-        Some(entry) => entry.layout().map_err(|error| error.to_string()),
+    let find = |name: &str| match file::find(name) {
+        Some(entry) => entry.engine().map_err(|error| error.to_string()),
         None => Ok(engine(name)),
     };
     parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}"))
@@ -140,7 +141,7 @@ fn a_claim_that_is_off_by_a_little_is_false() {
     ] {
         assert!(parse_statement(says).is_err(), "{says}");
     }
-    let i4 = layout::find("I4").expect("an engine").layout().expect("reads");
+    let i4 = file::find("I4").expect("an engine").engine().expect("reads");
     for says in ["worst main bearing 1", "crankshaft mass = 1 kg", "first-order force of all masses vanishes"] {
         let statement = parse_statement(says).unwrap_or_else(|mistake| panic!("{says}: {mistake:?}"));
         assert_eq!(answer(&i4, &statement, None).status, Status::NotDecided, "I4 has no numbers: {says}");

@@ -6,8 +6,8 @@ use super::super::dialect::Dialect;
 use super::super::left::shape_name;
 use super::super::typeset::Amount;
 use super::REMEDIED;
-use super::entry::{Engine, Left, Origin, Ties};
-use crate::layout::Cycle;
+use super::entry::{EngineRow, Left, Origin, Ties};
+use crate::engine::Cycle;
 use crate::proof::Shape;
 
 /// Longer closed forms do not stand in the tables.
@@ -26,7 +26,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    pub fn new(engine: &Engine, dialect: Dialect) -> Self {
+    pub fn new(engine: &EngineRow, dialect: Dialect) -> Self {
         let with_shape = engine.origin == Origin::Catalogue;
         let cell = |left: &Left| dialect.prose(&cell(left, with_shape, dialect));
         Row {
@@ -46,7 +46,7 @@ fn first(words: &str, with_shape: bool) -> String {
     if with_shape { words.to_owned() } else { words.trim_end_matches(", planar").to_owned() }
 }
 
-fn name(engine: &Engine, dialect: Dialect) -> String {
+fn name(engine: &EngineRow, dialect: Dialect) -> String {
     match (engine.origin, dialect) {
         (Origin::Catalogue, Dialect::Latex) => dialect.literal(&engine.name),
         (Origin::Catalogue, _) => format!("[{0}](../{0}/report.md)", engine.name),
@@ -55,7 +55,7 @@ fn name(engine: &Engine, dialect: Dialect) -> String {
 }
 
 /// How the engine fires; of a star, which all fire evenly, how many are as good.
-fn firing(engine: &Engine) -> String {
+fn firing(engine: &EngineRow) -> String {
     match &engine.ties {
         None => engine.firing.clone(),
         Some(Ties { stars, all, tied: None }) => format!("{stars} of {all} stars"),
@@ -79,8 +79,8 @@ fn cell(left: &Left, with_shape: bool, dialect: Dialect) -> String {
 /// The moments of orders 1 and 2 whose closed forms are too long for the tables: engine, quantity, form.
 ///
 /// Stars of four-stroke engines with an odd number of cylinders are those of the two-stroke ones.
-pub(super) fn longer_forms(all: &[Engine], dialect: Dialect) -> Vec<[String; 3]> {
-    let is_new = |engine: &&Engine| engine.origin != Origin::Found(Cycle::FourStroke);
+pub(super) fn longer_forms(all: &[EngineRow], dialect: Dialect) -> Vec<[String; 3]> {
+    let is_new = |engine: &&EngineRow| engine.origin != Origin::Found(Cycle::FourStroke);
     let mut rows = Vec::new();
     for engine in all.iter().filter(is_new) {
         for order in engine.orders.iter().filter(|order| REMEDIED.contains(&order.order)) {

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::super::left::shape_name;
-use super::entry::{Engine, Left, Origin};
-use crate::layout::{Cycle, LengthUnit};
+use super::entry::{EngineRow, Left, Origin};
+use crate::engine::{Cycle, LengthUnit};
 use crate::proof::Shape;
 use crate::text::{self, Format};
 
@@ -12,7 +12,7 @@ const HEADER: &str = "origin,engine,title,firing,firing_order,stars,all_stars,po
     moment,moment_exact,moment_shape,first_force_left,first_moment_left,remedy_of_orders_1_and_2";
 
 /// The lines, with a header. Force in m r ω² c_k, moment in that times the unit of the positions; 0 is exact.
-pub(super) fn csv(all: &[Engine]) -> String {
+pub(super) fn csv(all: &[EngineRow]) -> String {
     let mut lines = format!("{HEADER}\n");
     for engine in all {
         for order in &engine.orders {

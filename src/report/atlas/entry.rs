@@ -3,7 +3,8 @@
 use super::super::typeset::Amount;
 use super::super::{brief, left, typeset};
 use super::{ORDERS, REMEDIED};
-use crate::layout::{Cycle, Layout, LayoutError, LengthUnit};
+use crate::engine::{Cycle, Engine, LengthUnit};
+use crate::file::LayoutError;
 use crate::proof::Shape;
 use crate::remedy::{self, Wish};
 use crate::search::{Best, FoundStar};
@@ -20,7 +21,7 @@ pub(super) enum Origin {
 }
 
 /// One engine, judged.
-pub(super) struct Engine {
+pub(super) struct EngineRow {
     pub origin: Origin,
     /// Name in the catalogue, or number of cylinders.
     pub name: String,
@@ -69,28 +70,28 @@ pub(super) struct Ties {
     pub tied: Option<u64>,
 }
 
-impl Engine {
+impl EngineRow {
     /// An engine of the catalogue.
-    pub fn known(name: &str, layout: &Layout) -> Self {
+    pub fn known(name: &str, layout: &Engine) -> Self {
         let title = layout.title.clone();
-        Engine::judged(layout, Origin::Catalogue, name.to_owned(), title, None)
+        EngineRow::judged(layout, Origin::Catalogue, name.to_owned(), title, None)
     }
 
     /// A star that was found.
     pub fn found(best: &Best, star: &FoundStar) -> Result<Self, LayoutError> {
-        let layout = star.layout(&best.problem)?;
+        let layout = star.engine(&best.problem)?;
         let ties = Ties { stars: star.stars, all: best.all, tied: best.tied };
         let (name, title) = (best.problem.cylinders.to_string(), Untrusted::new(throws(&layout)));
-        Ok(Engine::judged(&layout, Origin::Found(best.problem.cycle), name, title, Some(ties)))
+        Ok(EngineRow::judged(&layout, Origin::Found(best.problem.cycle), name, title, Some(ties)))
     }
 
-    fn judged(layout: &Layout, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
+    fn judged(layout: &Engine, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
         let wish = Wish { orders: REMEDIED.to_vec(), ..Wish::default() };
-        let names = |firing: &crate::layout::Firing| {
-            let name = |shot: &crate::layout::Shot| layout.cylinders[shot.cylinder].name.as_str();
+        let names = |firing: &crate::engine::Firing| {
+            let name = |shot: &crate::engine::Shot| layout.cylinders[shot.cylinder].name.as_str();
             firing.shots.iter().map(name).collect::<Vec<_>>().join("-")
         };
-        Engine {
+        EngineRow {
             origin,
             name,
             title,
@@ -113,7 +114,7 @@ impl Engine {
 }
 
 /// `0, 90, 270, 180°`; in multiples of `(360/7)°` where degrees do not end.
-fn throws(layout: &Layout) -> String {
+fn throws(layout: &Engine) -> String {
     let count = num_rational::BigRational::from_integer(layout.cylinders.len().into());
     let angles = layout.cylinders.iter().map(|cylinder| cylinder.throw.degrees());
     let degrees: Vec<String> = angles.map(|angle| typeset::number(&angle)).collect();

@@ -9,9 +9,10 @@ use serde::Serialize;
 use super::dialect::Dialect;
 use super::folder::File;
 use super::{brief, render};
-use crate::layout::{Cycle, Entry, Layout, LayoutError};
+use crate::engine::{Cycle, Engine};
+use crate::file::{Entry, LayoutError};
 use crate::search::Best;
-use entry::{Engine, Origin};
+use entry::{EngineRow, Origin};
 
 /// Numbers of cylinders whose best stars stand in the atlas.
 pub const ATLAS_CYLINDERS: std::ops::RangeInclusive<u32> = 2..=12;
@@ -43,11 +44,11 @@ struct Section {
 ///
 /// # Errors
 /// Those of a layout file, for a star that is no engine; none is known to arise.
-pub fn atlas(engines: &[(Entry, Layout)], stars: &[Best]) -> Result<Vec<File>, LayoutError> {
-    let mut all: Vec<Engine> = engines.iter().map(|(known, layout)| Engine::known(known.name, layout)).collect();
+pub fn atlas(engines: &[(Entry, Engine)], stars: &[Best]) -> Result<Vec<File>, LayoutError> {
+    let mut all: Vec<EngineRow> = engines.iter().map(|(known, layout)| EngineRow::known(known.name, layout)).collect();
     for best in stars {
         for star in &best.stars {
-            all.push(Engine::found(best, star)?);
+            all.push(EngineRow::found(best, star)?);
         }
     }
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
@@ -70,7 +71,7 @@ const NOTES: [&str; 6] = [
     "Closed forms of more than 24 signs are left to the list at the end (orders 1 and 2) and to atlas.csv (all).",
 ];
 
-fn page(all: &[Engine], dialect: Dialect) -> Page {
+fn page(all: &[EngineRow], dialect: Dialect) -> Page {
     let section = |heading, intro: &str, origin: Origin| {
         let engines = all.iter().filter(|engine| engine.origin == origin);
         let last = if origin == Origin::Catalogue { "Firing" } else { "As good" };

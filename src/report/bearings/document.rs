@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::super::calculation::Unit;
 use super::amounts::unit_of;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
@@ -80,7 +80,7 @@ struct Term {
 }
 
 /// What the main bearings feel as data, in newtons where the layout gives mass, crank radius and speed.
-pub fn bearings_document(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
+pub fn bearings_document(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
     let unit = unit_of(continuous);
     BearingsDocument {
         title: layout.title.written().to_owned(),

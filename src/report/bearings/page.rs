@@ -10,7 +10,7 @@ use super::super::render;
 use super::super::table::Table;
 use super::amounts;
 use super::{plots, tables};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::BearingLoads;
 
 #[derive(Serialize)]
@@ -89,7 +89,7 @@ const METHOD: &str = "A unit load at a position is carried by the bearings in fi
     order's vectors, each times the part of its position: the closed forms below are exact.";
 
 /// The page with its drawings: `bearings.md` and two SVG files a bearing.
-pub fn bearings_page(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> Vec<File> {
+pub fn bearings_page(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let set = |rows: Rows| {
         let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();

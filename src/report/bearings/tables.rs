@@ -3,12 +3,12 @@
 use super::super::calculation::Rows;
 use super::super::{left, table, typeset};
 use super::amounts;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{BearingLoad, BearingLoads};
 use crate::order::OrderSum;
 
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
-pub fn bearings_rows(layout: &Layout, continuous: &BearingLoads, determinate: &BearingLoads) -> Rows {
+pub fn bearings_rows(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Rows {
     let unit = amounts::unit_of(continuous);
     let place = format!("Position{}", table::position_unit(layout));
     let force = |what: &str| format!("{what} in {}", unit.name);
@@ -90,7 +90,7 @@ fn exact(sum: &OrderSum) -> String {
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.
-pub(super) fn parts(layout: &Layout, loads: &BearingLoads) -> Rows {
+pub(super) fn parts(layout: &Engine, loads: &BearingLoads) -> Rows {
     let bearings = (1..=loads.bearings.len()).map(|number| format!("Bearing {number}"));
     let header = [format!("Load at{}", table::position_unit(layout))].into_iter().chain(bearings).collect();
     let row = |(position, parts): (_, &Vec<_>)| {

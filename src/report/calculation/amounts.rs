@@ -1,6 +1,6 @@
 //! How are newtons shown? Decimals of six digits after ≈, in the unit that the layout file allows; 0 is proved.
 
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{Arm, Loads, Outcome, Scale, Swing, Vector};
 use crate::numbers;
 use crate::proof::Quantity;
@@ -29,7 +29,7 @@ impl Unit {
     }
 
     /// The unit of forces, moments or the torque of a layout.
-    pub fn of(layout: &Layout, loads: &Loads, quantity: Quantity) -> Self {
+    pub fn of(layout: &Engine, loads: &Loads, quantity: Quantity) -> Self {
         let arm = Arm::of(layout);
         if quantity == Quantity::Force {
             return Unit::of_force(loads.scale.as_ref());

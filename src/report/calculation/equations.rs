@@ -2,12 +2,12 @@
 
 use num_traits::Zero;
 
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::Loads;
 use crate::order::MassGroup;
 
 /// The equations with what they say, in TeX with their numbers.
-pub(super) fn equations(layout: &Layout, loads: &Loads) -> Vec<(&'static str, String)> {
+pub(super) fn equations(layout: &Engine, loads: &Loads) -> Vec<(&'static str, String)> {
     let offset = layout.mechanism.rods.iter().any(|rod| !rod.offset.is_zero());
     let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\sin^2\\psi" };
     let mut equations = vec![

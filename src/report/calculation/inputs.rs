@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::expression::{Expression, Line, fraction, power, quantity};
+use crate::engine::{Engine, Given, Measure};
 use crate::exact::Turn;
-use crate::layout::{Given, Layout, Measure};
 use crate::loads::{Loads, Scale};
 use crate::proof::Sense;
 use crate::report::typeset;
@@ -34,7 +34,7 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
 }
 
 /// Rows of the table of inputs: quantity, symbol, value in SI units, as written, cylinder.
-pub(super) fn rows(layout: &Layout) -> Vec<Vec<String>> {
+pub(super) fn rows(layout: &Engine) -> Vec<Vec<String>> {
     let row = |given: &Given| {
         let (name, symbol, unit) = words(given.quantity);
         let value = typeset::number(&given.value);
@@ -51,12 +51,12 @@ pub(super) fn rows(layout: &Layout) -> Vec<Vec<String>> {
 }
 
 /// Rows of the table of turning masses: what, mass, radius, angle at θ = 0, position, speed.
-pub(super) fn turning(layout: &Layout) -> Vec<Vec<String>> {
+pub(super) fn turning(layout: &Engine) -> Vec<Vec<String>> {
     let crankshaft = &layout.crankshaft;
     let row = |name: String, mass: String, radius: String, angle: &Turn, position: &BigRational, speed: &str| {
         vec![name, mass, radius, typeset::angle(angle), typeset::number(position), speed.to_owned()]
     };
-    let throws = crate::layout::throws(layout);
+    let throws = crate::engine::throws(layout);
     let named = |index: usize| format!("throw {}", index + 1);
     let pins = crankshaft.pins.iter().zip(&throws).enumerate().map(|(index, (mass, throw))| {
         row(format!("pin, {}", named(index)), typeset::number(mass), "r".into(), &throw.angle, &throw.position, "1")
@@ -82,7 +82,7 @@ pub(super) fn turning(layout: &Layout) -> Vec<Vec<String>> {
 }
 
 /// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².
-pub(super) fn lines(layout: &Layout, loads: &Loads) -> Vec<Line> {
+pub(super) fn lines(layout: &Engine, loads: &Loads) -> Vec<Line> {
     let by_cylinder = layout.mechanism.given.iter().any(|given| given.cylinder.is_some());
     let cylinders = if by_cylinder { layout.cylinders.len() } else { 1 };
     let mut lines = Vec::new();
@@ -97,7 +97,7 @@ pub(super) fn lines(layout: &Layout, loads: &Loads) -> Vec<Line> {
     lines
 }
 
-fn of_cylinder(layout: &Layout, index: usize, by_cylinder: bool) -> Vec<Line> {
+fn of_cylinder(layout: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
     let value = |measure: Measure| {
         let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
         layout.mechanism.given.iter().find(of).and_then(|given| given.value.to_f64())

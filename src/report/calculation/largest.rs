@@ -3,7 +3,7 @@
 use super::amounts::{Unit, digits};
 use super::summary;
 use crate::accuracy::{Largest, LargestLoads};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{self, Bound, LeftOut, Loads, Missing, Needed};
 use crate::proof::Quantity;
 
@@ -23,7 +23,7 @@ impl Numbers {
     ///
     /// # Errors
     /// What the layout lacks.
-    pub fn new(layout: &Layout, orders: &[u32], needed: Option<&Needed>) -> Result<Self, Missing> {
+    pub fn new(layout: &Engine, orders: &[u32], needed: Option<&Needed>) -> Result<Self, Missing> {
         let loads = match needed {
             Some(needed) => loads::loads_at(layout, &needed.kept, &needed.torque_kept)?,
             None => loads::loads(layout, orders)?,
@@ -40,7 +40,7 @@ impl Numbers {
 }
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
-pub(super) fn largest_lines(layout: &Layout, Numbers { loads, largest, .. }: &Numbers) -> Vec<String> {
+pub(super) fn largest_lines(layout: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<String> {
     let mut lines = vec![
         line("force", &largest.force, Unit::of(layout, loads, Quantity::Force)),
         line("moment", &largest.moment, Unit::of(layout, loads, Quantity::Moment)),
@@ -74,7 +74,7 @@ fn line(name: &str, largest: &Largest, unit: Unit) -> String {
 }
 
 /// What the orders that are shown come to by themselves, where that is not the largest value of all.
-pub(super) fn shown_line(layout: &Layout, Numbers { loads, largest, .. }: &Numbers) -> Option<String> {
+pub(super) fn shown_line(layout: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Option<String> {
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref());
     let swings = [
         ("force", loads.force.peak(), largest.force, Quantity::Force),
@@ -98,7 +98,7 @@ const NOTICED: f64 = 1e-3;
 
 /// Which orders were kept for an accuracy and whether it is reached, and what those that are not listed add at most.
 pub(super) fn chosen_lines(
-    layout: &Layout,
+    layout: &Engine,
     Numbers { loads, left, .. }: &Numbers,
     needed: Option<&Needed>,
 ) -> Vec<String> {

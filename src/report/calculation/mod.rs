@@ -24,7 +24,7 @@ use super::dialect::Dialect;
 use super::loads_document::share;
 use super::page::NamedFigure;
 use super::table::Table;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{Loads, Missing, Needed, Peak, Waveform};
 use crate::numbers;
 use crate::order::MassGroup;
@@ -94,15 +94,15 @@ struct TorqueSection {
 }
 
 /// The loads of a layout that holds numbers; none where the file gives none.
-pub(super) fn numbers_of(layout: &Layout, orders: &[u32], needed: Option<&Needed>) -> Option<Result<Numbers, Missing>> {
-    let asks = layout.mechanism.given.iter().any(|given| given.quantity != crate::layout::Measure::Speed);
+pub(super) fn numbers_of(layout: &Engine, orders: &[u32], needed: Option<&Needed>) -> Option<Result<Numbers, Missing>> {
+    let asks = layout.mechanism.given.iter().any(|given| given.quantity != crate::engine::Measure::Speed);
     asks.then(|| Numbers::new(layout, orders, needed))
 }
 
 impl Calculation {
     /// Sets the numbers of an engine; `plots` are the drawings of [`figures`].
     pub fn new(
-        layout: &Layout,
+        layout: &Engine,
         numbers: &Result<Numbers, Missing>,
         needed: Option<&Needed>,
         plots: Vec<super::page::Drawing>,
@@ -121,7 +121,7 @@ impl Calculation {
 
 impl Results {
     fn new(
-        layout: &Layout,
+        layout: &Engine,
         numbers: &Numbers,
         needed: Option<&Needed>,
         plots: Vec<super::page::Drawing>,
@@ -181,7 +181,7 @@ impl Results {
 }
 
 /// The masses on the crankshaft and the balancer shafts, where there are any.
-fn turning_table(layout: &Layout, dialect: Dialect) -> Option<Table> {
+fn turning_table(layout: &Engine, dialect: Dialect) -> Option<Table> {
     let header = ["Turning mass", "Mass in kg", "Radius in m", "Angle at θ = 0", "Position z", "Turns a revolution"];
     let rows = inputs::turning(layout);
     (!rows.is_empty()).then(|| Table::new(dialect, &header, rows))
@@ -195,7 +195,7 @@ fn quoted(mut rows: Vec<Vec<String>>, column: usize) -> Vec<Vec<String>> {
     rows
 }
 
-fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
+fn effects_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     let peaks: [(Peak, Unit); 2] = [
         (loads.force.peak(), Unit::of(layout, loads, Quantity::Force)),
         (loads.moment.peak(), Unit::of(layout, loads, Quantity::Moment)),
@@ -222,7 +222,7 @@ fn effects_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
     Table::new(dialect, &header, rows.collect())
 }
 
-fn vectors_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
+fn vectors_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     let (force, moment) = (Unit::of(layout, loads, Quantity::Force), Unit::of(layout, loads, Quantity::Moment));
     let row = |order: &crate::loads::OrderLoads| {
         vec![
@@ -237,7 +237,7 @@ fn vectors_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
     Table::new(dialect, &header, loads.orders.iter().map(row).collect())
 }
 
-fn ellipses_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
+fn ellipses_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     let mut rows = Vec::new();
     for order in &loads.orders {
         for (name, quantity, swing) in
@@ -270,7 +270,7 @@ fn ellipses_table(layout: &Layout, loads: &Loads, dialect: Dialect) -> Table {
     Table::new(dialect, &header, rows)
 }
 
-fn units(layout: &Layout, loads: &Loads) -> String {
+fn units(layout: &Engine, loads: &Loads) -> String {
     let (force, moment) = (Unit::of(layout, loads, Quantity::Force), Unit::of(layout, loads, Quantity::Moment));
     let arm = if crate::loads::Arm::of(layout) == crate::loads::Arm::Metre { "1 m" } else { "the spacing a" };
     format!(
@@ -282,7 +282,7 @@ fn units(layout: &Layout, loads: &Loads) -> String {
     )
 }
 
-fn bearing_section(layout: &Layout, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
+fn bearing_section(layout: &Engine, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
     let [continuous, determinate] = loads.bearings.as_ref()?;
     let table = |rows: Rows| {
         let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
@@ -303,7 +303,7 @@ pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
     continuous.flat_map(bearings::drawings).flatten().collect()
 }
 
-fn torque_section(layout: &Layout, loads: &Loads, largest: Option<String>, dialect: Dialect) -> Option<TorqueSection> {
+fn torque_section(layout: &Engine, loads: &Loads, largest: Option<String>, dialect: Dialect) -> Option<TorqueSection> {
     let torque = loads.torque.as_ref()?;
     let unit = Unit::of(layout, loads, Quantity::Torque);
     let row = |order: &crate::loads::TorqueOrder| {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use super::amounts::Unit;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Waveform};
 use crate::proof::Quantity;
 use crate::report::page::NamedFigure;
@@ -17,7 +17,7 @@ const STEPS: usize = 360;
 const NOTHING: f64 = 1e-12;
 
 /// All plots of the numbers of an engine; none of what is zero.
-pub(in crate::report) fn figures(layout: &Layout, loads: &Loads) -> Vec<NamedFigure> {
+pub(in crate::report) fn figures(layout: &Engine, loads: &Loads) -> Vec<NamedFigure> {
     let mut figures = Vec::new();
     let forces = ("force", "Force", &loads.force, Unit::of(layout, loads, Quantity::Force));
     let moments = ("moment", "Moment", &loads.moment, Unit::of(layout, loads, Quantity::Moment));

@@ -4,7 +4,7 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::amounts::Unit;
 use super::expression::{Expression, Line, fraction, half, power, quantity};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{Harmonic, Loads, OrderLoads, Outcome, Swing, Vector, Waveform};
 use crate::motion;
 use crate::numbers;
@@ -23,11 +23,11 @@ pub(super) struct Group {
 }
 
 /// The lines of every order that is left, forces before moments.
-pub(super) fn orders(layout: &Layout, loads: &Loads) -> Vec<Group> {
+pub(super) fn orders(layout: &Engine, loads: &Loads) -> Vec<Group> {
     loads.orders.iter().filter_map(|order| of_order(layout, loads, order)).collect()
 }
 
-fn of_order(layout: &Layout, loads: &Loads, order: &OrderLoads) -> Option<Group> {
+fn of_order(layout: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group> {
     if order.force.vanishes() && order.moment.vanishes() {
         return None;
     }
@@ -46,7 +46,7 @@ fn of_order(layout: &Layout, loads: &Loads, order: &OrderLoads) -> Option<Group>
 }
 
 /// `c_2 = λ + λ³/4 + …` of equal centric cranks; the value alone where the series is long or the crank offset.
-fn coefficient(layout: &Layout, order: &OrderLoads) -> Option<Line> {
+fn coefficient(layout: &Engine, order: &OrderLoads) -> Option<Line> {
     let value = order.coefficient.as_ref()?.to_complex();
     let rod = layout.mechanism.rods.first()?;
     let symbol = format!("c_{{{}}}", order.order);
@@ -96,7 +96,7 @@ fn sign(sense: Sense) -> &'static str {
 }
 
 /// `|V| = |c| |P|`, where the star of the verdicts is all that adds to it.
-fn length(layout: &Layout, order: &OrderLoads, of: Quantity, sense: Sense, vector: &Vector) -> Option<Line> {
+fn length(layout: &Engine, order: &OrderLoads, of: Quantity, sense: Sense, vector: &Vector) -> Option<Line> {
     if vector.outcome == Outcome::Zero {
         return None;
     }
@@ -121,7 +121,7 @@ fn length(layout: &Layout, order: &OrderLoads, of: Quantity, sense: Sense, vecto
 
 /// `|V_1⁺| = (1 + 2 m_rot/m) |P_1⁺|` of equal centric cylinders with equal rotating masses and no others.
 fn with_rotating(
-    layout: &Layout,
+    layout: &Engine,
     order: &OrderLoads,
     sense: Sense,
     star_symbol: String,
@@ -157,7 +157,7 @@ fn halved(loads: &Loads, inner: Expression) -> Expression {
 }
 
 /// The largest and, where it differs and is not zero, the smallest length of an order.
-fn extremes(layout: &Layout, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
+fn extremes(layout: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
     let unit = Unit::of(layout, loads, of).tex;
     let letter = force_letter(of);
     let vector = |sense, vector: &Vector| quantity(vector_symbol(order, of, sense), vector.value.norm());
@@ -184,7 +184,7 @@ fn extremes(layout: &Layout, loads: &Loads, order: u32, of: Quantity, swing: &Sw
 }
 
 /// The second order with `c_2 = λ` alone, as textbooks take it.
-fn textbook(layout: &Layout, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
+fn textbook(layout: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
     let rod = layout.mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
     let c = order.coefficient.as_ref()?.to_complex().norm();
     if order.order != 2 {
@@ -207,7 +207,7 @@ fn textbook(layout: &Layout, loads: &Loads, order: &OrderLoads, of: Quantity, sw
 }
 
 /// The peak of the sum over the orders: both components at its angle, and their length.
-pub(super) fn peak(layout: &Layout, loads: &Loads, of: Quantity) -> Option<Group> {
+pub(super) fn peak(layout: &Engine, loads: &Loads, of: Quantity) -> Option<Group> {
     let waveform = if of == Quantity::Moment { &loads.moment } else { &loads.force };
     let peak = waveform.peak();
     let angle = peak.angle.filter(|_| waveform.harmonics().len() > 1)?;
@@ -274,7 +274,7 @@ fn cosine(order: u32, phasor: num_complex::Complex<f64>, letter: &str, mark: &st
 }
 
 /// The amplitude of each order of the inertia torque.
-pub(super) fn torque(layout: &Layout, loads: &Loads) -> Option<Group> {
+pub(super) fn torque(layout: &Engine, loads: &Loads) -> Option<Group> {
     let torque = loads.torque.as_ref()?;
     let unit = Unit::of(layout, loads, Quantity::Torque);
     let mut lines = Vec::new();

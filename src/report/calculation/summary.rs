@@ -2,7 +2,7 @@
 
 use super::amounts::{self, Unit, amount, digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
-use crate::layout::{DOES_NOT_EXIST, Layout, WHY_NOT};
+use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed, OrderLoads, Peak, Swing, TorqueOrder};
 use crate::order::MassGroup;
 use crate::proof::Quantity;
@@ -16,7 +16,7 @@ pub struct Rows {
 }
 
 /// The largest force, moment and torque of each order, zero to peak.
-pub fn loads_rows(layout: &Layout, loads: &Loads) -> Rows {
+pub fn loads_rows(layout: &Engine, loads: &Loads) -> Rows {
     let [force, moment, torque] =
         [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(layout, loads, quantity));
     let mut header = vec!["Order".to_owned(), format!("Force in {}", force.name), format!("Moment in {}", moment.name)];
@@ -50,7 +50,7 @@ pub fn loads_rows(layout: &Layout, loads: &Loads) -> Rows {
 const NOT_JUDGED: &str = "not judged";
 
 /// The amplitude of an order of the torque, or that there is none.
-pub(super) fn torque_cell(layout: &Layout, order: &TorqueOrder, unit: Unit) -> String {
+pub(super) fn torque_cell(layout: &Engine, order: &TorqueOrder, unit: Unit) -> String {
     match layout.mechanism.has_order(Quantity::Torque, order.order) {
         true => torque_amplitude(order, unit),
         false => DOES_NOT_EXIST.to_owned(),
@@ -65,7 +65,7 @@ pub(super) fn torque_amplitude(order: &TorqueOrder, unit: Unit) -> String {
 }
 
 /// What follows the table: the largest values, what the orders shown leave out, the effects.
-pub fn loads_lines(layout: &Layout, numbers: &Numbers, needed: Option<&Needed>) -> Vec<String> {
+pub fn loads_lines(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<String> {
     let loads = &numbers.loads;
     let mut lines = vec!["Zero to peak; 0 is exact and proved, ≈ decimal.".to_owned()];
     if loads.orders.iter().any(|order| !order.exists(layout)) {

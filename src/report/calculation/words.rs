@@ -4,12 +4,12 @@ use num_traits::Zero;
 
 use super::inputs;
 use super::summary::name;
-use crate::layout::{Layout, Measure};
+use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
 use crate::order::MassGroup;
 
 /// What every number rests on.
-pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
+pub(super) fn assumptions(layout: &Engine, loads: &Loads) -> Vec<String> {
     let mut lines = vec![
         "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".to_owned(),
         "All clearances are zero, and gravity and friction are left out.".to_owned(),
@@ -32,7 +32,7 @@ pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
     if layout.mechanism.rods.iter().all(|rod| rod.offset.is_zero()) {
         lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".to_owned());
     }
-    let common_axis = layout.form == crate::layout::Form::Radial;
+    let common_axis = layout.form == crate::engine::Form::Radial;
     if common_axis {
         lines.push("All rods of a row work on the crankpin itself: no articulated rods.".to_owned());
     }
@@ -46,7 +46,7 @@ pub(super) fn assumptions(layout: &Layout, loads: &Loads) -> Vec<String> {
 }
 
 /// Symbols with their meaning and unit.
-pub(super) fn nomenclature(layout: &Layout, loads: &Loads) -> Vec<Vec<String>> {
+pub(super) fn nomenclature(layout: &Engine, loads: &Loads) -> Vec<Vec<String>> {
     let row =
         |symbol: &str, meaning: &str, unit: &str| vec![format!("${symbol}$"), meaning.to_owned(), unit.to_owned()];
     let mut rows = vec![
@@ -105,7 +105,7 @@ pub(super) struct EffectRow {
 }
 
 /// What is in the scene and what is not, and why.
-pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<EffectRow> {
+pub(super) fn effects(layout: &Engine, loads: &Loads) -> Vec<EffectRow> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let masses = MassGroup::ALL.into_iter().map(|group| {
         let inside = loads.groups.iter().any(|loads| loads.group == group);
@@ -135,7 +135,7 @@ pub(super) fn effects(layout: &Layout, loads: &Loads) -> Vec<EffectRow> {
 }
 
 /// Where the numbers end.
-pub(super) fn limits(layout: &Layout, loads: &Loads) -> Vec<String> {
+pub(super) fn limits(layout: &Engine, loads: &Loads) -> Vec<String> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
         format!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),

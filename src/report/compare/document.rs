@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::super::{brief, left};
 use super::rows::decimal;
 use super::{Compared, orders_of};
-use crate::layout::LengthUnit;
+use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
 use crate::verdict::{Balance, OrderBalance};
 
@@ -16,11 +16,11 @@ pub struct CompareDocument {
     orders: Vec<u32>,
     amplitudes: &'static str,
     notes: Vec<String>,
-    engines: Vec<Engine>,
+    engines: Vec<EngineEntry>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Engine {
+struct EngineEntry {
     name: String,
     title: String,
     cylinders: usize,
@@ -88,14 +88,14 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
     }
 }
 
-fn engine(engine: &Compared) -> Engine {
+fn engine(engine: &Compared) -> EngineEntry {
     let [first_force_left, first_moment_left] = brief::first_left(&engine.theorem);
     let full = BigRational::from_integer(360.into());
     let firing = engine.layout.firing.as_ref().map(|firing| Firing {
         even: firing.is_even(),
         intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
     });
-    Engine {
+    EngineEntry {
         name: engine.name.written().to_owned(),
         title: engine.layout.title.written().to_owned(),
         cylinders: engine.layout.cylinders.len(),

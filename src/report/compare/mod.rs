@@ -9,7 +9,7 @@ pub use page::compare_page;
 pub use rows::{compare_lines, compare_rows};
 
 use super::brief;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::remedy::{self, Refused, Remedy, Wish};
 use crate::text::Untrusted;
@@ -21,7 +21,7 @@ pub struct Compared<'a> {
     /// What it is called in the comparison.
     pub name: Untrusted,
     /// The engine.
-    pub layout: &'a Layout,
+    pub layout: &'a Engine,
     /// The verdicts, rising by order; several an order where rods differ.
     pub orders: Vec<OrderBalance>,
     /// The statements on every order.
@@ -36,7 +36,7 @@ pub struct Compared<'a> {
 
 impl<'a> Compared<'a> {
     /// Judges an engine at these orders.
-    pub fn new(name: Untrusted, layout: &'a Layout, orders: &[u32]) -> Self {
+    pub fn new(name: Untrusted, layout: &'a Engine, orders: &[u32]) -> Self {
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Compared {
             name,

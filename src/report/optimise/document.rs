@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::amounts::Units;
 use super::tables;
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::numbers;
 use crate::optimise::{Couple, Design, Front, Left, Point, Uniform, Weight};
 
@@ -76,7 +76,7 @@ struct UniformEntry {
 }
 
 /// The best crankshafts as data.
-pub fn optimise_document(layout: &Layout, front: &Front, couple: &Couple) -> OptimiseDocument {
+pub fn optimise_document(layout: &Engine, front: &Front, couple: &Couple) -> OptimiseDocument {
     let units = tables::units(layout, front);
     OptimiseDocument {
         title: layout.title.written().to_owned(),

@@ -10,7 +10,7 @@ use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::table::Table;
 use super::super::{render, svg};
 use super::{amounts, tables};
-use crate::layout::Layout;
+use crate::engine::Engine;
 use crate::optimise::{Couple, Design, Front};
 use crate::text::Format;
 
@@ -47,7 +47,7 @@ const METHOD: [&str; 5] = [
 ];
 
 /// What follows the table on a terminal, and stands first on the page.
-pub fn optimise_lines(layout: &Layout, front: &Front, couple: &Couple) -> Vec<String> {
+pub fn optimise_lines(layout: &Engine, front: &Front, couple: &Couple) -> Vec<String> {
     let units = tables::units(layout, front);
     let told = |design: &Design| {
         format!("{} kg with {} {}", amounts::kilograms(&design.mass), amounts::load(design, units), units.force)
@@ -76,7 +76,7 @@ pub fn optimise_lines(layout: &Layout, front: &Front, couple: &Couple) -> Vec<St
 }
 
 /// Headline, comparison with uniform balance factors, and plot, for a page that holds them beside others.
-pub fn optimise_summary(layout: &Layout, front: &Front, couple: &Couple, folder: &str) -> String {
+pub fn optimise_summary(layout: &Engine, front: &Front, couple: &Couple, folder: &str) -> String {
     let compared = (!front.uniform.is_empty()).then(|| set(tables::optimise_compared(layout, front)));
     let dialect = Dialect::GithubMarkdown;
     let headline = optimise_lines(layout, front, couple).iter().map(|line| dialect.prose(line)).collect();
@@ -84,7 +84,7 @@ pub fn optimise_summary(layout: &Layout, front: &Front, couple: &Couple, folder:
 }
 
 /// The page, its plot, and the layout file of each point.
-pub fn optimise_files(layout: &Layout, front: &Front, couple: &Couple) -> Vec<File> {
+pub fn optimise_files(layout: &Engine, front: &Front, couple: &Couple) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let mut layouts: Vec<File> = Vec::new();
     for (index, point) in front.points.iter().enumerate() {
@@ -118,7 +118,7 @@ fn set(rows: Rows) -> Table {
 }
 
 /// Load over mass: the front, and uniform balance factors beside it.
-fn drawing(layout: &Layout, front: &Front) -> String {
+fn drawing(layout: &Engine, front: &Front) -> String {
     let units = tables::units(layout, front);
     // Four digits, so that the drawing is the same wherever the figures are.
     let rounded = |value: f64| format!("{value:.3e}").parse::<f64>().unwrap_or(value);

@@ -3,19 +3,19 @@
 use super::super::calculation::Rows;
 use super::super::typeset;
 use super::amounts::{self, Units};
-use crate::layout::{Layout, LengthUnit};
+use crate::engine::{Engine, LengthUnit};
 use crate::loads::Arm;
 use crate::numbers;
 use crate::optimise::{Front, Weight};
 
 /// What the figures of a front are counted in.
-pub(super) fn units(layout: &Layout, front: &Front) -> Units {
+pub(super) fn units(layout: &Engine, front: &Front) -> Units {
     let scale = front.points.first().and_then(|point| point.design.scale.as_ref());
     Units::of(scale, Arm::of(layout) == Arm::Metre)
 }
 
 /// The front: a row a point.
-pub fn optimise_rows(layout: &Layout, front: &Front) -> Rows {
+pub fn optimise_rows(layout: &Engine, front: &Front) -> Rows {
     let units = units(layout, front);
     let header = vec![
         "Point".to_owned(),
@@ -41,7 +41,7 @@ pub fn optimise_rows(layout: &Layout, front: &Front) -> Rows {
 }
 
 /// Uniform balance factors, and the best crankshaft of the same mass beside each.
-pub fn optimise_compared(layout: &Layout, front: &Front) -> Rows {
+pub fn optimise_compared(layout: &Engine, front: &Front) -> Rows {
     let units = units(layout, front);
     let header = vec![
         "Uniform balance factor".to_owned(),
@@ -80,7 +80,7 @@ pub fn optimise_compared(layout: &Layout, front: &Front) -> Rows {
 }
 
 /// The counterweights of each point: their balance factor and skew, by plane.
-pub(super) fn weights(layout: &Layout, front: &Front) -> Rows {
+pub(super) fn weights(layout: &Engine, front: &Front) -> Rows {
     let unit = if layout.length_unit == LengthUnit::Metre { " m" } else { "" };
     let place = |place: &crate::optimise::Place| {
         let throw = place.throw.map_or_else(String::new, |throw| format!(", throw {}", throw + 1));

@@ -1,8 +1,8 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
 use super::super::document::{rod_claim, vectors};
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::layout::Layout;
 use crate::loads::Missing;
 use crate::numbers;
 use crate::order::{self, Factor};
@@ -50,7 +50,7 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
 ///
 /// # Errors
 /// What the layout lacks for its masses to be compared.
-pub fn remedy_engine(layout: &Layout) -> Result<RemedyDocument, Missing> {
+pub fn remedy_engine(layout: &Engine) -> Result<RemedyDocument, Missing> {
     Ok(engine(&Subject::new(layout)?))
 }
 
@@ -61,7 +61,7 @@ fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
 }
 
 fn engine(subject: &Subject) -> RemedyDocument {
-    let layout = subject.layout();
+    let layout = subject.engine();
     let rod = |index| layout.mechanism.rods.get(index);
     let cylinders = layout.cylinders.iter().enumerate().map(|(index, cylinder)| RodCylinder {
         throw: cylinder.throw.turns().clone(),

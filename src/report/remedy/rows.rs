@@ -6,13 +6,13 @@ use num_traits::ToPrimitive;
 use super::super::calculation::Rows;
 use super::super::typeset::{decimal, number};
 use super::words;
-use crate::layout::LengthUnit;
+use crate::engine::LengthUnit;
 use crate::remedy::{Partial, Remedy};
 
 /// A row a weight.
 pub fn remedy_rows(remedy: &Remedy) -> Rows {
     let in_numbers = remedy.subject.scale().is_some();
-    let metres = remedy.subject.layout().length_unit == LengthUnit::Metre;
+    let metres = remedy.subject.engine().length_unit == LengthUnit::Metre;
     let position = if metres { "Position in m" } else { "Position" };
     let mut header: Vec<String> =
         ["Weight", "Turns", position, "Mass-radius U", "Angle at θ = 0"].map(str::to_owned).into();
@@ -71,7 +71,7 @@ pub fn remedy_lines(remedy: &Remedy) -> Vec<String> {
 
 /// What counterweights alone can do, where the first order of the force has a reverse vector.
 fn partial_line(remedy: &Remedy) -> Option<String> {
-    let partial = Partial::new(remedy.subject.layout())?;
+    let partial = Partial::new(remedy.subject.engine())?;
     let (_, least) = partial.minimum().filter(|_| remedy.orders.contains(&1) && !partial.reverse.vanishes())?;
     let bare = partial.ellipse(&num_traits::Zero::zero());
     Some(format!(
@@ -83,7 +83,7 @@ fn partial_line(remedy: &Remedy) -> Option<String> {
 
 /// Mass, balance factors and bob weights, where the layout gives numbers.
 fn crankshaft_lines(remedy: &Remedy) -> Vec<String> {
-    let layout = remedy.subject.layout();
+    let layout = remedy.subject.engine();
     let mut lines = Vec::new();
     if layout.crankshaft.counterweights.iter().any(|weight| weight.throw.is_some()) {
         let factors = layout.balance_factors();

@@ -51,7 +51,7 @@ pub fn remedy_files(remedy: &Remedy, dialect: Dialect) -> Vec<File> {
     if dialect == Dialect::Latex {
         return vec![File { name: "remedy.tex".into(), text: section }];
     }
-    let title = dialect.quoted(&remedy.subject.layout().title);
+    let title = dialect.quoted(&remedy.subject.engine().title);
     let mut files = vec![File { name: "remedy.md".into(), text: format!("# {title}\n\n{section}") }];
     let drawing =
         remedy_figure(remedy).map(|(name, figure)| File { name: format!("{name}.svg"), text: svg(&figure, CAPTION) });
@@ -79,9 +79,9 @@ pub fn remedy_figure(remedy: &Remedy) -> Option<(&'static str, Figure)> {
 /// The partial balance, where the first order is asked for and counterweights change it but leave a reverse vector, or
 /// one throw carries all.
 fn partial(remedy: &Remedy) -> Option<Partial> {
-    let layout = remedy.subject.layout();
+    let layout = remedy.subject.engine();
     let partial = Partial::new(layout)?;
-    let tells = crate::layout::throws(layout).len() == 1 || !partial.reverse.vanishes();
+    let tells = crate::engine::throws(layout).len() == 1 || !partial.reverse.vanishes();
     (tells && remedy.orders.contains(&1) && !partial.direct.vanishes()).then_some(partial)
 }
 

@@ -7,7 +7,7 @@ use super::super::folder::File;
 use super::super::{render, svg};
 use super::plots::{Drawn, amplitudes, drawings};
 use super::words::{exact, quantity_name, short, short_number, unit, value, zeros_name};
-use crate::layout::DOES_NOT_EXIST;
+use crate::engine::DOES_NOT_EXIST;
 use crate::proof::Quantity;
 use crate::sweep::{Point, Sweep, ZeroSet, Zeros};
 

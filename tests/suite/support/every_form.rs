@@ -70,14 +70,14 @@ fn throws(dice: &mut Dice, count: usize) -> String {
     })
 }
 
-type Engine = (String, usize, usize);
+type Layout = (String, usize, usize);
 
-fn inline(dice: &mut Dice) -> Engine {
+fn inline(dice: &mut Dice) -> Layout {
     let count = 2 + dice.below(6) as usize;
     (format!("inline.throws = [{}]", throws(dice, count)), count, count)
 }
 
-fn vee(dice: &mut Dice) -> Engine {
+fn vee(dice: &mut Dice) -> Layout {
     let count = 1 + dice.below(4) as usize;
     let split = if dice.below(2) == 0 { String::new() } else { format!("pin_split = {}\n", angle(dice)) };
     let offset = if dice.below(2) == 0 { "" } else { "bank_offset = '1/7'\n" };
@@ -86,24 +86,24 @@ fn vee(dice: &mut Dice) -> Engine {
     (format!("[vee]\nbank_angle = {bank}\n{split}{offset}throws = [{}]", throws(dice, count)), 2 * count, own_pins)
 }
 
-fn fan(dice: &mut Dice) -> Engine {
+fn fan(dice: &mut Dice) -> Layout {
     let (banks, count) = (2 + dice.below(2) as usize, 1 + dice.below(3) as usize);
     let angles = list(banks, || format!("{}", dice.below(360)));
     (format!("[fan]\nbanks = [{angles}]\nthrows = [{}]", throws(dice, count)), banks * count, count)
 }
 
-fn radial(dice: &mut Dice) -> Engine {
+fn radial(dice: &mut Dice) -> Layout {
     let count = 3 + dice.below(7) as usize;
     (format!("radial.cylinders = {count}"), count, 1)
 }
 
-fn opposed(dice: &mut Dice) -> Engine {
+fn opposed(dice: &mut Dice) -> Layout {
     let count = 1 + dice.below(3) as usize;
     let form = ["flat", "boxer"][dice.below(2) as usize];
     (format!("{form}.throws = [{}]", throws(dice, count)), 2 * count, 0)
 }
 
-fn general(dice: &mut Dice) -> Engine {
+fn general(dice: &mut Dice) -> Layout {
     let count = 2 + dice.below(5) as usize;
     let cylinder = |dice: &mut Dice| {
         let (throw, bank) = (angle(dice), angle(dice));

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
+use crankstar::engine::{Cycle, Engine};
 use crankstar::exact::{PhasorSum, Turn};
-use crankstar::layout::{Cycle, Layout};
 use crankstar::numbers::evaluate;
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
@@ -80,19 +80,19 @@ fn arrange(placed: &mut Vec<i64>, left: &[i64], stars: &mut Vec<Vec<i64>>) {
     }
 }
 
-fn layout(cylinders: usize) -> Layout {
+fn layout(cylinders: usize) -> Engine {
     let throws = vec!["0"; cylinders].join(", ");
     let text = format!("title = \"star\"\n[inline]\nthrows = [{throws}]\n");
-    crankstar::layout::parse("star.toml", &text).expect("a layout")
+    crankstar::file::parse("star.toml", &text).expect("a layout")
 }
 
-fn with_throws(layout: &mut Layout, star: &[i64], directions: i64) {
+fn with_throws(layout: &mut Engine, star: &[i64], directions: i64) {
     for (cylinder, &throw) in layout.cylinders.iter_mut().zip(star) {
         cylinder.throw = Turn::fraction(throw, directions);
     }
 }
 
-fn squares(layout: &Layout, orders: &[u32]) -> Vec<PhasorSum> {
+fn squares(layout: &Engine, orders: &[u32]) -> Vec<PhasorSum> {
     let sum = |&order: &u32| order::star(layout, Quantity::Moment, order, Some(Sense::Direct)).squared_modulus();
     orders.iter().map(sum).collect()
 }

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::engine::Layout;
+use super::model::Engine;
 use crate::exact::Turn;
 
 /// One throw: a crankpin between its webs.
@@ -21,12 +21,12 @@ pub struct Throw {
 /// The throws of a crankshaft, in the order of its pins; the parts of a split pin are throws of their own.
 ///
 /// ```standalone_crate
-/// let v8 = crankstar::layout::find("V8-crossplane").unwrap().layout().unwrap();
-/// let throws = crankstar::layout::throws(&v8);
+/// let v8 = crankstar::file::find("V8-crossplane").unwrap().engine().unwrap();
+/// let throws = crankstar::engine::throws(&v8);
 /// assert_eq!(throws.len(), 4);
 /// assert_eq!(throws[0].cylinders, [0, 4]);
 /// ```
-pub fn throws(layout: &Layout) -> Vec<Throw> {
+pub fn throws(layout: &Engine) -> Vec<Throw> {
     let mut order: Vec<usize> = (0..layout.cylinders.len()).collect();
     order.sort_by_key(|&index| layout.cylinders[index].pin);
     let mut throws: Vec<(usize, Throw)> = Vec::new();

@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::real::Real;
+use crate::engine::{Engine, Rod};
 use crate::exact::Turn;
-use crate::layout::{Layout, Rod};
 use crate::order::{self, TurningMass};
 use crate::proof::Quantity;
 
@@ -28,7 +28,7 @@ struct Piston<T> {
 
 /// An engine in numbers of one kind, for one quantity: the force and the moment have two parts, the torque has one.
 #[derive(Clone, Debug)]
-pub(super) struct Engine<T> {
+pub(super) struct Bodies<T> {
     quantity: Quantity,
     pistons: Vec<Piston<T>>,
     /// The masses that turn with the crank: the vector `Σ U e^{iβ}`, weighed, at crank angle 0; none where there are none.
@@ -36,14 +36,14 @@ pub(super) struct Engine<T> {
 }
 
 /// Crank angle of each cylinder less that of the crankshaft, `β − α`.
-pub(super) fn phases(layout: &Layout) -> Vec<Turn> {
+pub(super) fn phases(layout: &Engine) -> Vec<Turn> {
     layout.cylinders.iter().map(|cylinder| &cylinder.throw - &cylinder.bank).collect()
 }
 
-impl<T: Real> Engine<T> {
+impl<T: Real> Bodies<T> {
     /// The engine of a layout that has rods, one a cylinder.
     pub fn new(
-        layout: &Layout,
+        layout: &Engine,
         quantity: Quantity,
         number: &dyn Fn(&BigRational) -> T,
         direction: &dyn Fn(&Turn) -> [T; 2],
@@ -68,11 +68,11 @@ impl<T: Real> Engine<T> {
             };
             Piston { crank, parts }
         });
-        Engine { quantity, pistons: pistons.collect(), rotating: rotating(layout, quantity, number, direction) }
+        Bodies { quantity, pistons: pistons.collect(), rotating: rotating(layout, quantity, number, direction) }
     }
 
     /// The same engine in other numbers.
-    pub fn map<U>(&self, change: &impl Fn(&T) -> U) -> Engine<U> {
+    pub fn map<U>(&self, change: &impl Fn(&T) -> U) -> Bodies<U> {
         let pistons = self.pistons.iter().map(|Piston { crank, parts }| Piston {
             crank: Crank {
                 one: change(&crank.one),
@@ -84,7 +84,7 @@ impl<T: Real> Engine<T> {
             parts: parts.iter().map(change).collect(),
         });
         let rotating = self.rotating.as_ref().map(|[x, y]| [change(x), change(y)]);
-        Engine { quantity: self.quantity, pistons: pistons.collect(), rotating }
+        Bodies { quantity: self.quantity, pistons: pistons.collect(), rotating }
     }
 
     /// The squared length of the load where the crankshaft and the cylinders stand in these directions.
@@ -112,7 +112,7 @@ impl<T: Real> Engine<T> {
 }
 
 /// The masses that turn with the crank, with their weights in the force or the moment, in multiples of m r.
-pub(super) fn turning(layout: &Layout, quantity: Quantity) -> Vec<(Turn, BigRational)> {
+pub(super) fn turning(layout: &Engine, quantity: Quantity) -> Vec<(Turn, BigRational)> {
     if quantity == Quantity::Torque {
         return Vec::new();
     }
@@ -124,7 +124,7 @@ pub(super) fn turning(layout: &Layout, quantity: Quantity) -> Vec<(Turn, BigRati
 }
 
 fn rotating<T: Real>(
-    layout: &Layout,
+    layout: &Engine,
     quantity: Quantity,
     number: &dyn Fn(&BigRational) -> T,
     direction: &dyn Fn(&Turn) -> [T; 2],

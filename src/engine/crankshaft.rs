@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::engine::Layout;
+use super::model::Engine;
 use super::throws::{Throw, throws};
 use crate::exact::Turn;
 use crate::proof::Sense;
@@ -84,7 +84,7 @@ pub struct BobWeight {
     pub per_throw: BigRational,
 }
 
-impl Layout {
+impl Engine {
     /// Crank radius of a throw in metres; `None` where the layout gives none.
     fn radius_of(&self, throw: &Throw) -> Option<BigRational> {
         Some(self.mechanism.crank_radius.as_ref()? * &throw.crank_radius)
@@ -116,7 +116,7 @@ impl Layout {
         Some(at_pin * self.radius_of(throw)? + webs)
     }
 
-    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Layout::throw_mass_radii`]
+    /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Engine::throw_mass_radii`]
     /// (theory, section 7); a skewed weight counts in full.
     ///
     /// `None` where the layout gives no masses or no crank radius, and for a throw without mass.

@@ -9,13 +9,11 @@ use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::engine::{Form, LengthUnit};
 use super::error::LayoutError;
-use super::family::SymbolicCylinder;
-use super::firing::{self, Cycle};
-use super::linear::Linear;
+use super::firing_order::FiringOrder;
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Text, place};
+use crate::engine::{Cycle, Form, LengthUnit, Linear, SymbolicCylinder};
 
 /// More cylinders than this are refused by name.
 pub(super) const MOST_CYLINDERS: usize = 2000;
@@ -114,7 +112,7 @@ impl Inline {
     pub fn expand(
         &self,
         span: Range<usize>,
-        order: Option<&Spanned<firing::Order>>,
+        order: Option<&Spanned<FiringOrder>>,
         cycle: Option<Cycle>,
     ) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;

@@ -5,13 +5,12 @@ use num_traits::{Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::crankshaft::Balancer;
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::order::HIGHEST_ORDER;
 use super::quantities::{self, mass, metres, misread, not_negative, positive_metres};
 use super::units;
 use super::written::{Table, Text, place};
+use crate::engine::{Balancer, HIGHEST_ORDER};
 use crate::exact::Turn;
 use crate::proof::Sense;
 

@@ -1,8 +1,8 @@
 //! Which engines are known by name? One layout file each, in the folder `catalogue`.
 
-use super::engine::Layout;
 use super::error::LayoutError;
-use super::file::parse;
+use super::layout::parse;
+use crate::engine::Engine;
 
 /// A layout file of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +18,7 @@ impl Entry {
     ///
     /// # Errors
     /// None in a released catalogue: the tests read every entry.
-    pub fn layout(&self) -> Result<Layout, LayoutError> {
+    pub fn engine(&self) -> Result<Engine, LayoutError> {
         parse(self.name, self.text)
     }
 }
@@ -29,9 +29,9 @@ include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 ///
 /// # Errors
 /// None in a released catalogue: the tests read every entry.
-pub fn catalogue() -> Result<Vec<(Entry, Layout)>, LayoutError> {
+pub fn catalogue() -> Result<Vec<(Entry, Engine)>, LayoutError> {
     let mut engines =
-        ENTRIES.iter().map(|entry| Ok((*entry, entry.layout()?))).collect::<Result<Vec<_>, LayoutError>>()?;
+        ENTRIES.iter().map(|entry| Ok((*entry, entry.engine()?))).collect::<Result<Vec<_>, LayoutError>>()?;
     engines.sort_by_key(|(entry, layout)| (layout.form, layout.cylinders.len(), entry.name));
     Ok(engines)
 }
@@ -39,7 +39,7 @@ pub fn catalogue() -> Result<Vec<(Entry, Layout)>, LayoutError> {
 /// The entry of this name, in upper or lower case.
 ///
 /// ```standalone_crate
-/// assert_eq!(crankstar::layout::find("v8-CROSSPLANE").unwrap().name, "V8-crossplane");
+/// assert_eq!(crankstar::file::find("v8-CROSSPLANE").unwrap().name, "V8-crossplane");
 /// ```
 pub fn find(name: &str) -> Option<Entry> {
     ENTRIES.iter().find(|entry| entry.name.eq_ignore_ascii_case(name)).copied()

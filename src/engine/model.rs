@@ -71,7 +71,7 @@ pub enum Form {
 
 /// An engine layout: what a layout file says, in exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Layout {
+pub struct Engine {
     /// Title of the report.
     pub title: Untrusted,
     /// Where the crank star is published, if the file says so.
@@ -117,7 +117,7 @@ pub struct Effects {
     pub remedy: bool,
 }
 
-impl Layout {
+impl Engine {
     /// Arm of a cylinder: its position measured from the reference plane.
     pub fn arm(&self, cylinder: &Cylinder) -> BigRational {
         &cylinder.position - &self.reference_plane
@@ -140,7 +140,7 @@ impl Layout {
     }
 
     /// The same engine with only the masses that work on this rod; the others are 0.
-    pub fn only_with(&self, rod: &Rod) -> Layout {
+    pub fn only_with(&self, rod: &Rod) -> Engine {
         let mut part = self.clone();
         for (index, cylinder) in part.cylinders.iter_mut().enumerate() {
             if self.mechanism.rods.get(index) != Some(rod) {

@@ -9,12 +9,10 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::balancer_keys;
-use super::crankshaft::{Counterweight, Crankshaft, Web};
-use super::engine::{Layout, LengthUnit};
 use super::error::LayoutError;
 use super::quantities::{self, factor, mass, metres, misread, positive_metres};
-use super::throws::{Throw, throws};
 use super::written::{Column, Table, Text, Values, place};
+use crate::engine::{Counterweight, Crankshaft, Engine, LengthUnit, Throw, Web, throws};
 use crate::exact::Turn;
 
 /// `[crankshaft]`: each mass key holds one value for all throws, or a list with one a throw.
@@ -57,7 +55,7 @@ impl Tables<'_> {
     }
 
     /// Reads the tables for an engine that is known but for them, which may become one in metres.
-    pub fn read(&self, layout: &mut Layout) -> Result<(), LayoutError> {
+    pub fn read(&self, layout: &mut Engine) -> Result<(), LayoutError> {
         let throws = throws(layout);
         if let Some(table) = self.crankshaft {
             self.masses(&table.get_ref().0, layout, &throws)?;
@@ -85,7 +83,7 @@ impl Tables<'_> {
     }
 
     /// Length, pins and webs.
-    fn masses(&self, keys: &Keys, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
+    fn masses(&self, keys: &Keys, layout: &mut Engine, throws: &[Throw]) -> Result<(), LayoutError> {
         let mut crankshaft = Crankshaft::default();
         if let Some(text) = &keys.length {
             let length = self.along(text, layout)?;
@@ -123,7 +121,7 @@ impl Tables<'_> {
     }
 
     /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane.
-    fn make_counterweights(&self, list: &Column, layout: &mut Layout, throws: &[Throw]) -> Result<(), LayoutError> {
+    fn make_counterweights(&self, list: &Column, layout: &mut Engine, throws: &[Throw]) -> Result<(), LayoutError> {
         let Some(keys) = self.crankshaft.as_ref().map(|table| &table.get_ref().0) else { return Ok(()) };
         let Some(radii) = &keys.counterweight_radius else {
             let right = "add counterweight_radius, the distance of their centres of gravity from the axis";
@@ -170,7 +168,7 @@ impl Tables<'_> {
     fn counterweight(
         &self,
         table: &Spanned<Table<CounterweightKeys>>,
-        layout: &mut Layout,
+        layout: &mut Engine,
         throws: &[Throw],
     ) -> Result<Counterweight, LayoutError> {
         let keys = &table.get_ref().0;
@@ -197,7 +195,7 @@ impl Tables<'_> {
     }
 
     /// A length along the crankshaft, in the unit of the positions.
-    fn along(&self, text: &Text, layout: &mut Layout) -> Result<BigRational, LayoutError> {
+    fn along(&self, text: &Text, layout: &mut Engine) -> Result<BigRational, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let length = quantities::length(text, &mut unit)?.with(self.values);
         let Some(known) = length.as_known() else {
@@ -251,7 +249,7 @@ fn number_of_throw(text: &Text, count: usize) -> Result<usize, LayoutError> {
 }
 
 /// A counterweight has to stand on the crankshaft.
-fn on_the_shaft(layout: &Layout, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
+fn on_the_shaft(layout: &Engine, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
     match layout.shaft_ends() {
         Some([low, high]) if *position < low || *position > high => {
             let message = format!("a counterweight at {position} is beyond the crankshaft");

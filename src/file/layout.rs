@@ -11,17 +11,17 @@ use toml::de::DeTable;
 use super::balancer_keys;
 use super::bearings;
 use super::crankshaft_keys;
-use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::error::LayoutError;
-use super::family::{DELTA, Family, PHI, SymbolicCylinder};
-use super::firing::{self, Cycle, Firing};
+use super::firing_order::FiringOrder;
 use super::forms::{self, Expanded, MOST_CYLINDERS};
-use super::linear::Linear;
-use super::mechanism::{self, Mechanism};
-use super::order::ORDERS;
+use super::mechanism_keys;
 use super::quantities;
-use super::title_block;
+use super::title_block_keys;
 use super::written::{Table, Text, place, read, read_table};
+use crate::engine::{
+    Cycle, Cylinder, DELTA, Effects, Engine, Family, Firing, Form, LengthUnit, Linear, Mechanism, ORDERS, PHI,
+    SymbolicCylinder,
+};
 use crate::proof::Quantity;
 use crate::text::Untrusted;
 
@@ -36,13 +36,13 @@ struct File {
     orders: Option<Spanned<Vec<Text>>>,
     reference_plane: Option<Text>,
     cycle: Option<Text>,
-    firing_order: Option<Spanned<firing::Order>>,
+    firing_order: Option<Spanned<FiringOrder>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
     speed: Option<Text>,
     bearings: Option<quantities::List>,
     effects: Option<Vec<Text>>,
-    document: Option<Table<title_block::Keys>>,
-    mechanism: Option<Table<mechanism::Keys>>,
+    document: Option<Table<title_block_keys::Keys>>,
+    mechanism: Option<Table<mechanism_keys::Keys>>,
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
@@ -69,9 +69,9 @@ struct CylinderTable {
 
 /// What a layout file describes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Engine {
+pub enum Layout {
     /// One engine, and the family that it is a member of where the file gives values to symbols.
-    Known(Box<Layout>, Option<Box<Family>>),
+    Known(Box<Engine>, Option<Box<Family>>),
     /// A family: some angle or position is left open.
     Open(Box<Family>),
 }
@@ -81,17 +81,17 @@ pub enum Engine {
 /// `name` is the path that messages show, and the title where the file has none.
 ///
 /// ```standalone_crate
-/// let i4 = crankstar::layout::parse("i4.toml", "inline.throws = [0, 180, 180, 0]").unwrap();
+/// let i4 = crankstar::file::parse("i4.toml", "inline.throws = [0, 180, 180, 0]").unwrap();
 /// assert_eq!(i4.cylinders.len(), 4);
 /// assert_eq!(i4.arm(&i4.cylinders[0]).to_string(), "3/2");
 /// ```
 ///
 /// # Errors
 /// The first mistake, with its place and what would be right; an unknown without a value is one.
-pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
-    match parse_engine(name, source)? {
-        Engine::Known(layout, _) => Ok(*layout),
-        Engine::Open(family) => {
+pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
+    match parse_layout(name, source)? {
+        Layout::Known(layout, _) => Ok(*layout),
+        Layout::Open(family) => {
             let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
             let message = format!("the layout leaves {} open", unknowns.join(", "));
             Err(LayoutError::new(message, "give them values below [values]", None).in_file(name, source))
@@ -103,16 +103,16 @@ pub fn parse(name: &str, source: &str) -> Result<Layout, LayoutError> {
 ///
 /// # Errors
 /// The first mistake, with its place and what would be right.
-pub fn parse_engine(name: &str, source: &str) -> Result<Engine, LayoutError> {
+pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
     read::<File>(source).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
 }
 
 /// Reads the tables of a layout file, whose text `source` is, numbers as texts.
-pub(super) fn read_engine(name: &str, source: &str, table: Spanned<DeTable<'_>>) -> Result<Engine, LayoutError> {
+pub(super) fn read_layout(name: &str, source: &str, table: Spanned<DeTable<'_>>) -> Result<Layout, LayoutError> {
     read_table::<File>(table).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
 }
 
-fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
+fn engine(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let mut expanded = expand(&file, cycle)?;
     let mechanism = mechanism(&file, &mut expanded.cylinders)?;
@@ -158,7 +158,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
             return Err(bearings::of_open_layout(list));
         }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
-            None => Ok(Engine::Open(Box::new(family.with(&values)))),
+            None => Ok(Layout::Open(Box::new(family.with(&values)))),
             span => Err(LayoutError::new(
                 "when the cylinders fire cannot be judged while an angle or position is open",
                 "leave it out: the angles that fire evenly are found from the cycle",
@@ -171,7 +171,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Engine, LayoutError> {
     layout.firing = firing(&file.firing_order, &file.firing_angles, cycle, &layout.cylinders)?;
     layout.reference_plane_given = given_plane.is_some();
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
-    Ok(Engine::Known(Box::new(layout), symbolic))
+    Ok(Layout::Known(Box::new(layout), symbolic))
 }
 
 /// What the file says of crank, rods, masses and speed.
@@ -183,7 +183,7 @@ fn mechanism(file: &File, cylinders: &mut [SymbolicCylinder]) -> Result<Mechanis
         None => Mechanism::default(),
     };
     if let Some(text) = &file.speed {
-        let (speed, given) = mechanism::speed(text)?;
+        let (speed, given) = mechanism_keys::speed(text)?;
         mechanism.speed = Some(speed);
         mechanism.given.insert(0, given);
     }
@@ -366,7 +366,7 @@ fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
 }
 
 fn firing(
-    order: &Option<Spanned<firing::Order>>,
+    order: &Option<Spanned<FiringOrder>>,
     angles: &Option<Spanned<Vec<Text>>>,
     cycle: Option<Cycle>,
     cylinders: &[Cylinder],

@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_rational::BigRational;
 
 use super::crankshaft::Crankshaft;
-use super::engine::{Cylinder, Effects, Form, Layout, LengthUnit};
 use super::firing::Cycle;
 use super::linear::Linear;
 use super::mechanism::Mechanism;
+use super::model::{Cylinder, Effects, Engine, Form, LengthUnit};
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
 use crate::text::Untrusted;
@@ -127,8 +127,8 @@ impl Family {
     }
 
     /// The one engine of a family without unknowns, its firing not judged; `None` where an unknown is left.
-    pub fn only(&self) -> Option<Layout> {
-        Some(Layout {
+    pub fn only(&self) -> Option<Engine> {
+        Some(Engine {
             title: self.title.clone(),
             source: self.source.clone(),
             form: self.form,

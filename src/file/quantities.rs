@@ -4,14 +4,13 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use serde_spanned::Spanned;
 
-use super::engine::LengthUnit;
 use super::error::LayoutError;
-use super::family::{DELTA, PHI};
 use super::forms::MOST_CYLINDERS;
-use super::linear::Linear;
+use super::linear;
 use super::number::parse_number;
 use super::units;
 use super::written::{Text, place};
+use crate::engine::{DELTA, LengthUnit, Linear, PHI};
 
 /// Reads an angle as a layout file does, in turns that are not reduced.
 ///
@@ -36,7 +35,7 @@ pub(super) type List = Spanned<Vec<Text>>;
 /// An angle in turns, not yet modulo 1; `phi` and `delta` may stand in it.
 pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
     let written = text.get_ref().0.replace('φ', PHI).replace('δ', DELTA);
-    Linear::parse(&written, units::angle, |name| name == PHI || name == DELTA)
+    linear::read(&written, units::angle, |name| name == PHI || name == DELTA)
         .map_err(|right| misread("angle", &written, right, text))
 }
 
@@ -56,7 +55,7 @@ pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, Layou
         Ok(length.value)
     };
     let length =
-        Linear::parse(written, known, is_length_symbol).map_err(|right| misread("length", written, right, text))?;
+        linear::read(written, known, is_length_symbol).map_err(|right| misread("length", written, right, text))?;
     if has_unit.get() {
         *unit = LengthUnit::Metre;
     }

@@ -3,18 +3,10 @@
 //! A cylinder fires at a top dead centre of its own, so `τ_i ≡ (α_i − β_i) − (α_1 − β_1)` modulo a revolution:
 //! who fires later has the throw further behind (theory, section 1).
 
-use std::ops::Range;
-
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use serde::Deserialize;
-use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use super::engine::Cylinder;
-use super::error::LayoutError;
-use super::forms::MOST_CYLINDERS;
-use super::written::Written;
-use crate::exact::Turn;
+use super::model::Cylinder;
 
 /// How many revolutions it takes until a cylinder fires again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,13 +58,13 @@ impl Firing {
     }
 
     /// A two-stroke engine fires at every top dead centre.
-    pub(super) fn two_stroke(cylinders: &[Cylinder]) -> Self {
+    pub fn two_stroke(cylinders: &[Cylinder]) -> Self {
         let angles = (0..cylinders.len()).map(|index| top_dead_centre(cylinders, index, 0)).collect();
         Firing::sorted(angles, Cycle::TwoStroke)
     }
 
     /// The firings that a firing order and the throws leave; the error says what is wrong, and what would be right.
-    pub(super) fn from_order(order: &[usize], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
+    pub fn from_order(order: &[usize], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
         let mut shots = Vec::with_capacity(order.len());
         let mut angle = BigRational::zero();
         for (position, &cylinder) in order.iter().enumerate() {
@@ -104,11 +96,7 @@ impl Firing {
     }
 
     /// The firings at given crank angles, one a cylinder.
-    pub(super) fn from_angles(
-        angles: &[BigRational],
-        cycle: Cycle,
-        cylinders: &[Cylinder],
-    ) -> Result<Self, (String, String)> {
+    pub fn from_angles(angles: &[BigRational], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
         if angles.len() != cylinders.len() {
             let message = format!("{} firing angles for {} cylinders", angles.len(), cylinders.len());
             return Err((message, "one a cylinder, in the order of the cylinders".into()));
@@ -144,78 +132,4 @@ fn top_dead_centre(cylinders: &[Cylinder], to: usize, from: usize) -> BigRationa
 
 fn degrees(turns: &BigRational) -> BigRational {
     turns * BigRational::from_integer(360.into())
-}
-
-/// A firing order as written: `"1-3-4-2"` or `[1, 3, 4, 2]`.
-pub(super) struct Order(Vec<String>);
-
-impl<'de> Deserialize<'de> for Order {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Names;
-        impl<'de> Visitor<'de> for Names {
-            type Value = Order;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a firing order such as \"1-3-4-2\" or [1, 3, 4, 2]")
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Order, E> {
-                Ok(Order(text.split(['-', ',', ' ', '–']).filter(|name| !name.is_empty()).map(str::to_owned).collect()))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Order, A::Error> {
-                let mut names = Vec::new();
-                while let Some(Written(name)) = list.next_element()? {
-                    names.push(name);
-                }
-                Ok(Order(names))
-            }
-        }
-        deserializer.deserialize_any(Names)
-    }
-}
-
-impl Order {
-    /// The cylinders by index; each has to fire once.
-    pub fn indices(&self, cylinders: &[Cylinder], span: Option<Range<usize>>) -> Result<Vec<usize>, LayoutError> {
-        let names: Vec<&str> = cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
-        self.permutation(&names, span)
-    }
-
-    /// The throws of an in-line engine that fires evenly in this order; cylinder 1 stands at 0.
-    pub fn even_throws(&self, cycle: Cycle, span: Option<Range<usize>>) -> Result<Vec<Turn>, LayoutError> {
-        if self.0.len() > MOST_CYLINDERS {
-            let message = format!("a firing order of {} cylinders", self.0.len());
-            return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), span));
-        }
-        let names: Vec<String> = (1..=self.0.len()).map(|number| number.to_string()).collect();
-        let order = self.permutation(&names.iter().map(String::as_str).collect::<Vec<_>>(), span)?;
-        let interval = cycle.turns() / BigRational::from_integer(order.len().into());
-        let mut throws = vec![Turn::zero(); order.len()];
-        for (position, &cylinder) in order.iter().enumerate() {
-            throws[cylinder] = Turn::new(-&interval * BigRational::from_integer(position.into()));
-        }
-        let first = throws.first().cloned().unwrap_or_else(Turn::zero);
-        Ok(throws.iter().map(|throw| throw - &first).collect())
-    }
-
-    fn permutation(&self, names: &[&str], span: Option<Range<usize>>) -> Result<Vec<usize>, LayoutError> {
-        if self.0.is_empty() {
-            return Err(LayoutError::new("the firing order is empty", "such as \"1-3-4-2\" or [1, 3, 4, 2]", span));
-        }
-        let mistake = |message: String| {
-            LayoutError::new(message, format!("each of the {} cylinders once", names.len()), span.clone())
-        };
-        let mut order = Vec::with_capacity(names.len());
-        for name in &self.0 {
-            let index = names.iter().position(|known| known == name);
-            let index =
-                index.ok_or_else(|| mistake(format!("the firing order names `{name}`, which is no cylinder")))?;
-            if order.contains(&index) {
-                return Err(mistake(format!("cylinder {name} fires twice in the firing order")));
-            }
-            order.push(index);
-        }
-        match names.iter().enumerate().find(|(index, _)| !order.contains(index)) {
-            Some((_, name)) => Err(mistake(format!("cylinder {name} is missing from the firing order"))),
-            None => Ok(order),
-        }
-    }
 }

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use serde_spanned::Spanned;
 
-use super::engine::{Layout, LengthUnit};
 use super::error::LayoutError;
 use super::quantities::{self, List, misread};
 use super::written::{Text, place};
+use crate::engine::{Engine, LengthUnit};
 
 /// The most bearings that are read: 100 spans.
 const MOST_BEARINGS: usize = 101;
@@ -54,7 +54,7 @@ fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result
 }
 
 /// Every bearing stands on the crankshaft, where the file says how long that is.
-pub(super) fn check_ends(list: Option<&List>, layout: &Layout) -> Result<(), LayoutError> {
+pub(super) fn check_ends(list: Option<&List>, layout: &Engine) -> Result<(), LayoutError> {
     let (Some(list), Some([low, high])) = (list, layout.shaft_ends()) else { return Ok(()) };
     for (index, (at, text)) in layout.bearings.iter().zip(list.get_ref()).enumerate() {
         if *at < low || *at > high {

@@ -7,9 +7,9 @@ use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::LayoutError;
-use super::file::{Engine, read_engine};
-use super::firing::Cycle;
+use super::layout::{Layout, read_layout};
 use super::written;
+use crate::engine::Cycle;
 
 /// The tables of a layout file, each of which is one form of engine.
 const FORMS: [&str; 7] = ["cylinder", "inline", "vee", "flat", "boxer", "fan", "radial"];
@@ -61,7 +61,7 @@ impl<'a> Template<'a> {
     /// Parses a layout file. `name` is the path that messages show.
     ///
     /// ```standalone_crate
-    /// use crankstar::layout::{Engine, Key, Template};
+    /// use crankstar::file::{Layout, Key, Template};
     /// let vee = Template::new("v.toml", "[vee]\nbank_angle = 60\nthrows = [0]").unwrap();
     /// let key = Key::parse("vee.bank_angle").unwrap();
     /// let Ok(Engine::Known(layout, _)) = vee.engine(&[(&key, "90")]) else { panic!() };
@@ -122,13 +122,13 @@ impl<'a> Template<'a> {
     /// is added.
     ///
     /// # Errors
-    /// What [`super::parse_engine`] says of such a file, or where a key leads nowhere.
-    pub fn engine(&self, values: &[(&Key, &str)]) -> Result<Engine, LayoutError> {
+    /// What [`super::parse_layout`] says of such a file, or where a key leads nowhere.
+    pub fn layout(&self, values: &[(&Key, &str)]) -> Result<Layout, LayoutError> {
         let mut table = self.table.clone();
         for (key, value) in values {
             set(table.get_mut(), key, value).map_err(|error| error.in_file(self.name, self.source))?;
         }
-        read_engine(self.name, self.source, table)
+        read_layout(self.name, self.source, table)
     }
 }
 

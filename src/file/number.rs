@@ -35,7 +35,7 @@ impl fmt::Display for NumberError {
 /// Reads a decimal or a fraction exactly as written.
 ///
 /// ```standalone_crate
-/// use crankstar::layout::parse_number;
+/// use crankstar::file::parse_number;
 /// assert_eq!(parse_number("22.5").unwrap().to_string(), "45/2");
 /// assert_eq!(parse_number("-2/6").unwrap().to_string(), "-1/3");
 /// assert!(parse_number("nan").is_err());

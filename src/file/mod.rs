@@ -1,0 +1,28 @@
+//! Which engine is it? From a layout file, or a name of the catalogue, to cylinders with exact angles and arms.
+//!
+#![doc = include_str!("README.md")]
+
+mod balancer_keys;
+mod bearings;
+mod catalogue;
+mod crankshaft_keys;
+mod error;
+mod firing_order;
+mod forms;
+mod layout;
+mod linear;
+mod mechanism_keys;
+mod number;
+mod quantities;
+mod template;
+mod title_block_keys;
+pub(crate) mod units;
+pub(crate) mod written;
+
+pub use catalogue::{Entry, catalogue, find};
+pub use error::LayoutError;
+pub use layout::{Layout, parse, parse_layout};
+pub use number::{NumberError, parse_number};
+pub use quantities::{parse_angle, parse_length};
+pub use template::{Key, Template};
+pub use units::turns_per_unit;
