@@ -24,7 +24,8 @@
 //! accuracy  remedy  optimise  sweep  search
 //! loads  family
 //! verdict
-//! file  order  numbers
+//! order  numbers
+//! file
 //! engine
 //! exact
 //! proof  motion  beam  text

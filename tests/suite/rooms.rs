@@ -7,11 +7,12 @@ use std::path::{Path, PathBuf};
 use crate::support::imports;
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
-const STOREYS: [&[&str]; 10] = [
+const STOREYS: [&[&str]; 11] = [
     &["proof", "motion", "beam", "text"],
     &["exact"],
     &["engine"],
-    &["file", "order", "numbers"],
+    &["file"],
+    &["order", "numbers"],
     &["verdict"],
     &["loads", "family"],
     &["accuracy", "remedy", "optimise", "sweep", "search"],
