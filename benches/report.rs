@@ -21,14 +21,14 @@ fn engine(name: &str) -> Engine {
 #[divan::bench(args = ENGINES)]
 fn verdicts(bencher: Bencher, name: &str) {
     let layout = engine(name);
-    bencher.bench_local(|| verdict::classify(black_box(&layout), &layout.orders, false).len());
+    bencher.bench_local(|| verdict::classify(black_box(&layout), layout.orders(), false).len());
 }
 
 #[divan::bench(args = ENGINES)]
 fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
-        let orders = verdict::classify(black_box(&layout), &layout.orders, false);
+        let orders = verdict::classify(black_box(&layout), layout.orders(), false);
         let subject = report::Subject { layout: &layout, orders: &orders, family: None, needed: None, accuracy: None };
         report::report(subject, Dialect::GithubMarkdown).len()
     });

@@ -23,7 +23,7 @@ fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{dialect:?}")).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
-    let orders = verdict::classify(layout, &layout.orders, false);
+    let orders = verdict::classify(layout, layout.orders(), false);
     for file in
         report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
     {
@@ -184,7 +184,7 @@ fn look(name: &str, folder: &Path, page: &str, pictures: usize) {
 fn every_page_shows_its_pictures_and_fits_a_browser_window() {
     for (name, layout) in engines() {
         let folder = write_report(&name, &layout, Dialect::GithubMarkdown);
-        look(&name, &folder, "report.md", 2 + layout.orders.len());
+        look(&name, &folder, "report.md", 2 + layout.orders().len());
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");
     fs::create_dir_all(&folder).expect("a folder");

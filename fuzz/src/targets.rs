@@ -42,17 +42,17 @@ pub fn layout(bytes: &[u8]) {
 }
 
 fn known(layout: &Engine) {
-    if layout.cylinders.len() > MOST_CYLINDERS {
+    if layout.cylinders().len() > MOST_CYLINDERS {
         return;
     }
-    let orders: Vec<u32> = layout.orders.iter().copied().take(2).collect();
+    let orders: Vec<u32> = layout.orders().iter().copied().take(2).collect();
     let balances = verdict::classify(layout, &orders, true);
     let document = report::document(layout, &balances, &report::quantities(true), None);
     assert!(serde_json::to_string(&document).is_ok());
     if let Ok(numbers) = report::Numbers::new(layout, &orders, None) {
         assert!(serde_json::to_string(&report::loads_document(layout, &numbers, None)).is_ok());
     }
-    if layout.cylinders.len() <= MOST_REPORTED {
+    if layout.cylinders().len() <= MOST_REPORTED {
         let balances = verdict::classify(layout, &orders, false);
         let subject = report::Subject { layout, orders: &balances, family: None, needed: None, accuracy: None };
         assert!(!report::report(subject, Dialect::Latex).is_empty());
@@ -60,13 +60,13 @@ fn known(layout: &Engine) {
 }
 
 fn open(family: &Family) {
-    if family.cylinders.len() > MOST_CYLINDERS {
+    if family.cylinders().len() > MOST_CYLINDERS {
         return;
     }
-    let orders: Vec<u32> = family.orders.iter().copied().take(2).collect();
+    let orders: Vec<u32> = family.orders().iter().copied().take(2).collect();
     let verdicts = family::classify(family, &orders);
     assert!(serde_json::to_string(&report::open_document(family, &verdicts)).is_ok());
-    if family.cylinders.len() <= MOST_REPORTED {
+    if family.cylinders().len() <= MOST_REPORTED {
         assert!(!report::open_report(family, &verdicts, Dialect::GithubMarkdown).is_empty());
     }
 }

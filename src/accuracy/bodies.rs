@@ -37,7 +37,7 @@ pub(super) struct Bodies<T> {
 
 /// Crank angle of each cylinder less that of the crankshaft, `β − α`.
 pub(super) fn phases(layout: &Engine) -> Vec<Turn> {
-    layout.cylinders.iter().map(|cylinder| &cylinder.throw - &cylinder.bank).collect()
+    layout.cylinders().iter().map(|cylinder| &cylinder.throw - &cylinder.bank).collect()
 }
 
 impl<T: Real> Bodies<T> {
@@ -49,7 +49,7 @@ impl<T: Real> Bodies<T> {
         direction: &dyn Fn(&Turn) -> [T; 2],
     ) -> Self {
         let one = BigRational::one();
-        let cylinders = layout.cylinders.iter().zip(&layout.mechanism.rods);
+        let cylinders = layout.cylinders().iter().zip(layout.rods());
         let pistons = cylinders.map(|(cylinder, Rod { ratio, offset })| {
             let mass_radius = order::mass_radius(layout, cylinder);
             let axis = || direction(&cylinder.bank);
@@ -117,7 +117,7 @@ pub(super) fn turning(layout: &Engine, quantity: Quantity) -> Vec<(Turn, BigRati
         return Vec::new();
     }
     let weight = |mass: TurningMass| match quantity {
-        Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - &layout.reference_plane)),
+        Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - layout.reference_plane())),
         Quantity::Force | Quantity::Torque => (mass.angle, mass.mass_radius),
     };
     order::turning_masses(layout).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()

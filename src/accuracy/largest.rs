@@ -90,7 +90,7 @@ impl LargestLoads {
         Ok(LargestLoads {
             force: largest(layout, Quantity::Force)?,
             moment: largest(layout, Quantity::Moment)?,
-            torque: layout.effects.torque.then(|| largest(layout, Quantity::Torque)).transpose()?,
+            torque: layout.effects().torque.then(|| largest(layout, Quantity::Torque)).transpose()?,
         })
     }
 }
@@ -110,7 +110,7 @@ pub fn largest(layout: &Engine, quantity: Quantity) -> Result<Largest, Missing> 
         best = best.or(of_orders(&spectrum, quantity));
         // Where the orders fall slowly it is searched at once, before many of them are computed.
         let slow = spectrum.rest_above(quantity, ENOUGH) > SURE * best.at_most() && best.at_most().is_finite();
-        if (slow || highest == ENOUGH) && !searched && !best.is_sure() && layout.crankshaft.balancers.is_empty() {
+        if (slow || highest == ENOUGH) && !searched && !best.is_sure() && layout.crankshaft().balancers.is_empty() {
             best = best.or(of_motion(layout, quantity));
             searched = true;
         }

@@ -36,19 +36,23 @@ pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};
 
-use crate::engine::{Engine, Rod};
+use crate::engine::{BuildError, Engine, Mechanism, Rod};
 
 /// The same engine with this rod ratio λ at every cylinder.
 ///
 /// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. A layout without rods gets rods without offset.
-pub fn with_rod_ratio(layout: &Engine, ratio: &BigRational) -> Engine {
-    let mut changed = layout.clone();
-    changed.mechanism.rods.resize(layout.cylinders.len(), Rod { ratio: ratio.clone(), offset: BigRational::zero() });
-    for rod in &mut changed.mechanism.rods {
-        if !rod.ratio.is_zero() {
-            rod.offset = &rod.offset * ratio / &rod.ratio;
-        }
-        rod.ratio.clone_from(ratio);
+///
+/// # Errors
+/// A rod that is too short.
+pub fn with_rod_ratio(engine: &Engine, ratio: &BigRational) -> Result<Engine, BuildError> {
+    let mut draft = engine.clone().into_draft();
+    for cylinder in &mut draft.cylinders {
+        let offset = match cylinder.rod() {
+            Some(rod) if !rod.ratio.is_zero() => &rod.offset * ratio / &rod.ratio,
+            Some(rod) => rod.offset.clone(),
+            None => BigRational::zero(),
+        };
+        cylinder.mechanism = Some(Mechanism::SliderCrank(Rod { ratio: ratio.clone(), offset }));
     }
-    changed
+    draft.build()
 }

@@ -52,7 +52,7 @@ impl Fractions {
             (gap.denom().bits() as i64 - gap.numer().bits() as i64).clamp(0, 4096) as u32
         };
         // The motion divides by the third power of a root of the gap.
-        let bits = BITS + 4 * layout.mechanism.rods.iter().map(gap).max().unwrap_or(0);
+        let bits = BITS + 4 * layout.rods().map(gap).max().unwrap_or(0);
         let number = |number: &BigRational| Fixed::around(number, bits);
         let direction = |angle: &Turn| Fixed::direction(angle, bits);
         let engine = Bodies::new(layout, quantity, &number, &direction).map(&Jet::constant);

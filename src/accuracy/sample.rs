@@ -41,7 +41,7 @@ impl Doubles {
             Quantity::Force | Quantity::Torque => 1.0,
         };
         let mut pistons = Vec::new();
-        for ((cylinder, rod), phase) in layout.cylinders.iter().zip(&layout.mechanism.rods).zip(phases(layout)) {
+        for ((cylinder, rod), phase) in layout.cylinders().iter().zip(layout.rods()).zip(phases(layout)) {
             let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
             let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
             let weight = float(&order::mass_radius(layout, cylinder)) * arm(cylinder);

@@ -33,17 +33,17 @@ pub struct Numbers {
 impl Numbers {
     /// What a layout file says itself, where all rods are alike and without offset.
     fn of(layout: &Engine) -> Option<Self> {
-        let mechanism = &layout.mechanism;
+        let mechanism = layout.dimensions();
         mechanism.mass.as_ref()?;
-        let rod = mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+        let rod = layout.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
         let crank_radius = mechanism.crank_radius.clone()?;
-        mechanism.rods.iter().all(|other| other == rod).then_some(())?;
+        layout.rods().all(|other| other == rod).then_some(())?;
         Some(Numbers {
             reciprocating_mass: unit_mass(layout),
             rod_length: &crank_radius / &rod.ratio,
             crank_radius,
             speed: mechanism.speed.clone()?,
-            spacing: layout.positions_given.then(|| BigRational::from_integer(1.into())),
+            spacing: layout.positions_given().then(|| BigRational::from_integer(1.into())),
         })
     }
 }
@@ -85,7 +85,7 @@ pub(super) fn answer(
         Some(Sense::Reverse) => [&balance.reverse.sum, &empty],
     };
     let star = half_of_lengths(sums).1;
-    let arm = match (subject.quantity, layout.length_unit, &numbers.spacing) {
+    let arm = match (subject.quantity, layout.length_unit(), &numbers.spacing) {
         (Quantity::Moment, LengthUnit::Spacing, None) => return Answer::nothing("a value in N·m needs the spacing"),
         (Quantity::Moment, LengthUnit::Spacing, Some(spacing)) => float(spacing),
         _ => 1.0,

@@ -8,7 +8,7 @@ use crate::exact::Turn;
 
 /// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
 pub(super) fn answer(layout: &Engine, claimed: bool) -> Answer {
-    let (status, intervals) = match &layout.firing {
+    let (status, intervals) = match layout.firing() {
         Some(firing) => {
             let status = if firing.is_even() == claimed { Status::True } else { Status::False };
             (status, Some(firing.intervals()))
@@ -27,8 +27,9 @@ pub(super) fn answer(layout: &Engine, claimed: bool) -> Answer {
 /// A four-stroke engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those
 /// of the firing angles 2j/n turns.
 fn can_fire_evenly(layout: &Engine) -> bool {
-    let Some(first) = layout.cylinders.first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
-    let mut centres: Vec<Turn> = layout.cylinders.iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
+    let Some(first) = layout.cylinders().first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
+    let mut centres: Vec<Turn> =
+        layout.cylinders().iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
     let count = centres.len();
     let mut even: Vec<Turn> = (0..count).map(|j| Turn::new(BigRational::new((2 * j).into(), count.into()))).collect();
     centres.sort();

@@ -20,7 +20,7 @@ const ALIKE: f64 = 1e-12;
 /// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
 pub(super) fn balance(layout: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
     loads::comparable(layout).map_err(|missing| missing.to_string())?;
-    if layout.mechanism.rods.is_empty() {
+    if layout.mechanisms().is_empty() {
         return Err(loads::Missing::Rods.to_string());
     }
     let one_coefficient = |quantity: Quantity, sense: Sense| {

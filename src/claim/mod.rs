@@ -47,7 +47,7 @@ pub fn answer(layout: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         | Statement::WorstBearings(_)
         | Statement::FiresEvenly { .. } => false,
     };
-    if of_orders && layout.rods().len() > 1 {
+    if of_orders && layout.mechanisms().len() > 1 {
         return Answer::nothing("the rods of the engine differ, so that no order is a single sum");
     }
     match statement {

@@ -70,7 +70,7 @@ pub(super) fn answer(layout: &Engine, claimed: &Possible) -> Answer {
         Ok(subject) => subject,
         Err(missing) => return Answer::nothing(&missing.to_string()),
     };
-    let plane = &layout.reference_plane;
+    let plane = layout.reference_plane();
     let [force, moment] =
         [Quantity::Force, Quantity::Moment].map(|quantity| order::all_masses(layout, quantity, 1, Sense::Direct));
     let [Some(force), Some(moment)] = [&force, &moment].map(plain) else {

@@ -101,7 +101,7 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
     let mut phases = Vec::new();
     for row in table.rows.iter().flatten().map(|row| &row.get_ref().0) {
         let name = &row.cylinder.get_ref().0;
-        let index = layout.cylinders.iter().position(|cylinder| cylinder.name == *name);
+        let index = layout.cylinders().iter().position(|cylinder| cylinder.name == *name);
         let index = index.ok_or_else(|| misread("cylinder", &row.cylinder, "the name of a cylinder of the engine"))?;
         for (sense, text) in [(Sense::Direct, &row.direct), (Sense::Reverse, &row.reverse)] {
             let Some(text) = text else { continue };
@@ -134,7 +134,7 @@ fn misread(what: &str, text: &Text, right: &str) -> LayoutError {
 /// Phases first, row by row, then the sums.
 pub(super) fn judge(table: &StarTable) -> Verdict {
     for (cylinder, sense, written) in &table.phases {
-        let right = order::phase(&table.layout.cylinders[*cylinder], table.order, Some(*sense));
+        let right = order::phase(&table.layout.cylinders()[*cylinder], table.order, Some(*sense));
         if *written != right {
             return Verdict::WrongPhase { cylinder: *cylinder, sense: *sense, written: written.clone(), right };
         }

@@ -161,7 +161,7 @@ pub fn study(
             let layout = known(&template, &[])?;
             let point = sweep::judge(&layout, template.cycle(), &orders, &Geometry::default());
             let point = point.map_err(|error| error.to_string())?;
-            Ok::<_, String>((volume(&layout), layout.title.clone(), point))
+            Ok::<_, String>((volume(&layout), layout.title().clone(), point))
         };
         let in_line = table.in_line.as_ref().map(in_line).transpose()?;
         let template = Template::new(name, &text).map_err(|error| error.to_string())?;

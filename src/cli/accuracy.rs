@@ -42,12 +42,15 @@ impl Accuracy {
         let Layout::Known(layout, _) = layouts::read(&self.layout)? else {
             return Err(Failure::new("peaks need an engine without unknowns; give them values below [values]"));
         };
-        if layout.mechanism.rods.is_empty() && self.rod_ratio.is_empty() {
+        if layout.mechanisms().is_empty() && self.rod_ratio.is_empty() {
             return Err(Failure::new("the layout says nothing of its rods; name some with --rod-ratio 0.3"));
         }
         let engines = match self.rod_ratio.as_slice() {
             [] => vec![layout.as_ref().clone()],
-            ratios => ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio)).collect(),
+            ratios => {
+                let engines = ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio));
+                engines.collect::<Result<_, _>>().map_err(Failure::new)?
+            }
         };
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
         let spinner = progress::spinner("finding each peak by all methods");

@@ -113,7 +113,7 @@ impl Subject {
         let engine = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &engine) {
             ([], Layout::Known(layout, _)) => usual_orders(layout),
-            ([], Layout::Open(family)) => family.orders.clone(),
+            ([], Layout::Open(family)) => family.orders().to_vec(),
             (asked, _) => asked.to_vec(),
         };
         orders.sort_unstable();

@@ -86,7 +86,7 @@ fn factor(text: &str) -> Result<BigRational, Failure> {
 fn plane(layout: &Engine, text: &str) -> Result<BigRational, Failure> {
     let refused = |right: &str| Failure::new(format!("--planes: cannot read `{text}`: {right}"));
     let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
-    if unit == LengthUnit::Metre && !layout.positions_given {
+    if unit == LengthUnit::Metre && !layout.positions_given() {
         return Err(refused("the cylinders stand one spacing apart, and positions count in spacings"));
     }
     Ok(value)

@@ -35,7 +35,7 @@ pub struct Report {
 }
 
 fn accuracy_of(layout: &Engine) -> Result<AccuracyCase, Failure> {
-    let torque = layout.effects.torque.then_some(Quantity::Torque);
+    let torque = layout.effects().torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
     let spinner = progress::spinner("finding each peak by all methods");
     let case = AccuracyCase::of(layout, &quantities, false);

@@ -31,7 +31,7 @@ pub fn summary(layout: &Engine, orders: &[OrderBalance]) -> String {
     let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));
     let why = if missing { format!("{WHY_NOT}\n") } else { String::new() };
     let whose = report::whose_masses(layout).map_or_else(String::new, |words| format!("{words}\n"));
-    format!("{}\n{table}\n{}\n{why}{whose}", layout.title.escaped(Format::Plain), report::LEGEND)
+    format!("{}\n{table}\n{}\n{why}{whose}", layout.title().escaped(Format::Plain), report::LEGEND)
 }
 
 /// The title of a family and a table: for which angles each order vanishes.
@@ -47,7 +47,7 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
     let lines = evenly.map(|line| format!("{line}\n")).unwrap_or_default();
     format!(
         "{}\n{table}\n0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).\n{lines}",
-        family.title.escaped(Format::Plain)
+        family.title().escaped(Format::Plain)
     )
 }
 
@@ -55,7 +55,7 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
 pub fn loads(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> String {
     let table = coloured(report::loads_rows(layout, &numbers.loads));
     let lines = report::loads_lines(layout, numbers, needed).join("\n");
-    format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
+    format!("{}\n{table}\n{lines}\n", layout.title().escaped(Format::Plain))
 }
 
 /// The title, the peaks of every bearing, and the largest value of each order.
@@ -63,7 +63,7 @@ pub fn bearings(layout: &Engine, continuous: &BearingLoads, determinate: &Bearin
     let peaks = coloured(report::bearings_rows(layout, continuous, determinate));
     let orders = coloured(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
-    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title.escaped(Format::Plain))
+    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title().escaped(Format::Plain))
 }
 
 /// Engines side by side: a column an engine.
@@ -79,7 +79,7 @@ pub fn compare(engines: &[Compared]) -> String {
 
 /// A table a rod ratio and load: a row a method.
 pub fn accuracy(layout: &Engine, cases: &[AccuracyCase]) -> String {
-    let mut out = format!("{}\n", layout.title.escaped(Format::Plain));
+    let mut out = format!("{}\n", layout.title().escaped(Format::Plain));
     for case in cases {
         for study in &case.studies {
             out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
@@ -103,14 +103,14 @@ pub fn remedy(layout: &Engine, remedy: &Remedy) -> String {
     let lines = report::remedy_lines(remedy).join("\n");
     let rows = report::remedy_rows(remedy);
     if rows.rows.is_empty() {
-        return format!("{}\n{lines}\n", layout.title.escaped(Format::Plain));
+        return format!("{}\n{lines}\n", layout.title().escaped(Format::Plain));
     }
     let mut table = ruled();
     table.set_header(rows.header);
     for row in rows.rows {
         table.add_row(row);
     }
-    format!("{}\n{table}\n{lines}\n", layout.title.escaped(Format::Plain))
+    format!("{}\n{table}\n{lines}\n", layout.title().escaped(Format::Plain))
 }
 
 /// The title, the front, and what uniform balance factors reach.
@@ -122,7 +122,7 @@ pub fn optimise(layout: &Engine, front: &crankstar::optimise::Front, couple: &cr
         true => String::new(),
         false => format!("{}\n", coloured(report::optimise_compared(layout, front))),
     };
-    format!("{}\n{points}\n{compared}{lines}\n", layout.title.escaped(Format::Plain))
+    format!("{}\n{points}\n{compared}{lines}\n", layout.title().escaped(Format::Plain))
 }
 
 /// A table whose zeros are coloured as what is proved.

@@ -87,14 +87,14 @@ pub struct BobWeight {
 impl Engine {
     /// Crank radius of a throw in metres; `None` where the layout gives none.
     fn radius_of(&self, throw: &Throw) -> Option<BigRational> {
-        Some(self.mechanism.crank_radius.as_ref()? * &throw.crank_radius)
+        Some(self.dimensions().crank_radius.as_ref()? * &throw.crank_radius)
     }
 
     /// Rotating and reciprocating mass of a cylinder in kilograms; `None` where the layout gives no masses.
     fn masses_of(&self, cylinder: usize) -> Option<[BigRational; 2]> {
-        let rotating = self.mechanism.rotating_masses.get(cylinder).cloned().unwrap_or_else(BigRational::zero);
-        let unit = self.mechanism.mass.as_ref()?;
-        Some([rotating, unit * &self.cylinders[cylinder].reciprocating_mass])
+        let unit = self.dimensions().mass.as_ref()?;
+        let cylinder = &self.cylinders()[cylinder];
+        Some([cylinder.rotating_mass.clone(), unit * &cylinder.reciprocating_mass])
     }
 
     /// What the counterweights of each throw hold in balance at the factor 1, in kilogram-metres:
@@ -107,12 +107,12 @@ impl Engine {
 
     fn mass_radius_of(&self, index: usize, throw: &Throw) -> Option<BigRational> {
         let two = BigRational::from_integer(2.into());
-        let mut at_pin = self.crankshaft.pins.get(index).cloned().unwrap_or_else(BigRational::zero);
+        let mut at_pin = self.crankshaft().pins.get(index).cloned().unwrap_or_else(BigRational::zero);
         for &cylinder in &throw.cylinders {
             let [rotating, reciprocating] = self.masses_of(cylinder)?;
             at_pin += rotating + reciprocating / &two;
         }
-        let webs = self.crankshaft.webs.get(index).map_or_else(BigRational::zero, |web| &web.mass * &web.radius);
+        let webs = self.crankshaft().webs.get(index).map_or_else(BigRational::zero, |web| &web.mass * &web.radius);
         Some(at_pin * self.radius_of(throw)? + webs)
     }
 
@@ -123,7 +123,7 @@ impl Engine {
     pub fn balance_factors(&self) -> Vec<Option<BigRational>> {
         let factor = |(index, throw): (usize, Throw)| {
             let whole = self.mass_radius_of(index, &throw).filter(|whole| !whole.is_zero())?;
-            let own = self.crankshaft.counterweights.iter().filter(|weight| weight.throw == Some(index));
+            let own = self.crankshaft().counterweights.iter().filter(|weight| weight.throw == Some(index));
             Some(own.map(Counterweight::mass_radius).sum::<BigRational>() / whole)
         };
         throws(self).into_iter().enumerate().map(factor).collect()
@@ -136,7 +136,7 @@ impl Engine {
         let throw =
             |(index, throw): (usize, Throw)| Some(self.mass_radius_of(index, &throw)? / self.radius_of(&throw)?);
         let throws: Option<BigRational> = throws(self).into_iter().enumerate().map(throw).sum();
-        Some(throws? + self.crankshaft.counterweights.iter().map(|weight| &weight.mass).sum::<BigRational>())
+        Some(throws? + self.crankshaft().counterweights.iter().map(|weight| &weight.mass).sum::<BigRational>())
     }
 
     /// The bob weights of a throw for a factor of the reciprocating masses, such as ½.
@@ -156,17 +156,17 @@ impl Engine {
     /// The ends of the crankshaft along z: by its length, or else the outermost main bearings and cylinders; `None` where the
     /// file gives neither length nor bearings.
     pub fn shaft_ends(&self) -> Option<[BigRational; 2]> {
-        let positions = || self.cylinders.iter().map(|cylinder| &cylinder.position);
-        if let Some(length) = &self.crankshaft.length {
+        let positions = || self.cylinders().iter().map(|cylinder| &cylinder.position);
+        if let Some(length) = &self.crankshaft().length {
             let two = BigRational::from_integer(2.into());
             let middle = (positions().min()? + positions().max()?) / &two;
             let half = length / two;
             return Some([&middle - &half, middle + half]);
         }
-        if self.bearings.is_empty() {
+        if self.bearings().is_empty() {
             return None;
         }
-        let all = || positions().chain(&self.bearings);
+        let all = || positions().chain(self.bearings());
         Some([all().min()?.clone(), all().max()?.clone()])
     }
 }

@@ -6,7 +6,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::model::Cylinder;
+use super::cylinder::Cylinder;
 
 /// How many revolutions it takes until a cylinder fires again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

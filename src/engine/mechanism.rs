@@ -1,27 +1,13 @@
-//! What does an engine measure and weigh? Crank, rods, masses and speed.
+//! What moves a piston? A crank with a connecting rod, today.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::text::Untrusted;
-
-/// What an engine measures and weighs, as far as its file says.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Mechanism {
-    /// Speed in revolutions a minute.
-    pub speed: Option<BigRational>,
-    /// Crank radius r in metres, that the cylinders' crank radii are multiples of.
-    pub crank_radius: Option<BigRational>,
-    /// Reciprocating mass m in kilograms, that the cylinders' masses are multiples of.
-    pub mass: Option<BigRational>,
-    /// Rods, one a cylinder; none where the file says nothing of them.
-    pub rods: Vec<Rod>,
-    /// Rotating mass at each crankpin in kilograms, one a cylinder; none where the file says nothing of them.
-    pub rotating_masses: Vec<BigRational>,
-    /// What the file says, as written.
-    pub given: Vec<Given>,
-    /// Where the numbers come from, if the file says so.
-    pub source: Option<Untrusted>,
+/// What moves the piston of a cylinder: the harmonics of its motion are the coefficients c_k and t_k.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mechanism {
+    /// A crank and a connecting rod, with or without an offset of the cylinder axis.
+    SliderCrank(Rod),
 }
 
 /// A connecting rod and how its cylinder stands to the crankshaft.
@@ -33,52 +19,24 @@ pub struct Rod {
     pub offset: BigRational,
 }
 
-/// A quantity that the file gives.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Given {
-    /// Which.
-    pub quantity: Measure,
-    /// The cylinder that it belongs to, by its index; none where it is that of all.
-    pub cylinder: Option<usize>,
-    /// In metres, kilograms, revolutions a minute, or a pure number.
-    pub value: BigRational,
-    /// As it was written.
-    pub written: Untrusted,
-}
+impl Mechanism {
+    /// Whether the cylinder axis meets the crankshaft.
+    pub fn is_centric(&self) -> bool {
+        match self {
+            Mechanism::SliderCrank(rod) => rod.offset.is_zero(),
+        }
+    }
 
-/// What can be given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// Speed.
-    Speed,
-    /// Stroke, twice the crank radius.
-    Stroke,
-    /// Crank radius r.
-    CrankRadius,
-    /// Rod length l between the centres of its eyes.
-    RodLength,
-    /// Rod ratio λ.
-    RodRatio,
-    /// Offset e of the cylinder axis.
-    PinOffset,
-    /// Offset δ = e/l.
-    OffsetRatio,
-    /// Reciprocating mass of a cylinder.
-    ReciprocatingMass,
-    /// Mass of the piston with its rings.
-    PistonMass,
-    /// Mass of the piston pin.
-    PinMass,
-    /// Mass of the rod.
-    RodMass,
-    /// Distance of the rod's centre of gravity from its big end.
-    RodCentre,
-    /// Rotating mass at the crankpin.
-    RotatingMass,
+    /// Whether the crank can turn round.
+    pub fn turns_round(&self) -> bool {
+        match self {
+            Mechanism::SliderCrank(rod) => !rod.ratio.is_negative() && turns_round(rod),
+        }
+    }
 }
 
 /// An offset crank that is nearer to its end than a millionth would take too many points to integrate.
-pub(crate) fn turns_round(rod: &Rod) -> bool {
+fn turns_round(rod: &Rod) -> bool {
     let sum = &rod.ratio + rod.offset.abs();
     match rod.offset.is_zero() {
         true => sum < BigRational::one(),

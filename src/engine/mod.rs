@@ -1,8 +1,16 @@
 //! What is an engine, as far as its balance goes? Cylinders on their throws, what they weigh, and what else turns.
+//!
+//! A [`Draft`] is free to say anything; what [`Draft::build`] accepts is an [`Engine`], and holds together.
 
+mod build;
 mod crankshaft;
+mod cylinder;
+mod dimensions;
+mod draft;
 mod family;
 mod firing;
+mod form;
+mod length;
 mod linear;
 mod mechanism;
 mod model;
@@ -10,13 +18,18 @@ mod order;
 mod throws;
 mod title_block;
 
+pub use build::{BuildError, MOST_CYLINDERS};
 pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
-pub use family::{DELTA, Family, PHI, SymbolicCylinder};
+pub use cylinder::Cylinder;
+pub use dimensions::{Dimensions, Given, Measure};
+pub use draft::{Draft, ReferencePlane};
+pub use family::{DELTA, Family, PHI};
 pub use firing::{Cycle, Firing, Shot};
+pub use form::Form;
+pub use length::{Length, LengthUnit};
 pub use linear::Linear;
-pub(crate) use mechanism::turns_round;
-pub use mechanism::{Given, Measure, Mechanism, Rod};
-pub use model::{Cylinder, Effects, Engine, Form, LengthUnit};
+pub use mechanism::{Mechanism, Rod};
+pub use model::{Effects, Engine};
 pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, ORDERS, WHY_NOT};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;

@@ -1,114 +1,32 @@
-//! What is an engine, as far as its balance goes? Cylinders: throw, bank, position, reciprocating mass.
+//! What is an engine, as far as its balance goes? A draft that holds together.
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::crankshaft::Crankshaft;
-use super::firing::Firing;
+use super::build::BuildError;
+use super::crankshaft::{Counterweight, Crankshaft};
+use super::cylinder::Cylinder;
+use super::dimensions::Dimensions;
+use super::draft::{Draft, ReferencePlane};
+use super::firing::{Cycle, Firing};
+use super::form::Form;
+use super::length::{Length, LengthUnit};
 use super::mechanism::{Mechanism, Rod};
 use super::title_block::TitleBlock;
 use crate::exact::Turn;
 use crate::text::Untrusted;
 
-/// One cylinder with its crank throw.
+/// An engine, in exact numbers. What it holds fits together: see [`BuildError`](super::BuildError) for what does not.
+///
+/// `A` are its angles and `L` its lengths: known here, with unknowns in a [`Family`](super::Family).
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Cylinder {
-    /// What it is called in the firing order: `1`, `L2`.
-    pub name: String,
-    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end.
-    pub throw: Turn,
-    /// Angle α of the cylinder axis, from the reference direction.
-    pub bank: Turn,
-    /// Position z along the crankshaft, towards the free end, in the layout's [`LengthUnit`].
-    pub position: BigRational,
-    /// Reciprocating mass, in kilograms, or in multiples of a common mass.
-    pub reciprocating_mass: BigRational,
-    /// Crank radius, in multiples of that of the layout.
-    pub crank_radius: BigRational,
-    /// Which pin of the crankshaft it works on: cylinders with the same number share it, or the parts of a split one.
-    pub pin: usize,
+pub struct Engine<A = Turn, L = BigRational> {
+    draft: Draft<A, L>,
+    reference_plane: L,
+    orders: Vec<u32>,
 }
 
-impl Cylinder {
-    /// Crank angle `α − β` at which the piston stands at top dead centre.
-    pub fn top_dead_centre(&self) -> Turn {
-        &self.bank - &self.throw
-    }
-
-    /// Length of the cylinder's vector in a star of the force: reciprocating mass times crank radius.
-    pub fn weight(&self) -> BigRational {
-        &self.reciprocating_mass * &self.crank_radius
-    }
-}
-
-/// What lengths are counted in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LengthUnit {
-    /// Numbers without a unit: multiples of the spacing a (or metres, as the reader likes).
-    Spacing,
-    /// Metres.
-    Metre,
-}
-
-/// Which short form the layout file used; the order is that of the catalogue.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Form {
-    /// All cylinders on one side of the crankshaft.
-    Inline,
-    /// Two banks.
-    Vee,
-    /// Two banks at 180° on shared pins.
-    Flat,
-    /// Opposed cylinders on pins of their own, 180° apart.
-    Boxer,
-    /// Three banks or more.
-    Fan,
-    /// Cylinders all round a common throw.
-    Radial,
-    /// One table a cylinder.
-    General,
-}
-
-/// An engine layout: what a layout file says, in exact numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Engine {
-    /// Title of the report.
-    pub title: Untrusted,
-    /// Where the crank star is published, if the file says so.
-    pub source: Option<Untrusted>,
-    /// Which form the file used.
-    pub form: Form,
-    /// The cylinders, in the order of the file.
-    pub cylinders: Vec<Cylinder>,
-    /// Position of the plane that moments are taken about.
-    pub reference_plane: BigRational,
-    /// Whether the file names the reference plane; else it is the middle of the cylinders.
-    pub reference_plane_given: bool,
-    /// What positions are counted in.
-    pub length_unit: LengthUnit,
-    /// Whether the file says where the cylinders stand; else they stand one spacing apart.
-    pub positions_given: bool,
-    /// The orders that the file asks for, rising; the usual ones where it asks for none.
-    pub orders: Vec<u32>,
-    /// Whether the file asks for them.
-    pub orders_given: bool,
-    /// When the cylinders fire, where the file says enough.
-    pub firing: Option<Firing>,
-    /// Positions of the main bearings, in the order of the file; none where the file says nothing of them.
-    pub bearings: Vec<BigRational>,
-    /// What the engine measures and weighs.
-    pub mechanism: Mechanism,
-    /// Masses on the crankshaft, and the balancer shafts that it drives.
-    pub crankshaft: Crankshaft,
-    /// What is asked for beyond force and moment.
-    pub effects: Effects,
-    /// What stands in the title block of a calculation report.
-    pub title_block: TitleBlock,
-    /// The layout file itself.
-    pub file: Untrusted,
-}
-
-/// What a layout file asks for beyond the forces and moments of its masses: `effects = ["torque", "remedy"]`.
+/// What is asked for beyond the forces and moments of the masses: `effects = ["torque", "remedy"]` in a layout file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effects {
     /// The inertia torque.
@@ -117,41 +35,167 @@ pub struct Effects {
     pub remedy: bool,
 }
 
-impl Engine {
-    /// Arm of a cylinder: its position measured from the reference plane.
-    pub fn arm(&self, cylinder: &Cylinder) -> BigRational {
-        &cylinder.position - &self.reference_plane
+impl<A, L> Engine<A, L> {
+    /// An engine whose draft was checked.
+    pub(super) fn new(draft: Draft<A, L>, reference_plane: L, orders: Vec<u32>) -> Self {
+        Engine { draft, reference_plane, orders }
     }
 
-    /// The different rods of the engine, in the order of the cylinders; none where the file says nothing of them.
-    pub fn rods(&self) -> Vec<&Rod> {
-        let mut different: Vec<&Rod> = Vec::new();
-        for rod in &self.mechanism.rods {
-            if !different.contains(&rod) {
-                different.push(rod);
+    /// What it is called in a report.
+    pub fn title(&self) -> &Untrusted {
+        &self.draft.title
+    }
+
+    /// Where the crank star is published.
+    pub fn source(&self) -> Option<&Untrusted> {
+        self.draft.source.as_ref()
+    }
+
+    /// Which form of layout file describes it.
+    pub fn form(&self) -> Form {
+        self.draft.form
+    }
+
+    /// The cylinders, one at least, each with a name of its own.
+    pub fn cylinders(&self) -> &[Cylinder<A, L>] {
+        &self.draft.cylinders
+    }
+
+    /// Position of the plane that moments are taken about.
+    pub fn reference_plane(&self) -> &L {
+        &self.reference_plane
+    }
+
+    /// Whether the reference plane was named; else it is the middle of the cylinders.
+    pub fn reference_plane_given(&self) -> bool {
+        matches!(self.draft.reference_plane, ReferencePlane::Named(_))
+    }
+
+    /// What positions are counted in.
+    pub fn length_unit(&self) -> LengthUnit {
+        self.draft.length_unit
+    }
+
+    /// Whether the positions are those of a real engine; else the cylinders stand one spacing apart.
+    pub fn positions_given(&self) -> bool {
+        self.draft.positions_given
+    }
+
+    /// The orders that are asked for, rising; the usual ones where none are.
+    pub fn orders(&self) -> &[u32] {
+        &self.orders
+    }
+
+    /// Whether orders are asked for.
+    pub fn orders_given(&self) -> bool {
+        !self.draft.orders.is_empty()
+    }
+
+    /// Two-stroke or four-stroke, where that is known.
+    pub fn cycle(&self) -> Option<Cycle> {
+        self.draft.cycle
+    }
+
+    /// When the cylinders fire, where that is known.
+    pub fn firing(&self) -> Option<&Firing> {
+        self.draft.firing.as_ref()
+    }
+
+    /// Positions of the main bearings; none where nothing is known of them.
+    pub fn bearings(&self) -> &[BigRational] {
+        &self.draft.bearings
+    }
+
+    /// What the engine measures and weighs.
+    pub fn dimensions(&self) -> &Dimensions {
+        &self.draft.dimensions
+    }
+
+    /// Masses on the crankshaft, and the balancer shafts that it drives.
+    pub fn crankshaft(&self) -> &Crankshaft {
+        &self.draft.crankshaft
+    }
+
+    /// What is asked for beyond force and moment.
+    pub fn effects(&self) -> Effects {
+        self.draft.effects
+    }
+
+    /// What stands in the title block of a calculation report.
+    pub fn title_block(&self) -> &TitleBlock {
+        &self.draft.title_block
+    }
+
+    /// The layout file that it was read from; empty where it was not.
+    pub fn file(&self) -> &Untrusted {
+        &self.draft.file
+    }
+
+    /// A draft to change: what it says may no longer hold together.
+    pub fn into_draft(self) -> Draft<A, L> {
+        self.draft
+    }
+
+    /// The connecting rods, in the order of the cylinders; none where nothing is known of them.
+    pub fn rods(&self) -> impl Iterator<Item = &Rod> {
+        self.cylinders().iter().filter_map(Cylinder::rod)
+    }
+
+    /// The different mechanisms of its cylinders, in their order; none where nothing is known of them.
+    pub fn mechanisms(&self) -> Vec<&Mechanism> {
+        let mut different: Vec<&Mechanism> = Vec::new();
+        for mechanism in self.cylinders().iter().filter_map(|cylinder| cylinder.mechanism.as_ref()) {
+            if !different.contains(&mechanism) {
+                different.push(mechanism);
             }
         }
         different
     }
+}
 
-    /// Whether some cylinder axis misses the crankshaft, so that every order exists.
-    pub fn has_offset(&self) -> bool {
-        self.mechanism.rods.iter().any(|rod| !rod.offset.is_zero())
+impl<A, L: Length> Engine<A, L> {
+    /// Arm of a cylinder: its position measured from the reference plane.
+    pub fn arm(&self, cylinder: &Cylinder<A, L>) -> L {
+        cylinder.position.less(&self.reference_plane)
+    }
+}
+
+impl Engine {
+    /// The same engine with these masses on its crankshaft and these shafts.
+    ///
+    /// # Errors
+    /// What does not fit.
+    pub fn with_crankshaft(&self, crankshaft: Crankshaft) -> Result<Engine, BuildError> {
+        Draft { crankshaft, ..self.clone().into_draft() }.build()
     }
 
-    /// The same engine with only the masses that work on this rod; the others are 0.
-    pub fn only_with(&self, rod: &Rod) -> Engine {
+    /// The same engine with its counterweights replaced; balance factors are those of no file then.
+    ///
+    /// # Errors
+    /// What does not fit.
+    pub fn with_counterweights(&self, counterweights: Vec<Counterweight>) -> Result<Engine, BuildError> {
+        let bare = self.crankshaft().clone();
+        self.with_crankshaft(Crankshaft { counterweights, balance_factors: Vec::new(), ..bare })
+    }
+
+    /// The same engine with only the reciprocating masses that this mechanism moves; the others are 0.
+    pub fn only_with(&self, mechanism: &Mechanism) -> Engine {
         let mut part = self.clone();
-        for (index, cylinder) in part.cylinders.iter_mut().enumerate() {
-            if self.mechanism.rods.get(index) != Some(rod) {
+        for cylinder in &mut part.draft.cylinders {
+            if cylinder.mechanism.as_ref() != Some(mechanism) {
                 cylinder.reciprocating_mass = BigRational::zero();
             }
         }
         part
     }
 
+    /// Whether some cylinder axis misses the crankshaft, so that every order exists.
+    pub fn has_offset(&self) -> bool {
+        self.mechanisms().iter().any(|mechanism| !mechanism.is_centric())
+    }
+
     /// Whether every reciprocating mass and crank radius is 1, so that weights need not be shown.
     pub fn has_unit_masses(&self) -> bool {
-        self.cylinders.iter().all(|cylinder| cylinder.weight().is_one())
+        self.cylinders().iter().all(|cylinder| cylinder.weight().is_one())
     }
 }

@@ -8,6 +8,7 @@ use std::ops::RangeInclusive;
 use num_traits::Zero;
 
 use super::mechanism::{Mechanism, Rod};
+use super::model::Engine;
 use crate::proof::Quantity;
 
 /// The highest order that is answered.
@@ -21,9 +22,17 @@ pub const DOES_NOT_EXIST: &str = "does not exist";
 /// Why an order does not exist, as a sentence.
 pub const WHY_NOT: &str = "An order that does not exist has the coefficient 0: without a pin offset the odd orders above 1 of force and moment, with infinitely long rods all but order 1.";
 
-impl Rod {
+impl Mechanism {
     /// Whether the coefficient of an order is not zero; there is no order 0.
     pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
+        match self {
+            Mechanism::SliderCrank(rod) => rod.has_order(quantity, order),
+        }
+    }
+}
+
+impl Rod {
+    fn has_order(&self, quantity: Quantity, order: u32) -> bool {
         match (quantity, order) {
             (_, 0) => false,
             (Quantity::Torque, _) => order == 2 || !self.ratio.is_zero(),
@@ -35,13 +44,18 @@ impl Rod {
     }
 }
 
-impl Mechanism {
+impl<A, L> Engine<A, L> {
     /// Whether some piston has an order; rods of which nothing is known are of finite length and without offset.
-    pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
-        match (self.rods.is_empty(), quantity) {
-            (true, Quantity::Torque) => order > 0,
-            (true, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
-            (false, _) => self.rods.iter().any(|rod| rod.has_order(quantity, order)),
-        }
+    pub fn pistons_have_order(&self, quantity: Quantity, order: u32) -> bool {
+        pistons_have_order(&self.mechanisms(), quantity, order)
+    }
+}
+
+/// Whether a piston with one of these mechanisms has an order.
+pub(super) fn pistons_have_order(mechanisms: &[&Mechanism], quantity: Quantity, order: u32) -> bool {
+    match (mechanisms.is_empty(), quantity) {
+        (true, Quantity::Torque) => order > 0,
+        (true, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
+        (false, _) => mechanisms.iter().any(|mechanism| mechanism.has_order(quantity, order)),
     }
 }

@@ -26,12 +26,12 @@ pub struct Throw {
 /// assert_eq!(throws.len(), 4);
 /// assert_eq!(throws[0].cylinders, [0, 4]);
 /// ```
-pub fn throws(layout: &Engine) -> Vec<Throw> {
-    let mut order: Vec<usize> = (0..layout.cylinders.len()).collect();
-    order.sort_by_key(|&index| layout.cylinders[index].pin);
+pub fn throws(engine: &Engine) -> Vec<Throw> {
+    let mut order: Vec<usize> = (0..engine.cylinders().len()).collect();
+    order.sort_by_key(|&index| engine.cylinders()[index].pin);
     let mut throws: Vec<(usize, Throw)> = Vec::new();
     for index in order {
-        let cylinder = &layout.cylinders[index];
+        let cylinder = &engine.cylinders()[index];
         let shares = |(pin, throw): &(usize, Throw)| {
             *pin == cylinder.pin && throw.angle == cylinder.throw && throw.crank_radius == cylinder.crank_radius
         };
@@ -51,7 +51,7 @@ pub fn throws(layout: &Engine) -> Vec<Throw> {
         }
     }
     let placed = |(_, throw): (usize, Throw)| {
-        let positions = || throw.cylinders.iter().map(|&index| &layout.cylinders[index].position);
+        let positions = || throw.cylinders.iter().map(|&index| &engine.cylinders()[index].position);
         let ends = positions().min().zip(positions().max());
         let middle = ends.map(|(low, high)| (low + high) / BigRational::from_integer(2.into()));
         Throw { position: middle.unwrap_or_else(|| throw.position.clone()), ..throw.clone() }

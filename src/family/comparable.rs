@@ -34,11 +34,11 @@ impl std::error::Error for NotComparable {}
 /// # Errors
 /// Why it is not.
 pub fn comparable(family: &Family) -> Result<(), NotComparable> {
-    if family.mechanism.rods.windows(2).any(|pair| pair[0] != pair[1]) {
+    if family.mechanisms().len() > 1 {
         return Err(NotComparable::RodsDiffer);
     }
-    let no_unit = family.mechanism.mass.as_ref().is_some_and(Zero::is_zero);
-    match no_unit || family.cylinders.iter().all(|cylinder| family.weight(cylinder).is_zero()) {
+    let no_unit = family.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
+    match no_unit || family.cylinders().iter().all(|cylinder| cylinder.weight().is_zero()) {
         true => Err(NotComparable::NoMass),
         false => Ok(()),
     }

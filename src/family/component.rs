@@ -13,7 +13,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::left::ratio;
 use super::{OpenSum, phase, sums_of};
-use crate::engine::{Family, Linear, SymbolicCylinder};
+use crate::engine::{Cylinder, Family, Linear};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::proof::{Quantity, Sense};
 
@@ -43,7 +43,7 @@ const HIGHEST_DEGREE: usize = 64;
 /// The angles φ at which a component of one order vanishes; not solved where another unknown is open too.
 pub fn component_zeros(family: &Family, quantity: Quantity, order: u32, component: Component) -> Zeros {
     let sign = BigRational::from_integer(if component == Component::Along { 1.into() } else { (-1).into() });
-    let terms = family.cylinders.iter().flat_map(|cylinder: &SymbolicCylinder| {
+    let terms = family.cylinders().iter().flat_map(|cylinder: &Cylinder<Linear, Linear>| {
         let weight = super::weight(family, cylinder, quantity);
         let mirrored = phase(cylinder, order, Sense::Reverse).scaled(&-BigRational::one());
         let reverse = (mirrored, weight.scaled(&sign));

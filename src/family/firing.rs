@@ -15,8 +15,8 @@ use crate::exact::Turn;
 /// In an even order the top dead centres, modulo a revolution, are the multiples of the interval. Between a cylinder
 /// in which φ enters otherwise than in the first and the first, that leaves finitely many φ, and each is tried.
 pub fn even_firing(family: &Family) -> Option<BTreeSet<Turn>> {
-    let cycle = family.cycle?.turns();
-    let centres: Vec<Linear> = family.cylinders.iter().map(|cylinder| cylinder.bank.minus(&cylinder.throw)).collect();
+    let cycle = family.cycle()?.turns();
+    let centres: Vec<Linear> = family.cylinders().iter().map(|cylinder| cylinder.bank.minus(&cylinder.throw)).collect();
     if centres.iter().any(|centre| centre.symbols().keys().any(|name| name != PHI)) {
         return None;
     }

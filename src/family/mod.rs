@@ -21,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use crate::engine::{DELTA, Family, Linear, PHI, SymbolicCylinder};
+use crate::engine::{Cylinder, DELTA, Family, Linear, PHI};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order;
 use crate::proof::{Certificate, Quantity, Sense};
@@ -122,7 +122,7 @@ pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
 
 fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {
     let terms: Vec<(Linear, Linear)> = family
-        .cylinders
+        .cylinders()
         .iter()
         .map(|cylinder| (phase(cylinder, order, sense), weight(family, cylinder, quantity)))
         .collect();
@@ -130,11 +130,11 @@ fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> Ope
 }
 
 /// What a cylinder's vector weighs.
-fn weight(family: &Family, cylinder: &SymbolicCylinder, quantity: Quantity) -> Linear {
+fn weight(family: &Family, cylinder: &Cylinder<Linear, Linear>, quantity: Quantity) -> Linear {
     match quantity {
-        Quantity::Moment => family.arm(cylinder).scaled(&family.weight(cylinder)),
-        Quantity::Force => Linear::constant(family.weight(cylinder)),
-        Quantity::Torque => Linear::constant(family.weight(cylinder) * &cylinder.crank_radius),
+        Quantity::Moment => family.arm(cylinder).scaled(&cylinder.weight()),
+        Quantity::Force => Linear::constant(cylinder.weight()),
+        Quantity::Torque => Linear::constant(cylinder.weight() * &cylinder.crank_radius),
     }
 }
 
@@ -151,7 +151,7 @@ fn sums_of(terms: &[(Linear, Linear)]) -> Vec<OpenSum> {
 }
 
 /// The phase of a cylinder in the star of order k, with the unknowns in it.
-pub fn phase(cylinder: &SymbolicCylinder, order: u32, sense: Sense) -> Linear {
+pub fn phase(cylinder: &Cylinder<Linear, Linear>, order: u32, sense: Sense) -> Linear {
     let [of_throw, of_bank] = order::multiples(order, Some(sense)).map(|times| BigRational::from_integer(times.into()));
     cylinder.throw.scaled(&of_throw).plus(&cylinder.bank.scaled(&of_bank))
 }

@@ -56,7 +56,7 @@ fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result
 /// Every bearing stands on the crankshaft, where the file says how long that is.
 pub(super) fn check_ends(list: Option<&List>, layout: &Engine) -> Result<(), LayoutError> {
     let (Some(list), Some([low, high])) = (list, layout.shaft_ends()) else { return Ok(()) };
-    for (index, (at, text)) in layout.bearings.iter().zip(list.get_ref()).enumerate() {
+    for (index, (at, text)) in layout.bearings().iter().zip(list.get_ref()).enumerate() {
         if *at < low || *at > high {
             let message = format!("main bearing {} at {at} is beyond the crankshaft", index + 1);
             return Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), place(text)));

@@ -32,7 +32,7 @@ include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 pub fn catalogue() -> Result<Vec<(Entry, Engine)>, LayoutError> {
     let mut engines =
         ENTRIES.iter().map(|entry| Ok((*entry, entry.engine()?))).collect::<Result<Vec<_>, LayoutError>>()?;
-    engines.sort_by_key(|(entry, layout)| (layout.form, layout.cylinders.len(), entry.name));
+    engines.sort_by_key(|(entry, layout)| (layout.form(), layout.cylinders().len(), entry.name));
     Ok(engines)
 }
 

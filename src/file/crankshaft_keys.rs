@@ -10,6 +10,7 @@ use serde_spanned::Spanned;
 
 use super::balancer_keys;
 use super::error::LayoutError;
+use super::layout::built;
 use super::quantities::{self, factor, mass, metres, misread, positive_metres};
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Counterweight, Crankshaft, Engine, LengthUnit, Throw, Web, throws};
@@ -54,39 +55,52 @@ impl Tables<'_> {
         crankshaft.or(self.counterweights.as_ref().map(Spanned::span)).or(self.balancers.as_ref().map(Spanned::span))
     }
 
-    /// Reads the tables for an engine that is known but for them, which may become one in metres.
-    pub fn read(&self, layout: &mut Engine) -> Result<(), LayoutError> {
-        let throws = throws(layout);
+    /// The engine with what the tables add to it, which may make it one in metres.
+    pub fn read(&self, engine: Engine) -> Result<Engine, LayoutError> {
+        let throws = throws(&engine);
+        let mut unit = engine.length_unit();
+        let mut draft = engine.clone().into_draft();
         if let Some(table) = self.crankshaft {
-            self.masses(&table.get_ref().0, layout, &throws)?;
+            draft.crankshaft = self.masses(&table.get_ref().0, &engine, &throws, &mut unit)?;
         }
+        // Balance factors are about what turns without counterweights.
+        let bare = built(draft.clone().build())?;
         let asked = self.crankshaft.as_ref().and_then(|table| table.get_ref().0.balance_factor.as_ref());
         match (asked, self.counterweights) {
             (Some(_), Some(list)) => {
                 let message = "both a balance factor and counterweights are given";
                 return Err(LayoutError::new(message, "a balance factor makes the counterweights itself", place(list)));
             }
-            (Some(factors), None) => self.make_counterweights(factors, layout, &throws)?,
+            (Some(factors), None) => {
+                let (weights, factors) = self.make_counterweights(factors, &bare, &throws, &mut unit)?;
+                draft.crankshaft.counterweights = weights;
+                draft.crankshaft.balance_factors = factors;
+            }
             (None, Some(list)) => {
-                for table in list.get_ref() {
-                    let weight = self.counterweight(table, layout, &throws)?;
-                    layout.crankshaft.counterweights.push(weight);
-                }
+                let weights = list.get_ref().iter().map(|table| self.counterweight(table, &bare, &throws, &mut unit));
+                draft.crankshaft.counterweights = weights.collect::<Result<_, _>>()?;
             }
             (None, None) => {}
         }
         for table in self.balancers.iter().flat_map(|list| list.get_ref()) {
-            let shaft = balancer_keys::read(table, |text| self.along(text, layout))?;
-            layout.crankshaft.balancers.push(shaft);
+            let shaft = balancer_keys::read(table, |text| self.along(text, &bare, &mut unit))?;
+            draft.crankshaft.balancers.push(shaft);
         }
-        Ok(())
+        draft.length_unit = unit;
+        built(draft.build())
     }
 
     /// Length, pins and webs.
-    fn masses(&self, keys: &Keys, layout: &mut Engine, throws: &[Throw]) -> Result<(), LayoutError> {
+    fn masses(
+        &self,
+        keys: &Keys,
+        engine: &Engine,
+        throws: &[Throw],
+        unit: &mut LengthUnit,
+    ) -> Result<Crankshaft, LayoutError> {
         let mut crankshaft = Crankshaft::default();
         if let Some(text) = &keys.length {
-            let length = self.along(text, layout)?;
+            let length = self.along(text, engine, unit)?;
             if !length.is_positive() {
                 return Err(misread("length", &text.get_ref().0, "a length above 0".to_owned(), text));
             }
@@ -116,14 +130,19 @@ impl Tables<'_> {
             let right = "they place the counterweights that a balance_factor makes: add it";
             return Err(LayoutError::new("counterweights without their size", right, place(list)));
         }
-        layout.crankshaft = crankshaft;
-        Ok(())
+        Ok(crankshaft)
     }
 
-    /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane.
-    fn make_counterweights(&self, list: &Column, layout: &mut Engine, throws: &[Throw]) -> Result<(), LayoutError> {
-        let Some(keys) = self.crankshaft.as_ref().map(|table| &table.get_ref().0) else { return Ok(()) };
-        let Some(radii) = &keys.counterweight_radius else {
+    /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane; and the factors.
+    fn make_counterweights(
+        &self,
+        list: &Column,
+        engine: &Engine,
+        throws: &[Throw],
+        unit: &mut LengthUnit,
+    ) -> Result<(Vec<Counterweight>, Vec<BigRational>), LayoutError> {
+        let keys = self.crankshaft.as_ref().map(|table| &table.get_ref().0);
+        let Some((keys, radii)) = keys.and_then(|keys| Some((keys, keys.counterweight_radius.as_ref()?))) else {
             let right = "add counterweight_radius, the distance of their centres of gravity from the axis";
             return Err(LayoutError::new(
                 "a balance factor without the radius of the counterweights",
@@ -134,14 +153,15 @@ impl Tables<'_> {
         let radii = each(radii, throws, positive_metres)?;
         let factors = each(list, throws, factor)?;
         let offsets = match &keys.web_offset {
-            Some(list) => Some(each(list, throws, |text| self.along(text, layout))?),
+            Some(list) => Some(each(list, throws, |text| self.along(text, engine, unit))?),
             None => None,
         };
         let two = BigRational::from_integer(2.into());
-        let Some(wholes) = layout.throw_mass_radii() else {
+        let Some(wholes) = engine.throw_mass_radii() else {
             let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
             return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
         };
+        let mut weights = Vec::new();
         for (index, throw) in throws.iter().enumerate() {
             let mass = &wholes[index] * &factors[index] / &radii[index];
             let weight = |mass: BigRational, position: BigRational| Counterweight {
@@ -154,22 +174,22 @@ impl Tables<'_> {
             match offsets.as_ref().map(|offsets| &offsets[index]).filter(|offset| !offset.is_zero()) {
                 Some(offset) => {
                     for position in [&throw.position + offset, &throw.position - offset] {
-                        on_the_shaft(layout, &position, keys.web_offset.as_ref().and_then(place))?;
-                        layout.crankshaft.counterweights.push(weight(&mass / &two, position));
+                        on_the_shaft(engine, &position, keys.web_offset.as_ref().and_then(place))?;
+                        weights.push(weight(&mass / &two, position));
                     }
                 }
-                None => layout.crankshaft.counterweights.push(weight(mass, throw.position.clone())),
+                None => weights.push(weight(mass, throw.position.clone())),
             }
         }
-        layout.crankshaft.balance_factors = factors;
-        Ok(())
+        Ok((weights, factors))
     }
 
     fn counterweight(
         &self,
         table: &Spanned<Table<CounterweightKeys>>,
-        layout: &mut Engine,
+        engine: &Engine,
         throws: &[Throw],
+        unit: &mut LengthUnit,
     ) -> Result<Counterweight, LayoutError> {
         let keys = &table.get_ref().0;
         let throw = keys.throw.as_ref().map(|text| number_of_throw(text, throws.len())).transpose()?;
@@ -183,25 +203,25 @@ impl Tables<'_> {
             }
         };
         let position = match (&keys.position, throw) {
-            (Some(text), _) => self.along(text, layout)?,
+            (Some(text), _) => self.along(text, engine, unit)?,
             (None, Some(throw)) => throws[throw].position.clone(),
             (None, None) => {
                 let right = "add its position along the crankshaft, or the throw that it belongs to";
                 return Err(LayoutError::new("a counterweight without a position", right, place(table)));
             }
         };
-        on_the_shaft(layout, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
+        on_the_shaft(engine, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
         Ok(Counterweight { throw, angle, mass: mass(&keys.mass)?, radius: positive_metres(&keys.radius)?, position })
     }
 
     /// A length along the crankshaft, in the unit of the positions.
-    fn along(&self, text: &Text, layout: &mut Engine) -> Result<BigRational, LayoutError> {
-        let mut unit = LengthUnit::Spacing;
-        let length = quantities::length(text, &mut unit)?.with(self.values);
+    fn along(&self, text: &Text, engine: &Engine, unit: &mut LengthUnit) -> Result<BigRational, LayoutError> {
+        let mut own = LengthUnit::Spacing;
+        let length = quantities::length(text, &mut own)?.with(self.values);
         let Some(known) = length.as_known() else {
             return Err(misread("length", &text.get_ref().0, "a length whose symbols have values".to_owned(), text));
         };
-        if unit == LengthUnit::Metre && !layout.positions_given {
+        if own == LengthUnit::Metre && !engine.positions_given() {
             let right = "give the engine its spacing or positions, or count in spacings here too";
             return Err(LayoutError::new(
                 "a length in an engine whose cylinders stand one spacing apart",
@@ -209,8 +229,8 @@ impl Tables<'_> {
                 place(text),
             ));
         }
-        if unit == LengthUnit::Metre {
-            layout.length_unit = unit;
+        if own == LengthUnit::Metre {
+            *unit = own;
         }
         Ok(known.clone())
     }
@@ -249,8 +269,8 @@ fn number_of_throw(text: &Text, count: usize) -> Result<usize, LayoutError> {
 }
 
 /// A counterweight has to stand on the crankshaft.
-fn on_the_shaft(layout: &Engine, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
-    match layout.shaft_ends() {
+fn on_the_shaft(engine: &Engine, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
+    match engine.shaft_ends() {
         Some([low, high]) if *position < low || *position > high => {
             let message = format!("a counterweight at {position} is beyond the crankshaft");
             Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), span))

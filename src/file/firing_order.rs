@@ -7,9 +7,8 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
 use super::error::LayoutError;
-use super::forms::MOST_CYLINDERS;
 use super::written::Written;
-use crate::engine::{Cycle, Cylinder};
+use crate::engine::{Cycle, Cylinder, MOST_CYLINDERS};
 use crate::exact::Turn;
 
 /// A firing order as written: `"1-3-4-2"` or `[1, 3, 4, 2]`.

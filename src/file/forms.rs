@@ -13,15 +13,12 @@ use super::error::LayoutError;
 use super::firing_order::FiringOrder;
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Text, place};
-use crate::engine::{Cycle, Form, LengthUnit, Linear, SymbolicCylinder};
-
-/// More cylinders than this are refused by name.
-pub(super) const MOST_CYLINDERS: usize = 2000;
+use crate::engine::{Cycle, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 
 /// What every form comes to.
 pub(super) struct Expanded {
     pub form: Form,
-    pub cylinders: Vec<SymbolicCylinder>,
+    pub cylinders: Vec<Cylinder<Linear, Linear>>,
     pub length_unit: LengthUnit,
     /// Whether the positions are those of the file; else the cylinders stand one spacing apart.
     pub positions_given: bool,
@@ -236,14 +233,13 @@ impl Radial {
         let cylinders = (0..rows).flat_map(|row| {
             let (rotation, throw) = (rotation.scaled(&integer(row)), throw.scaled(&integer(row)));
             let position = spacing.scaled(&BigRational::new((rows - 1 - 2 * row).into(), 2.into()));
-            (0..count).map(move |i| SymbolicCylinder {
-                name: (row * count + i + 1).to_string(),
-                throw: throw.clone(),
-                bank: Linear::constant(BigRational::new(i.into(), count.into())).plus(&rotation),
-                position: position.clone(),
-                reciprocating_mass: one(),
-                crank_radius: one(),
-                pin: row as usize,
+            (0..count).map(move |i| {
+                Cylinder::new(
+                    throw.clone(),
+                    Linear::constant(BigRational::new(i.into(), count.into())).plus(&rotation),
+                    position.clone(),
+                    row as usize,
+                )
             })
         });
         let positions_given = rows == 1 || self.row_spacing.is_some();
@@ -281,14 +277,9 @@ fn fan(
             return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
         }
     };
-    let cylinders = pairs.into_iter().enumerate().map(|(index, (bank, pin))| SymbolicCylinder {
-        name: (index + 1).to_string(),
-        throw: pins.pins[pin].0.plus(&bank.split),
-        bank: bank.angle.clone(),
-        position: pins.pins[pin].1.plus(&bank.offset),
-        reciprocating_mass: one(),
-        crank_radius: one(),
-        pin,
+    let cylinders = pairs.into_iter().map(|(bank, pin)| {
+        let (throw, position) = &pins.pins[pin];
+        Cylinder::new(throw.plus(&bank.split), bank.angle.clone(), position.plus(&bank.offset), pin)
     });
     let positions_given = pins.positions_given;
     Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given })

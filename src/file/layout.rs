@@ -13,20 +13,16 @@ use super::bearings;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::FiringOrder;
-use super::forms::{self, Expanded, MOST_CYLINDERS};
+use super::forms::{self, Expanded};
 use super::mechanism_keys;
 use super::quantities;
 use super::title_block_keys;
 use super::written::{Table, Text, place, read, read_table};
 use crate::engine::{
-    Cycle, Cylinder, DELTA, Effects, Engine, Family, Firing, Form, LengthUnit, Linear, Mechanism, ORDERS, PHI,
-    SymbolicCylinder,
+    BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Firing, Form,
+    LengthUnit, Linear, MOST_CYLINDERS, ORDERS, PHI, ReferencePlane,
 };
-use crate::proof::Quantity;
 use crate::text::Untrusted;
-
-/// The orders of a file that names none are those that exist, up to this one.
-const USUALLY_UP_TO: u32 = 6;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -104,41 +100,42 @@ pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
-    read::<File>(source).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
+    read::<File>(source).and_then(|file| layout(name, source, file)).map_err(|error| error.in_file(name, source))
 }
 
 /// Reads the tables of a layout file, whose text `source` is, numbers as texts.
 pub(super) fn read_layout(name: &str, source: &str, table: Spanned<DeTable<'_>>) -> Result<Layout, LayoutError> {
-    read_table::<File>(table).and_then(|file| engine(name, source, file)).map_err(|error| error.in_file(name, source))
+    read_table::<File>(table).and_then(|file| layout(name, source, file)).map_err(|error| error.in_file(name, source))
 }
 
-fn engine(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
+fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let mut expanded = expand(&file, cycle)?;
-    let mechanism = mechanism(&file, &mut expanded.cylinders)?;
+    let dimensions = dimensions(&file, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
-    let given_plane =
-        file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
+    let plane = file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
-    let family = Family {
+    let draft = Draft {
         title: file.title.as_ref().map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
-        reference_plane: given_plane.clone().unwrap_or_else(|| middle(&expanded.cylinders)),
-        length_unit,
-        orders: file.orders.as_ref().map_or_else(|| Ok(usual_orders(&mechanism)), orders)?,
-        orders_given: file.orders.is_some(),
         cylinders: expanded.cylinders,
-        cycle,
+        reference_plane: plane.map_or(ReferencePlane::Middle, ReferencePlane::Named),
+        length_unit,
         positions_given: expanded.positions_given,
+        orders: file.orders.as_ref().map_or_else(|| Ok(Vec::new()), orders)?,
+        cycle,
+        firing: None,
         bearings: bearings.transpose()?.unwrap_or_default(),
-        mechanism,
+        dimensions,
+        crankshaft: Crankshaft::default(),
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
         file: Untrusted::new(source),
     };
+    let family = built(draft.build())?;
     check_values(&file.values, &family)?;
     let turning = crankshaft_keys::Tables {
         crankshaft: &file.crankshaft,
@@ -146,7 +143,8 @@ fn engine(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
         balancers: &file.balancer,
         values: &values,
     };
-    let Some(mut layout) = family.with(&values).only() else {
+    let valued = built(family.with(&values))?;
+    let Some(engine) = valued.only() else {
         if let Some(span) = turning.place() {
             return Err(LayoutError::new(
                 "masses on the crankshaft in an engine whose angles or positions are open",
@@ -158,7 +156,7 @@ fn engine(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
             return Err(bearings::of_open_layout(list));
         }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
-            None => Ok(Layout::Open(Box::new(family.with(&values)))),
+            None => Ok(Layout::Open(Box::new(valued))),
             span => Err(LayoutError::new(
                 "when the cylinders fire cannot be judged while an angle or position is open",
                 "leave it out: the angles that fire evenly are found from the cycle",
@@ -166,28 +164,33 @@ fn engine(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
             )),
         };
     };
-    turning.read(&mut layout)?;
-    bearings::check_ends(given_bearings, &layout)?;
-    layout.firing = firing(&file.firing_order, &file.firing_angles, cycle, &layout.cylinders)?;
-    layout.reference_plane_given = given_plane.is_some();
+    let engine = turning.read(built(engine)?)?;
+    bearings::check_ends(given_bearings, &engine)?;
+    let mut draft = engine.into_draft();
+    draft.firing = firing(&file.firing_order, &file.firing_angles, cycle, &draft.cylinders)?;
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
-    Ok(Layout::Known(Box::new(layout), symbolic))
+    Ok(Layout::Known(Box::new(built(draft.build())?), symbolic))
+}
+
+/// What the keys do not keep from happening, in the words of the builder.
+pub(super) fn built<E>(engine: Result<E, BuildError>) -> Result<E, LayoutError> {
+    engine.map_err(|error| LayoutError::new(error.to_string(), "all that a file says has to fit together", None))
 }
 
 /// What the file says of crank, rods, masses and speed.
-fn mechanism(file: &File, cylinders: &mut [SymbolicCylinder]) -> Result<Mechanism, LayoutError> {
+fn dimensions(file: &File, cylinders: &mut [Cylinder<Linear, Linear>]) -> Result<Dimensions, LayoutError> {
     let tables = file.cylinder.iter().flat_map(|tables| tables.get_ref());
     let masses_given = tables.into_iter().any(|table| table.get_ref().0.reciprocating_mass.is_some());
-    let mut mechanism = match &file.mechanism {
+    let mut dimensions = match &file.mechanism {
         Some(table) => table.0.read(cylinders, masses_given)?,
-        None => Mechanism::default(),
+        None => Dimensions::default(),
     };
     if let Some(text) = &file.speed {
         let (speed, given) = mechanism_keys::speed(text)?;
-        mechanism.speed = Some(speed);
-        mechanism.given.insert(0, given);
+        dimensions.speed = Some(speed);
+        dimensions.given.insert(0, given);
     }
-    Ok(mechanism)
+    Ok(dimensions)
 }
 
 fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
@@ -266,17 +269,16 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     let mut length_unit = LengthUnit::Spacing;
     let cylinders = tables.iter().enumerate().map(|(index, table)| {
         let table = &table.get_ref().0;
-        Ok(SymbolicCylinder {
+        let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
+        let position = quantities::length(&table.position, &mut length_unit)?;
+        let cylinder = Cylinder::new(quantities::angle(&table.throw)?, quantities::angle(&table.bank)?, position, pin);
+        Ok(Cylinder {
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
-            throw: quantities::angle(&table.throw)?,
-            bank: quantities::angle(&table.bank)?,
-            position: quantities::length(&table.position, &mut length_unit)?,
             reciprocating_mass: table
                 .reciprocating_mass
                 .as_ref()
                 .map_or(Ok(BigRational::from_integer(1.into())), quantities::mass)?,
-            crank_radius: BigRational::from_integer(1.into()),
-            pin: table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize,
+            ..cylinder
         })
     });
     let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
@@ -287,7 +289,7 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
 
 /// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins
 /// are numbered from 0 without gaps.
-fn number_pins(cylinders: &mut [SymbolicCylinder]) {
+fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
     let mut pins: BTreeMap<Linear, usize> = BTreeMap::new();
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
         cylinder.pin = *pins.entry(cylinder.position.clone()).or_insert(MOST_CYLINDERS + 1 + index);
@@ -310,7 +312,10 @@ fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
     }
 }
 
-fn check_names(cylinders: &[SymbolicCylinder], tables: &[Spanned<Table<CylinderTable>>]) -> Result<(), LayoutError> {
+fn check_names(
+    cylinders: &[Cylinder<Linear, Linear>],
+    tables: &[Spanned<Table<CylinderTable>>],
+) -> Result<(), LayoutError> {
     let mut seen = BTreeMap::new();
     for (index, cylinder) in cylinders.iter().enumerate() {
         if let Some(first) = seen.insert(&cylinder.name, index) {
@@ -321,30 +326,12 @@ fn check_names(cylinders: &[SymbolicCylinder], tables: &[Spanned<Table<CylinderT
     Ok(())
 }
 
-/// The middle between the outermost cylinders; where positions are open, between the first and the last of the file.
-fn middle(cylinders: &[SymbolicCylinder]) -> Linear {
-    let positions = || cylinders.iter().map(|cylinder| &cylinder.position);
-    let all_known = positions().all(|position| position.as_known().is_some());
-    let ends = if all_known {
-        positions().min().zip(positions().max())
-    } else {
-        positions().next().zip(positions().next_back())
-    };
-    let half = BigRational::new(1.into(), 2.into());
-    ends.map_or_else(Linear::default, |(first, last)| first.plus(last).scaled(&half))
-}
-
 fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
     match text.get_ref().0.as_str() {
         "four-stroke" => Ok(Cycle::FourStroke),
         "two-stroke" => Ok(Cycle::TwoStroke),
         other => Err(quantities::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
     }
-}
-
-/// 1, 2, 4, 6, and 3 and 5 where a pin offset brings them.
-fn usual_orders(mechanism: &Mechanism) -> Vec<u32> {
-    (1..=USUALLY_UP_TO).filter(|&order| mechanism.has_order(Quantity::Force, order)).collect()
 }
 
 fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {

@@ -8,7 +8,7 @@ use super::error::LayoutError;
 use super::quantities::misread;
 use super::units;
 use super::written::{self, Text, Values, place};
-use crate::engine::{Given, Measure, Mechanism, Rod, SymbolicCylinder, turns_round};
+use crate::engine::{Cylinder, Dimensions, Given, Linear, Measure, Mechanism, Rod};
 use crate::text::Untrusted;
 
 /// `[mechanism]`: each key holds one value for all cylinders, or a list with one a cylinder.
@@ -38,7 +38,11 @@ struct Column {
 
 impl Keys {
     /// Reads the table for these cylinders, whose masses and crank radii it sets.
-    pub fn read(&self, cylinders: &mut [SymbolicCylinder], masses_given: bool) -> Result<Mechanism, LayoutError> {
+    pub fn read(
+        &self,
+        cylinders: &mut [Cylinder<Linear, Linear>],
+        masses_given: bool,
+    ) -> Result<Dimensions, LayoutError> {
         let mut table = Reading { count: cylinders.len(), given: Vec::new() };
         let half = BigRational::new(1.into(), 2.into());
         let radii = match (&self.stroke, &self.crank_radius) {
@@ -57,6 +61,10 @@ impl Keys {
             if let (Some(radii), Some(unit)) = (&radii, &crank_radius) {
                 cylinder.crank_radius = &radii[index] / unit;
             }
+            cylinder.mechanism = rods.get(index).cloned().map(Mechanism::SliderCrank);
+            if let Some(rotating) = &rotating {
+                cylinder.rotating_mass = rotating[index].clone();
+            }
         }
         let mut mass = masses_given.then(BigRational::one);
         if let Some(masses) = masses {
@@ -67,12 +75,10 @@ impl Keys {
             }
             mass = Some(unit.unwrap_or_else(BigRational::zero));
         }
-        Ok(Mechanism {
+        Ok(Dimensions {
             speed: None,
             crank_radius,
             mass,
-            rods,
-            rotating_masses: rotating.unwrap_or_default(),
             given: table.given,
             source: self.source.as_ref().map(|source| source.get_ref().untrusted()),
         })
@@ -109,7 +115,7 @@ impl Keys {
         };
         let offsets = self.offsets(table, radii, &ratios)?;
         let rods: Vec<Rod> = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Rod { ratio, offset }).collect();
-        match rods.iter().position(|rod| !turns_round(rod)) {
+        match rods.iter().position(|rod| !Mechanism::SliderCrank(rod.clone()).turns_round()) {
             None => Ok(rods),
             Some(index) => {
                 let Rod { ratio, offset } = &rods[index];

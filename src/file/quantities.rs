@@ -5,12 +5,11 @@ use num_traits::Signed;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::forms::MOST_CYLINDERS;
 use super::linear;
 use super::number::parse_number;
 use super::units;
 use super::written::{Text, place};
-use crate::engine::{DELTA, LengthUnit, Linear, PHI};
+use crate::engine::{DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI};
 
 /// Reads an angle as a layout file does, in turns that are not reduced.
 ///

@@ -22,7 +22,7 @@ pub fn vanishes_at_every_order(layout: &Engine, quantity: Quantity) -> bool {
     let alone = match quantity {
         Quantity::Torque => order::torque(layout, 2).vanishes(),
         Quantity::Force | Quantity::Moment => {
-            let shafts = layout.crankshaft.balancers.iter().map(|shaft| shaft.order);
+            let shafts = layout.crankshaft().balancers.iter().map(|shaft| shaft.order);
             let vanishes = |order, sense| order::all_masses(layout, quantity, order, sense).vanishes();
             [1].into_iter().chain(shafts).all(|k| vanishes(k, Sense::Direct) && vanishes(k, Sense::Reverse))
         }
@@ -33,7 +33,7 @@ pub fn vanishes_at_every_order(layout: &Engine, quantity: Quantity) -> bool {
 /// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
 fn groups(layout: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
     let mut groups: BTreeMap<(Rod, Turn), Vec<Term>> = BTreeMap::new();
-    for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
+    for (cylinder, rod) in layout.cylinders().iter().zip(layout.rods()) {
         let own = &cylinder.throw - &cylinder.bank;
         let weight = mass_radius(layout, cylinder);
         let (group, term) = match quantity {

@@ -79,14 +79,14 @@ const EQUAL: f64 = 1e-12;
 /// # Errors
 /// What the layout lacks.
 pub fn bearing_loads(layout: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
-    if layout.bearings.is_empty() {
+    if layout.bearings().is_empty() {
         return Err(Missing::Bearings);
     }
     super::are_orders(orders)?;
-    let beam = Beam::new(layout.bearings.clone()).map_err(Missing::Beam)?;
+    let beam = Beam::new(layout.bearings().to_vec()).map_err(Missing::Beam)?;
     let motion = Motion::new(layout)?;
     let shares = Shares::new(beam, method);
-    let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings.iter().map(|_| Vec::new()).collect();
+    let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings().iter().map(|_| Vec::new()).collect();
     for &order in orders {
         let [direct, reverse] = SENSES.map(|sense| {
             let mut forces = order::contributions(layout, order, sense);
@@ -95,9 +95,9 @@ pub fn bearing_loads(layout: &Engine, orders: &[u32], method: Method) -> Result<
                 OrderSum::new(forces.iter().map(|force: &Contribution| force.weighed(weighing)))
             };
             let reactions: Vec<OrderSum> =
-                (0..layout.bearings.len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
+                (0..layout.bearings().len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
             let loads = [sum(&|_| BigRational::one()), sum(&Clone::clone)];
-            if !in_equilibrium(&layout.bearings, &reactions, &loads) {
+            if !in_equilibrium(layout.bearings(), &reactions, &loads) {
                 unreachable!("the reactions of order {order} sum to the force and its moment")
             }
             reactions
@@ -108,7 +108,7 @@ pub fn bearing_loads(layout: &Engine, orders: &[u32], method: Method) -> Result<
         }
     }
     let bearings: Vec<BearingLoad> =
-        layout.bearings.iter().zip(by_bearing).map(|(at, orders)| BearingLoad::new(at.clone(), orders)).collect();
+        layout.bearings().iter().zip(by_bearing).map(|(at, orders)| BearingLoad::new(at.clone(), orders)).collect();
     let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
     let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
     let worst = (0..bearings.len()).filter(is_worst).collect();

@@ -1,14 +1,11 @@
-//! What are the factors of the exact sums, in numbers? Each is enclosed once.
+//! What are the sums of an engine in numbers? Each coefficient of its motion is enclosed once.
 
-use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
-use num_rational::BigRational;
-
 use super::{Missing, Swing, Vector, comparable, scale};
-use crate::engine::{Engine, Rod};
-use crate::motion::{Coefficient, Enclosure, SliderCrank};
-use crate::order::{Factor, OrderSum};
+use crate::engine::{Engine, Mechanism};
+use crate::motion::{Coefficient, SliderCrank};
+use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
 use crate::proof::Sense;
 
 /// Forces from here on are refused: their sums and squares would leave the range of decimals.
@@ -16,61 +13,41 @@ const LARGEST: f64 = 1e150;
 
 /// The motions of the cylinders, and the coefficients that were asked of them.
 pub(super) struct Motion {
-    pub cranks: BTreeMap<Rod, SliderCrank>,
-    known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
-    pub computed: Cell<usize>,
+    pub cranks: BTreeMap<Mechanism, SliderCrank>,
+    coefficients: Coefficients,
 }
 
 impl Motion {
-    pub fn new(layout: &Engine) -> Result<Self, Missing> {
-        if scale(layout).is_some_and(|scale| !(scale.force() < LARGEST && scale.torque() < LARGEST)) {
+    pub fn new(engine: &Engine) -> Result<Self, Missing> {
+        if scale(engine).is_some_and(|scale| !(scale.force() < LARGEST && scale.torque() < LARGEST)) {
             return Err(Missing::TooLarge);
         }
-        let mechanism = &layout.mechanism;
-        if mechanism.rods.is_empty() {
+        let mechanisms = engine.mechanisms();
+        if mechanisms.is_empty() {
             return Err(Missing::Rods);
         }
-        comparable(layout)?;
-        let mut cranks = BTreeMap::new();
-        for rod in &mechanism.rods {
-            let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
-            cranks.insert(rod.clone(), crank.map_err(|error| Missing::Motion(error.to_string()))?);
-        }
-        Ok(Motion { cranks, known: RefCell::default(), computed: Cell::new(0) })
+        comparable(engine)?;
+        let cranks = mechanisms.into_iter().map(|mechanism| (mechanism.clone(), order::crank(mechanism))).collect();
+        Ok(Motion { cranks, coefficients: Coefficients::default() })
     }
 
     /// The value of a factor: computed, and counted, once.
     pub fn coefficient(&self, factor: &Factor, order: u32) -> Coefficient {
-        let key = (factor.clone(), order);
-        if let Some(known) = self.known.borrow().get(&key) {
-            return known.clone();
+        match self.coefficients.of(factor, order) {
+            Some(coefficient) => coefficient,
+            None => unreachable!("loads are those of an engine that names its rods"),
         }
-        let coefficient = match factor {
-            Factor::One => return exactly_one(),
-            Factor::Motion(rod) => self.crank(rod, |crank| crank.coefficient(order)),
-            Factor::Torque(rod) => self.crank(rod, |crank| crank.torque_coefficient(order)),
-            Factor::Open => unreachable!("loads are those of an engine that names its rods"),
-        };
-        self.computed.set(self.computed.get() + 1);
-        self.known.borrow_mut().insert(key, coefficient.clone());
-        coefficient
     }
 
-    fn crank(&self, rod: &Rod, value: impl Fn(&SliderCrank) -> Coefficient) -> Coefficient {
-        match self.cranks.get(rod) {
-            Some(crank) => value(crank),
-            // An offset below zero has its coefficients from its mirror image.
-            None => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
-                Ok(crank) => value(&crank),
-                Err(_) => unreachable!("λ + |δ| is that of a crank that turns round"),
-            },
-        }
+    /// How many coefficients were computed.
+    pub fn computed(&self) -> usize {
+        self.coefficients.computed()
     }
 
     pub fn vector(&self, sum: &OrderSum, order: u32, sense: Sense) -> Vector {
-        Vector::new(sum, |factor| match sense {
-            Sense::Direct => self.coefficient(factor, order),
-            Sense::Reverse => Vector::conjugated(self.coefficient(factor, order)),
+        Vector::new(sum, |factor| match self.coefficients.in_sense(factor, order, Some(sense)) {
+            Some(coefficient) => coefficient,
+            None => unreachable!("loads are those of an engine that names its rods"),
         })
     }
 
@@ -82,17 +59,13 @@ impl Motion {
 
     /// The coefficient that all cylinders have in common, where a vector asked for it.
     pub fn common(&self, order: u32) -> Option<Coefficient> {
-        let mut rods = self.cranks.keys();
-        let (Some(rod), None) = (rods.next(), rods.next()) else { return None };
-        let (factor, sign) = Factor::of_force(Some(rod), order)?;
+        let mut mechanisms = self.cranks.keys();
+        let (Some(mechanism), None) = (mechanisms.next(), mechanisms.next()) else { return None };
+        let (factor, sign) = Factor::of_force(Some(mechanism), order)?;
         if factor == Factor::One {
             return Some(exactly_one());
         }
-        let known = self.known.borrow().get(&(factor, order)).cloned()?;
+        let known = self.coefficients.known(&factor, order)?;
         Some(Coefficient { re: known.re.times(&sign), im: known.im.times(&sign) })
     }
-}
-
-pub(super) fn exactly_one() -> Coefficient {
-    Coefficient { re: Enclosure::point(BigRational::from_integer(1.into())), im: Enclosure::zero() }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use num_traits::Zero;
+
 use crate::beam::Mistake;
 use crate::engine::{self, Engine};
 
@@ -22,15 +24,6 @@ pub enum Missing {
     Motion(String),
     /// A number that is no order.
     Order(u32),
-    /// A list of the mechanism that has not one value a cylinder.
-    Lists {
-        /// What the list holds.
-        of: &'static str,
-        /// How many.
-        values: usize,
-        /// For so many cylinders.
-        cylinders: usize,
-    },
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -59,9 +52,6 @@ impl fmt::Display for Missing {
             Missing::Order(number) => {
                 write!(f, "{number} is no order; an order is a whole number from 1 to {}", engine::ORDERS.end())
             }
-            Missing::Lists { of, values, cylinders } => {
-                write!(f, "the layout has {values} {of} for {cylinders} cylinders; give one to each")
-            }
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),
@@ -86,20 +76,14 @@ pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
 /// Whether the masses that turn can be compared with the reciprocating ones.
 ///
 /// # Errors
-/// What the layout lacks for that, and lists without one value a cylinder.
+/// What the layout lacks for that.
 pub fn comparable(layout: &Engine) -> Result<(), Missing> {
-    let cylinders = layout.cylinders.len();
-    for (of, values) in
-        [("rods", layout.mechanism.rods.len()), ("rotating masses", layout.mechanism.rotating_masses.len())]
-    {
-        if values != 0 && values != cylinders {
-            return Err(Missing::Lists { of, values, cylinders });
-        }
-    }
-    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let (mechanism, crankshaft) = (layout.dimensions(), layout.crankshaft());
     let in_metres =
         !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
-    let turns = in_metres || !mechanism.rotating_masses.is_empty() || !crankshaft.pins.is_empty();
+    let turns = in_metres
+        || layout.cylinders().iter().any(|cylinder| !cylinder.rotating_mass.is_zero())
+        || !crankshaft.pins.is_empty();
     match (mechanism.mass.is_none() && turns, mechanism.crank_radius.is_none() && in_metres) {
         (true, _) => Err(Missing::Masses),
         (_, true) => Err(Missing::CrankRadius),

@@ -18,7 +18,7 @@ mod waveform;
 
 pub use always::vanishes_at_every_order;
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
-use coefficients::{Motion, exactly_one};
+use coefficients::Motion;
 pub use missing::{Missing, are_orders, comparable};
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
@@ -108,7 +108,7 @@ pub struct TorqueOrder {
 /// # Errors
 /// What the layout lacks.
 pub fn loads(layout: &Engine, orders: &[u32]) -> Result<Loads, Missing> {
-    let torque = if layout.effects.torque { usual_torque_orders(layout, orders)? } else { Vec::new() };
+    let torque = if layout.effects().torque { usual_torque_orders(layout, orders)? } else { Vec::new() };
     loads_at(layout, orders, &torque)
 }
 
@@ -129,13 +129,13 @@ pub fn loads_at(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
         several => several.iter().map(|&group| GroupLoads::new(layout, &motion, group, orders)).collect(),
     };
     let solve = |method| bearing_loads(layout, orders, method);
-    let bearings = match layout.bearings.is_empty() {
+    let bearings = match layout.bearings().is_empty() {
         true => None,
         false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
     };
-    let torque = layout.effects.torque.then(|| torque(layout, &motion, torque_orders));
-    let has_shafts = !layout.crankshaft.balancers.is_empty();
-    let roll = (layout.effects.torque && has_shafts).then(|| roll::roll(layout, &motion, torque_orders));
+    let torque = layout.effects().torque.then(|| torque(layout, &motion, torque_orders));
+    let has_shafts = !layout.crankshaft().balancers.is_empty();
+    let roll = (layout.effects().torque && has_shafts).then(|| roll::roll(layout, &motion, torque_orders));
     Ok(Loads {
         groups,
         force,
@@ -145,7 +145,7 @@ pub fn loads_at(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
         roll,
         scale: scale(layout),
         orders: total,
-        coefficients: motion.computed.get(),
+        coefficients: motion.computed(),
     })
 }
 
@@ -169,8 +169,8 @@ impl OrderLoads {
 
     /// Whether there is nothing to judge: no piston has the order, and no shaft turns so.
     pub fn exists(&self, layout: &Engine) -> bool {
-        layout.mechanism.has_order(Quantity::Force, self.order)
-            || layout.crankshaft.balancers.iter().any(|shaft| shaft.order == self.order)
+        layout.pistons_have_order(Quantity::Force, self.order)
+            || layout.crankshaft().balancers.iter().any(|shaft| shaft.order == self.order)
     }
 }
 

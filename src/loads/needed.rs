@@ -107,7 +107,7 @@ struct Choices {
 
 impl Choices {
     fn new(layout: &Engine, accuracy: f64, at_least: u32) -> Result<Self, Missing> {
-        let with_torque = layout.effects.torque;
+        let with_torque = layout.effects().torque;
         let mut spectrum = Spectrum::new(layout)?;
         let mut found = None;
         let mut ladder: Vec<u32> = LOOKED_AT.into_iter().filter(|&highest| highest >= at_least).collect();
@@ -209,11 +209,11 @@ pub fn left_out(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
 /// The orders to judge where none are asked for: those of the layout file, else the first that exist and, where the engine has
 /// numbers, those that a thousandth of its peaks needs.
 pub fn usual_orders(layout: &Engine) -> Vec<u32> {
-    if layout.orders_given {
-        return layout.orders.clone();
+    if layout.orders_given() {
+        return layout.orders().to_vec();
     }
-    let Ok(choices) = Choices::new(layout, USUAL, 1) else { return layout.orders.clone() };
-    with_largest(layout.orders.clone(), &choices.swings)
+    let Ok(choices) = Choices::new(layout, USUAL, 1) else { return layout.orders().to_vec() };
+    with_largest(layout.orders().to_vec(), &choices.swings)
 }
 
 /// The orders of the torque that go with those of force and moment: the first four, these, and those that a thousandth of its peak

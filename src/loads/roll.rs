@@ -7,16 +7,16 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform, exactly_one};
+use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform};
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::motion::Coefficient;
-use crate::order::{self, unit_mass, unit_radius};
+use crate::order::{self, exactly_one, unit_mass, unit_radius};
 use crate::proof::Sense;
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
 pub(super) fn roll(layout: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
-    let shafts = layout.crankshaft.balancers.iter().map(|shaft| shaft.order);
+    let shafts = layout.crankshaft().balancers.iter().map(|shaft| shaft.order);
     let mut all: Vec<u32> = orders.iter().copied().chain(shafts).collect();
     all.sort_unstable();
     all.dedup();
@@ -49,7 +49,7 @@ fn shafts(layout: &Engine, order: u32) -> PhasorSum {
     let radius = unit_radius(layout);
     let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
     let share = square / (unit_mass(layout) * &radius * &radius);
-    let shafts = layout.crankshaft.balancers.iter().filter(|shaft| shaft.order == order);
+    let shafts = layout.crankshaft().balancers.iter().filter(|shaft| shaft.order == order);
     let terms = shafts.flat_map(|shaft| {
         let (angle, quarter) = match shaft.sense {
             Sense::Direct => (shaft.angle.clone(), Turn::fraction(3, 4)),

@@ -48,14 +48,14 @@ pub enum Arm {
 impl Arm {
     /// The unit of the positions of a layout: a file that gives them without a unit gives metres.
     pub fn of(layout: &Engine) -> Self {
-        let known = layout.positions_given || layout.length_unit == LengthUnit::Metre;
+        let known = layout.positions_given() || layout.length_unit() == LengthUnit::Metre;
         if known { Arm::Metre } else { Arm::Spacing }
     }
 }
 
 /// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
 pub fn scale(layout: &Engine) -> Option<Scale> {
-    let mechanism = &layout.mechanism;
+    let mechanism = layout.dimensions();
     Some(Scale {
         mass: mechanism.mass.as_ref().map(|_| order::unit_mass(layout))?,
         crank_radius: mechanism.crank_radius.clone()?,

@@ -34,12 +34,12 @@ impl<'a> Spectrum<'a> {
     /// Adds the orders up to this one.
     pub fn raise(&mut self, highest: u32, with_torque: bool) {
         let (layout, motion) = (self.layout, &self.motion);
-        let shafts = || layout.crankshaft.balancers.iter().map(|shaft| shaft.order);
+        let shafts = || layout.crankshaft().balancers.iter().map(|shaft| shaft.order);
         for order in self.highest + 1..=highest {
-            if layout.mechanism.has_order(Quantity::Force, order) || shafts().any(|shaft| shaft == order) {
+            if layout.pistons_have_order(Quantity::Force, order) || shafts().any(|shaft| shaft == order) {
                 self.orders.push(OrderLoads::new(layout, motion, order));
             }
-            if with_torque && layout.mechanism.has_order(Quantity::Torque, order) {
+            if with_torque && layout.pistons_have_order(Quantity::Torque, order) {
                 self.torque.push(TorqueOrder::new(layout, motion, order));
             }
         }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
-use crate::engine::{Engine, Rod};
+use crate::engine::{Engine, Mechanism};
 use crate::motion::{Coefficient, Tail};
 use crate::order::{self, mass_radius};
 use crate::proof::Quantity;
@@ -17,7 +17,7 @@ const SLACK: f64 = 1.0 + 1e-9;
 /// What the orders of each piston leave to the higher ones.
 #[derive(Clone, Debug)]
 pub struct Tails {
-    by_rod: BTreeMap<Rod, Tail>,
+    by_mechanism: BTreeMap<Mechanism, Tail>,
 }
 
 impl Tails {
@@ -30,7 +30,7 @@ impl Tails {
     }
 
     pub(super) fn of(motion: &Motion) -> Self {
-        Tails { by_rod: motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Tail::new(crank))).collect() }
+        Tails { by_mechanism: motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Tail::new(crank))).collect() }
     }
 
     /// Tighter, from the coefficients of all orders up to the highest.
@@ -38,11 +38,11 @@ impl Tails {
     /// # Errors
     /// What the layout lacks for numbers.
     pub fn with_coefficients(layout: &Engine, highest: u32) -> Result<Self, Missing> {
-        let tail = |(rod, crank): (&Rod, &crate::motion::SliderCrank)| {
+        let tail = |(mechanism, crank): (&Mechanism, &crate::motion::SliderCrank)| {
             let coefficients: Vec<Coefficient> = (1..=highest).map(|order| crank.coefficient(order)).collect();
-            (rod.clone(), Tail::with_coefficients(crank, &coefficients))
+            (mechanism.clone(), Tail::with_coefficients(crank, &coefficients))
         };
-        Ok(Tails { by_rod: Motion::new(layout)?.cranks.iter().map(tail).collect() })
+        Ok(Tails { by_mechanism: Motion::new(layout)?.cranks.iter().map(tail).collect() })
     }
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
@@ -74,19 +74,20 @@ impl Tails {
 
     /// The bounds of the pistons, each as much as its load counts.
     fn sum(&self, layout: &Engine, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
-        let mut weights: BTreeMap<&Rod, BigRational> = BTreeMap::new();
-        for (cylinder, rod) in layout.cylinders.iter().zip(&layout.mechanism.rods) {
+        let mut weights: BTreeMap<&Mechanism, BigRational> = BTreeMap::new();
+        for cylinder in layout.cylinders() {
+            let Some(mechanism) = &cylinder.mechanism else { continue };
             let weight = mass_radius(layout, cylinder).abs();
             let weight = match quantity {
                 Quantity::Force => weight,
                 Quantity::Moment => weight * layout.arm(cylinder).abs(),
                 Quantity::Torque => weight * &cylinder.crank_radius,
             };
-            *weights.entry(rod).or_insert_with(BigRational::zero) += weight;
+            *weights.entry(mechanism).or_insert_with(BigRational::zero) += weight;
         }
         // A mass of 0 is 0 times whatever the rest is.
         let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
-        let parts = weights.map(|(rod, weight)| match self.by_rod.get(rod).map_or(f64::INFINITY, bound) {
+        let parts = weights.map(|(rod, weight)| match self.by_mechanism.get(rod).map_or(f64::INFINITY, bound) {
             0.0 => 0.0,
             bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
         });
@@ -106,7 +107,7 @@ fn faster_shafts(layout: &Engine, highest: u32) -> [BigRational; 2] {
     let shafts = order::turning_masses(layout).into_iter().filter(|mass| mass.order > highest);
     shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
         let size = shaft.weight() * &half;
-        let arm = (&shaft.position - &layout.reference_plane).abs();
+        let arm = (&shaft.position - layout.reference_plane()).abs();
         [force + &size, moment + size * arm]
     })
 }

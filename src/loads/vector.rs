@@ -63,12 +63,6 @@ impl Vector {
     pub fn doubt(&self) -> f64 {
         self.doubt
     }
-
-    /// The mirror image of the coefficients: what a reverse vector has.
-    pub(super) fn conjugated(coefficient: Coefficient) -> Coefficient {
-        let minus = BigRational::from_integer((-1).into());
-        Coefficient { im: coefficient.im.times(&minus), ..coefficient }
-    }
 }
 
 /// Bits behind the point of the sums that an enclosure is made from.

@@ -8,7 +8,7 @@ use super::direction::Directions;
 use super::exact::{Steps, counterweights, mass_radii};
 use super::file;
 use super::front::{Point, decimal};
-use super::place::{Place, bare, places};
+use super::place::{Place, places};
 use super::problem::Problem;
 use super::refused::Refused;
 use super::sample::Samples;
@@ -38,7 +38,7 @@ impl<'a> Search<'a> {
         let own = throws(layout).into_iter().map(|throw| throw.angle);
         let others = problem.exact.iter().flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
         let directions = Directions::new(&own.chain(others).collect::<Vec<Turn>>());
-        let radius = layout.mechanism.crank_radius.clone().ok_or(Refused::NoMasses)?;
+        let radius = layout.dimensions().crank_radius.clone().ok_or(Refused::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
         if let Some(most) = problem.most_couple {
             // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
@@ -83,8 +83,8 @@ impl<'a> Search<'a> {
         let exact = mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
         let pairs = self.places.iter().zip(&exact);
         let weights: Vec<_> = pairs.map(|(place, sum)| counterweights(place, sum, &self.steps.mass)).collect();
-        let mut draft = bare(self.layout);
-        draft.crankshaft.counterweights = weights.iter().flatten().cloned().collect();
+        let draft = self.layout.with_counterweights(weights.iter().flatten().cloned().collect());
+        let draft = draft.map_err(|error| Refused::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
         let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
         let layout = file::with_counterweights(self.layout, &weights, &head, &notes)?;

@@ -72,11 +72,11 @@ pub enum Left {
 /// What the layout lacks; [`Refused::Offset`].
 pub fn measure(layout: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, Refused> {
     let loads = bearing_loads(layout, orders, Method::Continuous)?;
-    let (Some(mass), Some(radius)) = (layout.crankshaft_mass(), &layout.mechanism.crank_radius) else {
+    let (Some(mass), Some(radius)) = (layout.crankshaft_mass(), &layout.dimensions().crank_radius) else {
         return Err(Refused::NoMasses);
     };
     let unit = unit_mass(layout) * radius;
-    let arm = |position: &BigRational| position - &layout.reference_plane;
+    let arm = |position: &BigRational| position - layout.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
     let in_units = |sum: PhasorSum, factor: f64| left(&sum.scaled(&unit.recip()), factor);
     let couple_scale = if Arm::of(layout) == Arm::Metre { newtons } else { 1.0 };
@@ -119,7 +119,7 @@ fn left(sum: &PhasorSum, factor: f64) -> Left {
 
 /// What stands at a place.
 pub(super) fn weight(layout: &Engine, place: &Place) -> Weight {
-    let here = || layout.crankshaft.counterweights.iter().filter(|weight| weight.position == place.position);
+    let here = || layout.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
     let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));
     let mass = here().map(|weight| &weight.mass).sum();

@@ -17,7 +17,7 @@ pub(super) fn with_counterweights(
     head: &str,
     notes: &[String],
 ) -> Result<Engine, Refused> {
-    let mut text = format!("{}{}\n", comment(head), without_counterweights(layout.file.written()).trim_end());
+    let mut text = format!("{}{}\n", comment(head), without_counterweights(layout.file().written()).trim_end());
     for (parts, note) in weights.iter().zip(notes) {
         if !parts.is_empty() {
             text += &format!("\n{}", comment(note));
@@ -29,12 +29,12 @@ pub(super) fn with_counterweights(
     let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key a line";
     let read = parse("the new file", &text).map_err(|_| Refused::File(advice.to_owned()))?;
     let meant: Vec<&Counterweight> = weights.iter().flatten().collect();
-    let is_meant = read.crankshaft.counterweights.iter().eq(meant)
-        && read.cylinders == layout.cylinders
-        && read.mechanism == layout.mechanism
-        && read.bearings == layout.bearings
-        && (&read.crankshaft.pins, &read.crankshaft.webs, &read.crankshaft.balancers)
-            == (&layout.crankshaft.pins, &layout.crankshaft.webs, &layout.crankshaft.balancers);
+    let is_meant = read.crankshaft().counterweights.iter().eq(meant)
+        && read.cylinders() == layout.cylinders()
+        && read.dimensions() == layout.dimensions()
+        && read.bearings() == layout.bearings()
+        && (&read.crankshaft().pins, &read.crankshaft().webs, &read.crankshaft().balancers)
+            == (&layout.crankshaft().pins, &layout.crankshaft().webs, &layout.crankshaft().balancers);
     if is_meant { Ok(read) } else { Err(Refused::File(advice.to_owned())) }
 }
 

@@ -29,7 +29,7 @@ use num_rational::BigRational;
 
 pub use design::{Design, Left, Weight, measure};
 pub use front::{Front, Point, Uniform, front};
-pub use place::{Place, bare, places, uniform};
+pub use place::{Place, places, uniform};
 pub use refused::Refused;
 
 /// What is asked of the counterweights.

@@ -18,7 +18,7 @@ pub struct Place {
 /// The places of the layout's counterweights, one a position, in the order of the file; what they weigh does not matter.
 pub fn places(layout: &Engine) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
-    for weight in &layout.crankshaft.counterweights {
+    for weight in &layout.crankshaft().counterweights {
         if places.iter().all(|place| place.position != weight.position) {
             let Counterweight { throw, radius, position, .. } = weight.clone();
             places.push(Place { position, radius, throw });
@@ -27,26 +27,18 @@ pub fn places(layout: &Engine) -> Vec<Place> {
     places
 }
 
-/// The layout without its counterweights.
-pub fn bare(layout: &Engine) -> Engine {
-    let mut bare = layout.clone();
-    bare.crankshaft.counterweights.clear();
-    bare.crankshaft.balance_factors.clear();
-    bare
-}
-
 /// The layout with counterweights opposite to each throw, of one balance factor for all: those of a throw share it evenly.
 ///
 /// `None` where a throw has no place for one, or the layout gives no masses.
 pub fn uniform(layout: &Engine, factor: &BigRational) -> Option<Engine> {
-    let (places, mut uniform) = (places(layout), bare(layout));
+    let (places, mut weights) = (places(layout), Vec::new());
     for (index, throw) in throws(layout).iter().enumerate() {
         let own: Vec<&Place> = places.iter().filter(|place| place.throw == Some(index)).collect();
         if own.is_empty() {
             return None;
         }
         let each = layout.throw_mass_radii()?.get(index)? * factor / BigRational::from_integer(own.len().into());
-        uniform.crankshaft.counterweights.extend(own.into_iter().map(|place| Counterweight {
+        weights.extend(own.into_iter().map(|place| Counterweight {
             throw: place.throw,
             angle: throw.angle.opposite(),
             mass: &each / &place.radius,
@@ -54,5 +46,5 @@ pub fn uniform(layout: &Engine, factor: &BigRational) -> Option<Engine> {
             position: place.position.clone(),
         }));
     }
-    Some(uniform)
+    layout.with_counterweights(weights).ok()
 }

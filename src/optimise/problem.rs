@@ -4,7 +4,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
-use super::place::{Place, bare};
+use super::place::Place;
 use super::refused::Refused;
 use super::{Couple, Wish};
 use crate::beam::Beam;
@@ -48,9 +48,9 @@ impl Problem {
         if !wish.orders.contains(&1) {
             return Err(Refused::NoFirstOrder);
         }
-        let bare = bare(layout);
+        let bare = layout.with_counterweights(Vec::new()).map_err(|error| Refused::Unsolved(error.to_string()))?;
         let loads = bearing_loads(&bare, &wish.orders, Method::Continuous)?;
-        let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.mechanism.crank_radius.clone()) else {
+        let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.dimensions().crank_radius.clone()) else {
             return Err(Refused::NoMasses);
         };
         let unit = unit_mass(&bare) * radius;
@@ -62,13 +62,13 @@ impl Problem {
             (Couple::AtMost(_), _) => return Err(Refused::NoSpeed),
         };
         let beam =
-            Beam::new(bare.bearings.clone()).map_err(|mistake| Refused::Missing(loads::Missing::Beam(mistake)))?;
-        let mut parts = vec![Vec::new(); bare.bearings.len()];
+            Beam::new(bare.bearings().to_vec()).map_err(|mistake| Refused::Missing(loads::Missing::Beam(mistake)))?;
+        let mut parts = vec![Vec::new(); bare.bearings().len()];
         for place in places {
             let shares = beam.influence(&place.position).map_err(|m| Refused::Missing(loads::Missing::Beam(m)))?;
             parts.iter_mut().zip(&shares).for_each(|(of_bearing, share)| of_bearing.push(float(share)));
         }
-        let arm = |position: &BigRational| position - &bare.reference_plane;
+        let arm = |position: &BigRational| position - bare.reference_plane();
         let exact = [direct(&bare, &|_| BigRational::one(), &unit)?, direct(&bare, &arm, &unit)?];
         let left = [&exact[0], &exact[1]].map(|sum| crate::numbers::evaluate(sum) / float(&unit));
         Ok(Problem {
@@ -76,7 +76,7 @@ impl Problem {
             weighs: places.iter().map(|place| float(&(&unit / &place.radius))).collect(),
             waveforms: loads.bearings.into_iter().map(|bearing| bearing.waveform).collect(),
             arms: places.iter().map(|place| float(&arm(&place.position))).collect(),
-            reference: bare.reference_plane.clone(),
+            reference: bare.reference_plane().clone(),
             unit,
             parts,
             exact,

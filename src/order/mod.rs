@@ -4,6 +4,7 @@
 //! to one or both sums ([`contributions`]), which stands before a number of the motion ([`Factor`]). The terms before one
 //! number are one exact phasor sum; sums before different numbers are kept apart ([`OrderSum`]).
 
+mod coefficients;
 mod factor;
 mod masses;
 mod phase;
@@ -12,6 +13,7 @@ mod sum;
 mod torque;
 mod turning;
 
+pub use coefficients::{Coefficients, crank, exactly_one};
 pub use factor::Factor;
 pub use masses::{MassGroup, Masses};
 pub use phase::{multiples, phase, phase_of};

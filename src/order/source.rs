@@ -68,11 +68,11 @@ impl Contribution {
 /// its rod, then those of the masses that turn at this order.
 pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let piston = |(index, cylinder): (usize, &Cylinder)| {
-        let (factor, sign) = Factor::of_force(layout.mechanism.rods.get(index), order)?;
+        let (factor, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order)?;
         let term = Term { angle: phase(cylinder, order, Some(sense)), weight: mass_radius(layout, cylinder) * sign };
         Some(Contribution { source: Source::Piston(index), position: cylinder.position.clone(), factor, term })
     };
-    let pistons = layout.cylinders.iter().enumerate().filter_map(piston);
+    let pistons = layout.cylinders().iter().enumerate().filter_map(piston);
     let turning = turning_masses(layout).into_iter().filter(|mass| (mass.order, mass.sense) == (order, sense));
     let turning = turning.map(|mass| Contribution {
         source: mass.source,
@@ -90,7 +90,7 @@ pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribut
 pub fn lever(layout: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
     match quantity {
         Quantity::Force => BigRational::one(),
-        Quantity::Moment => position - &layout.reference_plane,
+        Quantity::Moment => position - layout.reference_plane(),
         Quantity::Torque => unreachable!("the torque has sums of its own"),
     }
 }
@@ -122,5 +122,5 @@ pub fn star(layout: &Engine, quantity: Quantity, order: u32, sense: Option<Sense
         };
         Term { angle: phase(cylinder, order, sense), weight: cylinder.weight() * by }
     };
-    PhasorSum::new(layout.cylinders.iter().map(term).collect())
+    PhasorSum::new(layout.cylinders().iter().map(term).collect())
 }

@@ -9,8 +9,8 @@ use crate::exact::Term;
 
 /// The inertia torque of one order: `Σ m r² e^{ik(β−α)}` before t_k of each rod, in multiples of m r².
 pub fn torque(layout: &Engine, order: u32) -> OrderSum {
-    OrderSum::new(layout.cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
-        let factor = Factor::of_torque(layout.mechanism.rods.get(index), order)?;
+    OrderSum::new(layout.cylinders().iter().filter_map(|cylinder| {
+        let factor = Factor::of_torque(cylinder.mechanism.as_ref(), order)?;
         let weight = mass_radius(layout, cylinder) * &cylinder.crank_radius;
         let term = Term { angle: phase(cylinder, order, None), weight };
         Some((factor, term))

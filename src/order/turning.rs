@@ -40,7 +40,7 @@ impl TurningMass {
 
 /// All masses of an engine that turn and weigh something.
 pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
-    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
+    let crankshaft = layout.crankshaft();
     let on_the_crank = |source, mass_radius, angle: &Turn, position: &BigRational| TurningMass {
         source,
         order: 1,
@@ -50,8 +50,8 @@ pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
         position: position.clone(),
     };
     let radius = unit_radius(layout);
-    let rods = layout.cylinders.iter().zip(&mechanism.rotating_masses).enumerate().map(|(index, (at, mass))| {
-        on_the_crank(Source::BigEnd(index), mass * &radius * &at.crank_radius, &at.throw, &at.position)
+    let rods = layout.cylinders().iter().enumerate().map(|(index, at)| {
+        on_the_crank(Source::BigEnd(index), &at.rotating_mass * &radius * &at.crank_radius, &at.throw, &at.position)
     });
     let named = !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty();
     let throws = if named { engine::throws(layout) } else { Vec::new() };
@@ -81,7 +81,7 @@ pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
 pub fn mass_radius(layout: &Engine, cylinder: &Cylinder) -> BigRational {
-    match &layout.mechanism.mass {
+    match &layout.dimensions().mass {
         Some(mass) if mass.is_zero() => BigRational::zero(),
         _ => cylinder.weight(),
     }
@@ -89,11 +89,11 @@ pub fn mass_radius(layout: &Engine, cylinder: &Cylinder) -> BigRational {
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
 pub fn unit_mass(layout: &Engine) -> BigRational {
-    let mass = layout.mechanism.mass.clone().filter(|mass| !mass.is_zero());
+    let mass = layout.dimensions().mass.clone().filter(|mass| !mass.is_zero());
     mass.unwrap_or_else(BigRational::one)
 }
 
 /// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
 pub fn unit_radius(layout: &Engine) -> BigRational {
-    layout.mechanism.crank_radius.clone().unwrap_or_else(BigRational::one)
+    layout.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
 }

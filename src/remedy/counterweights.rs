@@ -47,12 +47,11 @@ fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
     let two = BigRational::from_integer(2.into());
     let unit = order::unit_mass(layout);
     let cylinder = |&at: &usize| {
-        let rotating = layout.mechanism.rotating_masses.get(at).map_or_else(BigRational::zero, |mass| mass / &unit);
-        let cylinder = &layout.cylinders[at];
-        rotating * &cylinder.crank_radius + order::mass_radius(layout, cylinder) / &two
+        let cylinder = &layout.cylinders()[at];
+        &cylinder.rotating_mass / &unit * &cylinder.crank_radius + order::mass_radius(layout, cylinder) / &two
     };
     let whole = |(index, throw): (usize, &Throw)| {
-        let pin = layout.crankshaft.pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
+        let pin = layout.crankshaft().pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
         throw.cylinders.iter().map(cylinder).sum::<BigRational>() + pin * &throw.crank_radius
     };
     throws.iter().enumerate().map(whole).collect()

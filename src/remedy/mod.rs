@@ -197,8 +197,8 @@ fn on_the_crankshaft(
 /// The planes of the outermost throws; of the outermost cylinders or weights where those stand together.
 fn usual_planes(layout: &Engine) -> [BigRational; 2] {
     let throws: Vec<BigRational> = throws(layout).into_iter().map(|throw| throw.position).collect();
-    let cylinders: Vec<BigRational> = layout.cylinders.iter().map(|cylinder| cylinder.position.clone()).collect();
-    let crankshaft = &layout.crankshaft;
+    let cylinders: Vec<BigRational> = layout.cylinders().iter().map(|cylinder| cylinder.position.clone()).collect();
+    let crankshaft = layout.crankshaft();
     let weights = crankshaft.counterweights.iter().map(|weight| &weight.position);
     let weights = weights.chain(crankshaft.balancers.iter().map(|shaft| &shaft.position));
     let all: Vec<BigRational> = cylinders.iter().chain(weights).cloned().collect();
@@ -207,5 +207,5 @@ fn usual_planes(layout: &Engine) -> [BigRational; 2] {
     let found = [throws, cylinders, all].iter().find_map(|list| ends(list).filter(apart));
     // Where all stands in one plane, no couple is left that planes would be needed for.
     let one = BigRational::from_integer(1.into());
-    found.unwrap_or_else(|| [&layout.reference_plane + &one, &layout.reference_plane - &one])
+    found.unwrap_or_else(|| [layout.reference_plane() + &one, layout.reference_plane() - &one])
 }

@@ -6,7 +6,7 @@
 //! `P⁻ = 2 m r cos V`: the peak is `(|1 − 2f| + |cos V|) m r ω²`.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term};
@@ -51,9 +51,9 @@ impl Partial {
                 angle: order::phase(cylinder, 1, Some(sense)),
                 weight: order::mass_radius(layout, cylinder),
             };
-            PhasorSum::new(PhasorSum::new(layout.cylinders.iter().map(term).collect()).collected())
+            PhasorSum::new(PhasorSum::new(layout.cylinders().iter().map(term).collect()).collected())
         };
-        let centric = layout.mechanism.rods.iter().all(|rod| rod.offset.is_zero());
+        let centric = !layout.has_offset();
         centric.then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 

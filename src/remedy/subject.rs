@@ -7,9 +7,8 @@ use num_traits::One;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
-use crate::motion::SliderCrank;
 use crate::numbers;
-use crate::order::{self, Factor, OrderSum};
+use crate::order::{self, Coefficients, Factor, OrderSum};
 use crate::proof::Sense;
 
 /// An engine whose masses can be compared.
@@ -49,25 +48,18 @@ impl Subject {
 
     /// A vector in multiples of m r; `None` where its coefficient is not known.
     pub fn value(&self, sum: &OrderSum, order: u32, sense: Sense) -> Option<Complex<f64>> {
+        let coefficients = Coefficients::default();
         let term = |(factor, sum): (&Factor, &PhasorSum)| {
-            let coefficient = match factor {
-                Factor::One => Complex::new(1.0, 0.0),
-                Factor::Motion(rod) => {
-                    SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).ok()?.coefficient(order).to_complex()
-                }
-                Factor::Open => return None,
-                Factor::Torque(_) => unreachable!("weights take away forces"),
-            };
-            let coefficient = if sense == Sense::Reverse { coefficient.conj() } else { coefficient };
-            Some(coefficient * numbers::evaluate(sum))
+            let coefficient = coefficients.in_sense(factor, order, Some(sense))?;
+            Some(coefficient.to_complex() * numbers::evaluate(sum))
         };
         sum.parts().iter().map(term).sum()
     }
 
     /// m r in kilogram-metres, and r in metres; `None` where the layout does not give them.
     pub fn scale(&self) -> Option<[BigRational; 2]> {
-        let radius = self.layout.mechanism.crank_radius.clone()?;
-        self.layout.mechanism.mass.as_ref()?;
+        let radius = self.layout.dimensions().crank_radius.clone()?;
+        self.layout.dimensions().mass.as_ref()?;
         Some([order::unit_mass(&self.layout) * &radius, radius])
     }
 }

@@ -72,7 +72,7 @@ pub(crate) fn is_negative(factor: &Factor, order: u32) -> Option<bool> {
         Factor::One => Some(false),
         // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
         Factor::Open => Some(order.is_multiple_of(4)),
-        Factor::Motion(rod) => rod.offset.is_zero().then(|| order.is_multiple_of(4)),
+        Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
         Factor::Torque(_) => unreachable!("weights take away forces"),
     }
 }
@@ -88,17 +88,17 @@ pub(super) fn doubled_square(order: u32) -> BigRational {
 /// `None` where a weight turns at another speed or holds a coefficient, or where the layout gives no numbers.
 pub fn with_counterweights(subject: &Subject, weights: &[Weight]) -> Option<Engine> {
     let [unit, radius] = subject.scale()?;
-    let mut layout = subject.engine().clone();
+    let mut crankshaft = subject.engine().crankshaft().clone();
     for weight in weights {
         let on_the_crank = (weight.order, weight.sense) == (1, Sense::Direct);
         for (factor, sum) in weight.vector.parts() {
             if *factor != Factor::One || !on_the_crank {
                 return None;
             }
-            layout.crankshaft.counterweights.extend(rational_weights(sum, &unit, &radius, &weight.position));
+            crankshaft.counterweights.extend(rational_weights(sum, &unit, &radius, &weight.position));
         }
     }
-    Some(layout)
+    subject.engine().with_crankshaft(crankshaft).ok()
 }
 
 /// The terms of a sum as counterweights of positive mass.

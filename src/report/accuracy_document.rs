@@ -57,7 +57,7 @@ pub fn accuracy_document(layout: &Engine, cases: &[AccuracyCase]) -> AccuracyDoc
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(layout, study)).collect(),
     };
-    AccuracyDocument { title: layout.title.written().to_owned(), cases: cases.iter().map(case).collect() }
+    AccuracyDocument { title: layout.title().written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
 fn load(layout: &Engine, study: &Study) -> Load {

@@ -168,7 +168,7 @@ pub fn accuracy_page(layout: &Engine, cases: &[AccuracyCase]) -> Vec<File> {
         "{EXPLAINED} A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand."
     );
     let page = Page {
-        title: format!("What accuracy costs: {}", dialect.quoted(&layout.title)),
+        title: format!("What accuracy costs: {}", dialect.quoted(layout.title())),
         introduction: dialect.prose(&introduction),
         sections,
     };
@@ -226,12 +226,12 @@ pub fn accuracy_errors_page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Vec<File
             }
             let name = accuracy_words::quantity(studies[0].1.quantity);
             let file = format!("engine-{}-{}.svg", number + 1, name.replace(' ', "-"));
-            let title = layout.title.escaped(Format::Plain);
+            let title = layout.title().escaped(Format::Plain);
             let caption = format!("{title}: what the orders leave of the peak {name}");
             drawings.push(File { name: file.clone(), text: svg(&orders_plot(&caption, &studies).figure(), &caption) });
             figures.push(PageFigure { file, caption });
         }
-        let heading = dialect.quoted(&layout.title);
+        let heading = dialect.quoted(layout.title());
         sections.push(PageSection { heading, words: vanishing, figures, tables });
     }
     let introduction = format!(

@@ -28,7 +28,7 @@ impl AccuracyCase {
     /// What the layout lacks for numbers.
     pub fn of(layout: &Engine, quantities: &[Quantity], timed: bool) -> Result<Self, loads::Missing> {
         let studies = quantities.iter().map(|quantity| accuracy::study(layout, *quantity, timed));
-        let mut rods = layout.mechanism.rods.iter().map(|rod| &rod.ratio);
+        let mut rods = layout.rods().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
         Ok(AccuracyCase { ratio, studies: studies.collect::<Result<_, _>>()? })

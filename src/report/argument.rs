@@ -79,14 +79,14 @@ fn opposed(layout: &Engine, verdict: &Verdict) -> String {
 
 /// `1 and 4`, a pair of cylinders each.
 fn pairs(layout: &Engine, indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
-    let name = |index: usize| layout.cylinders[index].name.as_str();
+    let name = |index: usize| layout.cylinders()[index].name.as_str();
     indices.map(|(first, second)| format!("{} and {}", name(first), name(second))).collect()
 }
 
 /// Each direction with the weights that cancel on it.
 fn cancelling(layout: &Engine, verdict: &Verdict) -> String {
     let mut directions: Vec<(&Turn, Vec<(&str, &BigRational)>)> = Vec::new();
-    for (cylinder, term) in layout.cylinders.iter().zip(verdict.sum.terms()) {
+    for (cylinder, term) in layout.cylinders().iter().zip(verdict.sum.terms()) {
         let entry = (cylinder.name.as_str(), &term.weight);
         match directions.iter_mut().find(|(angle, _)| *angle == &term.angle) {
             Some((_, members)) => members.push(entry),

@@ -29,18 +29,13 @@ pub fn document(
     numbers.dedup();
     Document {
         format: Format::Classify,
-        title: layout.title.written().to_owned(),
+        title: layout.title().written().to_owned(),
         masses: Masses::Reciprocating,
         orders: numbers,
         quantities: quantities.to_vec(),
         all_orders: every_order.is_some(),
-        reference_plane: layout.reference_plane.clone(),
-        cylinders: layout
-            .cylinders
-            .iter()
-            .enumerate()
-            .map(|(at, one)| cylinder(one, layout.mechanism.rods.get(at)))
-            .collect(),
+        reference_plane: layout.reference_plane().clone(),
+        cylinders: layout.cylinders().iter().map(cylinder).collect(),
         verdicts: verdicts.collect(),
         shapes: shapes.collect(),
         theorems: every_order.map(theorem_claims).unwrap_or_default(),
@@ -52,7 +47,7 @@ pub fn quantities(with_torque: bool) -> Vec<Quantity> {
     [Quantity::Force, Quantity::Moment].into_iter().chain(with_torque.then_some(Quantity::Torque)).collect()
 }
 
-fn cylinder(cylinder: &engine::Cylinder, rod: Option<&Rod>) -> Cylinder {
+fn cylinder(cylinder: &engine::Cylinder) -> Cylinder {
     Cylinder {
         name: cylinder.name.clone(),
         throw: cylinder.throw.turns().clone(),
@@ -60,7 +55,7 @@ fn cylinder(cylinder: &engine::Cylinder, rod: Option<&Rod>) -> Cylinder {
         position: cylinder.position.clone(),
         reciprocating_mass: cylinder.reciprocating_mass.clone(),
         crank_radius: cylinder.crank_radius.clone(),
-        rod: rod.map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
+        rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
     }
 }
 

@@ -104,7 +104,7 @@ fn needs(layout: &Engine, firmness: &Firmness) -> Vec<&'static str> {
 /// Whether the banks stand at different positions.
 fn has_offset(layout: &Engine) -> bool {
     let mut banks: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
-    for cylinder in &layout.cylinders {
+    for cylinder in layout.cylinders() {
         banks.entry(&cylinder.bank).or_default().insert(&cylinder.position);
     }
     banks.values().collect::<BTreeSet<_>>().len() > 1

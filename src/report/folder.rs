@@ -87,8 +87,8 @@ pub fn index(engines: &[(Entry, Engine, Vec<OrderBalance>)]) -> File {
     };
     let line = |(entry, layout, orders): &(Entry, Engine, Vec<OrderBalance>)| Line {
         name: entry.name,
-        title: dialect.quoted(&layout.title),
-        firing: layout.firing.as_ref().map_or_else(String::new, intervals),
+        title: dialect.quoted(layout.title()),
+        firing: layout.firing().map_or_else(String::new, intervals),
         forces: cells(orders, left::force_summary),
         moments: cells(orders, left::moment_summary),
     };

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
-use crate::engine::{DOES_NOT_EXIST, Engine};
+use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::order;
@@ -52,11 +52,12 @@ pub fn order_name(order: &OrderBalance) -> String {
 
 /// `cylinders 1–3, λ = 0.25`.
 fn class_words(class: &Class) -> String {
-    let offset = match class.rod.offset.is_zero() {
+    let Mechanism::SliderCrank(rod) = &class.mechanism;
+    let offset = match rod.offset.is_zero() {
         true => String::new(),
-        false => format!(", δ = {}", number(&class.rod.offset)),
+        false => format!(", δ = {}", number(&rod.offset)),
     };
-    format!("{}, λ = {}{offset}", class_cylinders(class), number(&class.rod.ratio))
+    format!("{}, λ = {}{offset}", class_cylinders(class), number(&rod.ratio))
 }
 
 /// `cylinders 1–3`.

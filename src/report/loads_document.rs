@@ -215,8 +215,8 @@ pub fn loads_document(layout: &Engine, numbers: &Numbers, needed: Option<&Needed
     };
     let (force, moment) = (loads.force.peak(), loads.moment.peak());
     LoadsDocument {
-        title: layout.title.written().to_owned(),
-        reference_plane: layout.reference_plane.to_string(),
+        title: layout.title().written().to_owned(),
+        reference_plane: layout.reference_plane().to_string(),
         amplitudes: "zero-to-peak",
         units: units(layout, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {

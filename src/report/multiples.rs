@@ -28,7 +28,7 @@ const NAMES: f64 = 7.0;
 ///
 /// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
 pub(super) fn multiples(columns: &[Column]) -> Figure {
-    let in_line = |layout: &Engine| layout.cylinders.windows(2).all(|pair| pair[0].bank == pair[1].bank);
+    let in_line = |layout: &Engine| layout.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
     let senses = if columns.iter().all(|column| in_line(column.layout)) { 1 } else { 2 };
     let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
     let quantities = if columns.iter().any(has_arm) { 2 } else { 1 };
@@ -40,7 +40,7 @@ pub(super) fn multiples(columns: &[Column]) -> Figure {
     let rows = senses * quantities;
     // Direct and reverse stars share their scale; moments only where they are in one unit.
     let scale_of = |column: &Column, quantity: usize| {
-        let alike = |other: &Column| quantity == 0 || other.layout.length_unit == column.layout.length_unit;
+        let alike = |other: &Column| quantity == 0 || other.layout.length_unit() == column.layout.length_unit();
         let of_quantity =
             |stars: &Vec<Star>| stars[quantity * senses..][..senses].iter().map(Star::reach).fold(0.0, f64::max);
         let reaches = columns.iter().zip(&stars).filter(|(other, _)| alike(other)).map(|(_, stars)| of_quantity(stars));

@@ -1,7 +1,7 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
 use super::document::vectors;
-use crate::engine::{Family, Linear, SymbolicCylinder};
+use crate::engine::{Cylinder, Family, Linear};
 use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
 use crate::proof::{
     AlternativeClaim, ConditionClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim,
@@ -10,7 +10,7 @@ use crate::proof::{
 
 /// The verdicts on a family as data: what `verify` reads.
 pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
-    let cylinder = |cylinder: &SymbolicCylinder| OpenCylinder {
+    let cylinder = |cylinder: &Cylinder<Linear, Linear>| OpenCylinder {
         name: cylinder.name.clone(),
         throw: linear(&cylinder.throw),
         bank: linear(&cylinder.bank),
@@ -23,9 +23,9 @@ pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
         masses: Masses::Reciprocating,
         orders: orders.iter().map(|order| order.order).collect(),
         quantities: vec![Quantity::Force, Quantity::Moment],
-        title: family.title.written().to_owned(),
-        reference_plane: linear(&family.reference_plane),
-        cylinders: family.cylinders.iter().map(cylinder).collect(),
+        title: family.title().written().to_owned(),
+        reference_plane: linear(family.reference_plane()),
+        cylinders: family.cylinders().iter().map(cylinder).collect(),
         open_verdicts: orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)).map(verdict).collect(),
     }
 }

@@ -48,8 +48,8 @@ impl OpenPage {
         let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
         let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
         OpenPage {
-            title: dialect.quoted(&family.title),
-            source: family.source.as_ref().map(|source| dialect.quoted(source)),
+            title: dialect.quoted(family.title()),
+            source: family.source().map(|source| dialect.quoted(source)),
             unknowns: dialect.prose(&format!("Left open: {unknowns}.")),
             summary: open_table::summary(dialect, orders),
             legend: dialect.prose(LEGEND),
@@ -66,7 +66,7 @@ fn conventions(family: &Family) -> Vec<String> {
     vec![
         super::page::SEEN.to_owned(),
         super::page::FIRES.to_owned(),
-        format!("Moments are taken about the plane z = {}.", open_words::open_length(&family.reference_plane)),
+        format!("Moments are taken about the plane z = {}.", open_words::open_length(family.reference_plane())),
         super::page::ASSUMED.to_owned(),
     ]
 }

@@ -3,7 +3,7 @@
 use super::dialect::Dialect;
 use super::open_words;
 use super::table::{Table, phase_formula};
-use crate::engine::{Family, SymbolicCylinder};
+use crate::engine::{Cylinder, Family, Linear};
 use crate::family::{self, OpenOrder};
 use crate::proof::Sense;
 
@@ -21,7 +21,7 @@ pub(super) fn summary(dialect: Dialect, orders: &[OpenOrder]) -> Table {
 
 /// A family: one row a cylinder.
 pub(super) fn cylinders(dialect: Dialect, family: &Family) -> Table {
-    let row = |cylinder: &SymbolicCylinder| {
+    let row = |cylinder: &Cylinder<Linear, Linear>| {
         vec![
             cylinder.name.clone(),
             open_words::open_angle(&cylinder.throw),
@@ -29,13 +29,13 @@ pub(super) fn cylinders(dialect: Dialect, family: &Family) -> Table {
             open_words::open_length(&cylinder.position),
         ]
     };
-    Table::new(dialect, &["Cylinder", "Throw β", "Bank α", "Position z"], family.cylinders.iter().map(row).collect())
+    Table::new(dialect, &["Cylinder", "Throw β", "Bank α", "Position z"], family.cylinders().iter().map(row).collect())
 }
 
 /// A family: the vector-star table of order k, the unknowns visible.
 pub(super) fn phases(dialect: Dialect, family: &Family, order: u32) -> Table {
     let k = i64::from(order);
-    let row = |cylinder: &SymbolicCylinder| {
+    let row = |cylinder: &Cylinder<Linear, Linear>| {
         let phase = |sense| open_words::open_angle(&family::phase(cylinder, order, sense));
         vec![
             cylinder.name.clone(),
@@ -46,5 +46,5 @@ pub(super) fn phases(dialect: Dialect, family: &Family, order: u32) -> Table {
     };
     let direct = format!("Direct phase {}", phase_formula(k, Sense::Direct, true));
     let reverse = format!("Reverse phase {}", phase_formula(k, Sense::Reverse, true));
-    Table::new(dialect, &["Cylinder", "Arm z", &direct, &reverse], family.cylinders.iter().map(row).collect())
+    Table::new(dialect, &["Cylinder", "Arm z", &direct, &reverse], family.cylinders().iter().map(row).collect())
 }

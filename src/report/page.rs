@@ -108,7 +108,7 @@ impl Subject<'_> {
     pub(super) fn remedy(&self) -> Option<Result<Remedy, Refused>> {
         let orders = [1, 2].into_iter().filter(|order| self.orders.iter().any(|judged| judged.order == *order));
         let wish = Wish { orders: orders.collect(), ..Wish::default() };
-        self.layout.effects.remedy.then(|| remedy::remedy(self.layout, &wish))
+        self.layout.effects().remedy.then(|| remedy::remedy(self.layout, &wish))
     }
 
     /// The numbers of the engine, where its file gives any.
@@ -175,13 +175,13 @@ impl Page {
             let plots = figures.into_iter().map(|figure| drawing(figure, dialect)).collect();
             Calculation::new(layout, numbers, needed, plots, dialect)
         });
-        let block = &layout.title_block;
-        let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
+        let block = layout.title_block();
+        let has_banks = layout.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
         Page {
-            title: dialect.quoted(&layout.title),
+            title: dialect.quoted(layout.title()),
             title_block: title_block(layout, dialect),
             objective: block.objective.as_ref().map(|objective| dialect.quoted(objective)),
-            source: layout.source.as_ref().map(|source| dialect.quoted(source)),
+            source: layout.source().map(|source| dialect.quoted(source)),
             headline: headline(orders, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
             summary: table::summary(dialect, layout, orders),
             units: dialect.prose(&units(layout)),
@@ -189,7 +189,9 @@ impl Page {
             side_view,
             cylinders: table::cylinders(dialect, layout),
             firing: firing(layout).iter().map(|line| dialect.prose(line)).collect(),
-            firmness: (layout.rods().len() < 2).then(|| firmness::Section::new(dialect, layout, orders)).flatten(),
+            firmness: (layout.mechanisms().len() < 2)
+                .then(|| firmness::Section::new(dialect, layout, orders))
+                .flatten(),
             conventions: conventions(layout).iter().map(|line| dialect.prose(line)).collect(),
             force_formula: dialect.display(FORCE),
             phase_formulas: dialect.display(PHASES),
@@ -204,8 +206,8 @@ impl Page {
                 Err(refused) => dialect.prose(&format!("No remedy: {refused}.")),
             }),
             accuracy: accuracy.map(|case| accuracy_section(dialect, std::slice::from_ref(case))),
-            file: layout.file.written().lines().map(|line| dialect.verbatim(line)).collect(),
-            fence: fence(layout.file.written()),
+            file: layout.file().written().lines().map(|line| dialect.verbatim(line)).collect(),
+            fence: fence(layout.file().written()),
         }
     }
 }
@@ -217,7 +219,7 @@ pub(super) fn torque_verdicts(
     orders: &[OrderBalance],
     numbers: Option<&Result<Numbers, Missing>>,
 ) -> Vec<Verdict> {
-    if !layout.effects.torque || layout.rods().len() > 1 {
+    if !layout.effects().torque || layout.mechanisms().len() > 1 {
         return Vec::new();
     }
     let judged = numbers.and_then(|numbers| numbers.as_ref().ok()?.loads.torque.as_ref());
@@ -267,7 +269,7 @@ pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
 
 impl Section {
     fn new(layout: &Engine, order: &OrderBalance, dialect: Dialect, stars: Drawing) -> Self {
-        let part = order.class.as_ref().map(|class| layout.only_with(&class.rod));
+        let part = order.class.as_ref().map(|class| layout.only_with(&class.mechanism));
         let layout = part.as_ref().unwrap_or(layout);
         let paragraphs = |balance: &Balance, symbol: &str| {
             let paragraph = |verdict: &Verdict| Paragraph::new(layout, verdict, symbol, dialect);
@@ -300,7 +302,7 @@ fn moment_left(layout: &Engine, order: &OrderBalance) -> String {
     let kind = if order.moment_is_couple() {
         "The force of this order vanishes, so the moment is a free couple: the same about every plane.".to_owned()
     } else {
-        let plane = typeset::number(&layout.reference_plane);
+        let plane = typeset::number(layout.reference_plane());
         format!(
             "The force of this order does not vanish, so the moment depends on the reference plane, here z = {plane}."
         )
@@ -339,7 +341,7 @@ impl Paragraph {
 
 fn title_block(layout: &Engine, dialect: Dialect) -> Option<Table> {
     let rows: Vec<Vec<String>> = layout
-        .title_block
+        .title_block()
         .rows
         .iter()
         .map(|(name, written)| vec![(*name).to_owned(), dialect.quoted(written)])
@@ -404,7 +406,7 @@ fn plural(orders: &[String]) -> String {
 
 fn units(layout: &Engine) -> String {
     let mass = if layout.has_unit_masses() { "m r ω² c_k" } else { "r ω² c_k · kg" };
-    let arm = match layout.length_unit {
+    let arm = match layout.length_unit() {
         crate::engine::LengthUnit::Metre => "times metres",
         crate::engine::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
     };
@@ -418,8 +420,8 @@ fn units(layout: &Engine) -> String {
 }
 
 fn firing(layout: &Engine) -> Vec<String> {
-    let Some(firing) = &layout.firing else { return Vec::new() };
-    let names: Vec<&str> = firing.shots.iter().map(|shot| layout.cylinders[shot.cylinder].name.as_str()).collect();
+    let Some(firing) = layout.firing() else { return Vec::new() };
+    let names: Vec<&str> = firing.shots.iter().map(|shot| layout.cylinders()[shot.cylinder].name.as_str()).collect();
     let cycle = match firing.cycle {
         Cycle::FourStroke => "four-stroke",
         Cycle::TwoStroke => "two-stroke",
@@ -440,9 +442,9 @@ pub(super) fn intervals(firing: &Firing) -> String {
 }
 
 fn conventions(layout: &Engine) -> Vec<String> {
-    let plane = typeset::number(&layout.reference_plane);
+    let plane = typeset::number(layout.reference_plane());
     let unit = table::position_unit(layout).replace(['(', ')'], "");
-    let why = if layout.reference_plane_given { "as the layout file says" } else { "the middle of the cylinders" };
+    let why = if layout.reference_plane_given() { "as the layout file says" } else { "the middle of the cylinders" };
     vec![
         SEEN.to_owned(),
         CENTRES.to_owned(),
@@ -454,7 +456,7 @@ fn conventions(layout: &Engine) -> Vec<String> {
 
 /// What the verdicts rest on.
 fn assumed(layout: &Engine) -> String {
-    match (layout.rods().len() > 1, layout.has_offset()) {
+    match (layout.mechanisms().len() > 1, layout.has_offset()) {
         (false, false) => ASSUMED.to_owned(),
         (unequal, offset) => format!(
             "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself. {}{}",

@@ -42,7 +42,7 @@ impl Ray {
 
     /// The names of the cylinders.
     pub fn names(&self, layout: &Engine) -> String {
-        let names: Vec<&str> = self.members.iter().map(|(index, _)| layout.cylinders[*index].name.as_str()).collect();
+        let names: Vec<&str> = self.members.iter().map(|(index, _)| layout.cylinders()[*index].name.as_str()).collect();
         typeset::names(&names)
     }
 }

@@ -97,12 +97,12 @@ pub(super) fn cylinders(dialect: Dialect, layout: &Engine) -> Table {
         cells
     };
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    Table::new(dialect, &header, layout.cylinders.iter().map(row).collect())
+    Table::new(dialect, &header, layout.cylinders().iter().map(row).collect())
 }
 
 /// ` (m)`, or nothing where positions are multiples of the spacing.
 pub(super) fn position_unit(layout: &Engine) -> &'static str {
-    match layout.length_unit {
+    match layout.length_unit() {
         LengthUnit::Metre => " (m)",
         LengthUnit::Spacing => "",
     }
@@ -136,7 +136,7 @@ type Parts<'a> = [(i64, &'a BigRational); 2];
 
 fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
     let k = i64::from(order.order);
-    let has_banks = layout.cylinders.iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
+    let has_banks = layout.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
     let with_mass = !layout.has_unit_masses();
     let arm = format!("Arm z{}", position_unit(layout));
     let mut header = vec!["Cylinder".to_owned(), "Throw β".into()];
@@ -158,7 +158,7 @@ fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
     // In a class of equal rods the other cylinders have no part.
     let is_meant =
         |cylinder: &&Cylinder| order.class.as_ref().is_none_or(|class| class.cylinders.contains(&cylinder.name));
-    let mut rows: Vec<Vec<String>> = layout.cylinders.iter().filter(is_meant).map(row).collect();
+    let mut rows: Vec<Vec<String>> = layout.cylinders().iter().filter(is_meant).map(row).collect();
     let blank = header.len() - 3;
     for (name, balance) in [("Σ force", &order.force), ("Σ moment", &order.moment)] {
         let mut add = |name: &str, cell: fn(&Verdict) -> String| {

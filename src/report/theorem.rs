@@ -60,7 +60,7 @@ fn no_theorem(reason: &NoTheorem) -> String {
 fn why(layout: &Engine, theorem: &Theorem) -> String {
     let period = theorem.period;
     let even = if period == 2 { "order 2".to_owned() } else { format!("the even orders 2 to {period}") };
-    let plane = super::typeset::number(&layout.reference_plane);
+    let plane = super::typeset::number(layout.reference_plane());
     format!(
         "All throws and banks are multiples of $\\tfrac{{1}}{{{period}}}$ of a turn, and in (2) the order k only multiplies \
          angles: $P_k^{{\\pm}}$ depends on $k$ only modulo {period}, and so do the sums of the moment, about z = {plane}. The verdicts \

@@ -19,7 +19,7 @@ const MOST_LABELS: usize = 36;
 /// The names of the cylinders that share something, by what they share.
 fn groups<K: Ord>(layout: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeMap<K, Vec<&str>> {
     let mut groups: BTreeMap<K, Vec<&str>> = BTreeMap::new();
-    for cylinder in &layout.cylinders {
+    for cylinder in layout.cylinders() {
         groups.entry(key(cylinder)).or_default().push(&cylinder.name);
     }
     groups
@@ -74,11 +74,11 @@ const ROW: f64 = 9.0;
 
 /// The crankshaft from the side, free end at the left: pins at the height of their throws, cylinders above.
 pub(super) fn side_view(layout: &Engine) -> Figure {
-    let banks: BTreeSet<&Turn> = layout.cylinders.iter().map(|cylinder| &cylinder.bank).collect();
+    let banks: BTreeSet<&Turn> = layout.cylinders().iter().map(|cylinder| &cylinder.bank).collect();
     let rows = if banks.len() <= MOST_ROWS { banks.len() } else { 1 };
     let mut figure = Figure::new(WIDTH, FIRST_ROW + ROW * rows as f64 + 3.0);
     let scale = Scale::new(layout);
-    let plane = scale.x(&layout.reference_plane);
+    let plane = scale.x(layout.reference_plane());
     let top = figure.height - 1.0;
     figure.line(
         Point::new(plane, AXIS - CRANK_RADIUS),
@@ -105,7 +105,7 @@ struct Scale {
 impl Scale {
     fn new(layout: &Engine) -> Self {
         let mut positions: Vec<f64> =
-            layout.cylinders.iter().filter_map(|cylinder| cylinder.position.to_f64()).collect();
+            layout.cylinders().iter().filter_map(|cylinder| cylinder.position.to_f64()).collect();
         positions.sort_by(f64::total_cmp);
         let (low, high) = (positions.first().copied().unwrap_or(0.0), positions.last().copied().unwrap_or(0.0));
         let span = high - low;
@@ -124,7 +124,7 @@ impl Scale {
 
 fn draw_pins(figure: &mut Figure, layout: &Engine, scale: &Scale) {
     let mut at_position: BTreeMap<&BigRational, BTreeSet<&Turn>> = BTreeMap::new();
-    for cylinder in &layout.cylinders {
+    for cylinder in layout.cylinders() {
         at_position.entry(&cylinder.position).or_default().insert(&cylinder.throw);
     }
     let lines_apart = if scale.gap < 11.0 { 2 } else { 1 };

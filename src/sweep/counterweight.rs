@@ -41,7 +41,7 @@ pub(super) fn counterweight_of(layout: &Engine, whole: Option<&Whole>) -> Option
     }
     let p = if no_force { Complex::zero() } else { p };
     let throws = throws(layout);
-    let positions = || throws.iter().map(|throw| &throw.position - &layout.reference_plane);
+    let positions = || throws.iter().map(|throw| &throw.position - layout.reference_plane());
     let (first, second) = (positions().max()?, positions().min()?);
     if first == second {
         return no_moment.then_some(Part { value: p.norm() / 2.0, vanishes: false });

@@ -71,16 +71,15 @@ pub struct Envelope {
 /// The box round an engine; none for one with cylinders of different strokes.
 pub fn envelope(layout: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
-    if layout.cylinders.iter().any(|cylinder| cylinder.crank_radius != one) {
+    if layout.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
         return None;
     }
     let bore = geometry.bore;
     let half = geometry.half_width * bore;
     let reach = geometry.crankcase;
     let (mut left, mut right, mut low, mut high) = (-reach, reach, -reach, reach);
-    for (index, cylinder) in layout.cylinders.iter().enumerate() {
-        let ratio =
-            layout.mechanism.rods.get(index).map_or(geometry.rod_ratio, |rod| rod.ratio.to_f64().unwrap_or(0.0));
+    for cylinder in layout.cylinders() {
+        let ratio = cylinder.rod().map_or(geometry.rod_ratio, |rod| rod.ratio.to_f64().unwrap_or(0.0));
         if ratio <= 0.0 {
             return None;
         }
@@ -92,10 +91,10 @@ pub fn envelope(layout: &Engine, geometry: &Geometry) -> Option<Envelope> {
             (low, high) = (low.min(up), high.max(up));
         }
     }
-    let positions = || layout.cylinders.iter().map(|cylinder| &cylinder.position);
+    let positions = || layout.cylinders().iter().map(|cylinder| &cylinder.position);
     let between = (positions().max()? - positions().min()?).to_f64()?;
     let metres =
-        layout.mechanism.crank_radius.as_ref().filter(|radius| !radius.is_zero()).and_then(ToPrimitive::to_f64);
+        layout.dimensions().crank_radius.as_ref().filter(|radius| !radius.is_zero()).and_then(ToPrimitive::to_f64);
     let length = match (Arm::of(layout), metres) {
         (Arm::Spacing, _) => Some(between * geometry.spacing * bore),
         // All cylinders in one plane are so in any unit.
@@ -119,8 +118,8 @@ const RAYS: u32 = 3600;
 pub fn section(layout: &Engine, geometry: &Geometry) -> Option<f64> {
     let half = geometry.half_width * geometry.bore;
     let mut banks = Vec::new();
-    for (index, cylinder) in layout.cylinders.iter().enumerate() {
-        let ratio = layout.mechanism.rods.get(index).map_or(Some(geometry.rod_ratio), |rod| rod.ratio.to_f64())?;
+    for cylinder in layout.cylinders() {
+        let ratio = cylinder.rod().map_or(Some(geometry.rod_ratio), |rod| rod.ratio.to_f64())?;
         let bank = (cylinder.bank.turns().to_f64()?, 1.0 + 1.0 / ratio + geometry.above_pin * geometry.bore);
         if !banks.contains(&bank) {
             banks.push(bank);

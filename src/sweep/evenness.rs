@@ -39,7 +39,7 @@ pub fn evenness(layout: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
 
 /// The same for an engine whose whole numbers may be known already.
 pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&Whole>) -> Option<Evenness> {
-    if let Some(firing) = &layout.firing {
+    if let Some(firing) = layout.firing() {
         let intervals = firing.intervals();
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
         return Some(Evenness { longest, shortest, of_the_file: true });
@@ -70,9 +70,9 @@ pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&
 
 /// Top dead centres after that of the first cylinder over their common denominator, which is a turn.
 fn top_dead_centres(layout: &Engine) -> Option<(Vec<i64>, i64)> {
-    let first = layout.cylinders.first()?.top_dead_centre();
+    let first = layout.cylinders().first()?.top_dead_centre();
     let centres: Vec<BigRational> =
-        layout.cylinders.iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();
+        layout.cylinders().iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();
     let turn = centres.iter().fold(BigInt::one(), |turn, centre| turn.lcm(centre.denom()));
     let whole = |centre: &BigRational| (centre.numer() * (&turn / centre.denom())).to_i64();
     let whole = centres.iter().map(whole).collect::<Option<_>>()?;

@@ -11,10 +11,10 @@ use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness_of};
 use super::whole::{Pair, Whole};
-use crate::engine::{Cycle, Engine, Rod};
+use crate::engine::{Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
-use crate::motion::{SliderCrank, coefficients_fast};
+use crate::motion::coefficients_fast;
 use crate::order::{self, Factor, OrderSum};
 use crate::proof::{Quantity, Sense};
 
@@ -80,28 +80,28 @@ pub struct Point {
 
 /// The coefficients of the motion by rod, each computed once.
 #[derive(Default)]
-pub(super) struct Motions(BTreeMap<Rod, Vec<Complex<f64>>>);
+pub(super) struct Motions(BTreeMap<Mechanism, Vec<Complex<f64>>>);
 
 impl Motions {
-    fn coefficient(&mut self, rod: &Rod, order: u32, highest: u32) -> Complex<f64> {
-        if !self.0.contains_key(rod) {
+    fn coefficient(&mut self, mechanism: &Mechanism, order: u32, highest: u32) -> Complex<f64> {
+        if !self.0.contains_key(mechanism) {
             // A sweep over rods would collect one entry a point.
             if self.0.len() > 64 {
                 self.0.clear();
             }
-            self.0.insert(rod.clone(), coefficients(rod, highest));
+            self.0.insert(mechanism.clone(), coefficients(mechanism, highest));
         }
-        self.0.get(rod).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
+        self.0.get(mechanism).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
     }
 }
 
-fn coefficients(rod: &Rod, highest: u32) -> Vec<Complex<f64>> {
+fn coefficients(mechanism: &Mechanism, highest: u32) -> Vec<Complex<f64>> {
+    let Mechanism::SliderCrank(rod) = mechanism;
     if rod.offset.is_zero() {
         let real = coefficients_fast(rod.ratio.to_f64().unwrap_or(f64::NAN), highest);
         return real.into_iter().map(|value| Complex::new(value, 0.0)).collect();
     }
-    let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
-    let crank = crank.unwrap_or_else(|_| unreachable!("the layout's reader admits only cranks that turn round"));
+    let crank = order::crank(mechanism);
     (0..=highest).map(|order| crank.coefficient(order).to_complex()).collect()
 }
 
@@ -134,8 +134,8 @@ pub(super) fn judge_with(
         OrderPoint { order, force, moment }
     });
     let orders = judged.collect();
-    let mechanism = &layout.mechanism;
-    let rods_known = !mechanism.rods.is_empty();
+    let mechanism = layout.dimensions();
+    let rods_known = !layout.mechanisms().is_empty();
     Ok(Point {
         values: Vec::new(),
         orders,
@@ -155,8 +155,8 @@ fn from_words(
     highest: u32,
     motions: &mut Motions,
 ) -> Amplitudes {
-    let coefficient = match layout.mechanism.rods.first() {
-        Some(rod) => motions.coefficient(rod, order, highest),
+    let coefficient = match layout.mechanisms().first() {
+        Some(mechanism) => motions.coefficient(mechanism, order, highest),
         None => Complex::new(1.0, 0.0),
     };
     if coefficient.is_zero() {
@@ -216,7 +216,7 @@ fn from_sums(layout: &Engine, quantity: Quantity, order: u32, highest: u32, moti
         _ => [false, false],
     };
     let mut coefficient = |factor: &Factor| match factor {
-        Factor::Motion(rod) => motions.coefficient(rod, order, highest),
+        Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
         // Of rods that are not given, amplitudes are in multiples of c_k.
         Factor::One | Factor::Open => Complex::new(1.0, 0.0),
         Factor::Torque(_) => unreachable!("forces have no coefficient of the torque"),

@@ -105,14 +105,14 @@ pub fn sweep(
     curve.extend(between);
     curve.sort_by(|a, b| a.values.cmp(&b.values));
     Ok(Sweep {
-        title: first.title.clone(),
+        title: first.title().clone(),
         parameters: parameters.to_vec(),
         orders: orders.to_vec(),
         points,
         curve,
         zeros,
         arm: Arm::of(&first),
-        rods_known: !first.mechanism.rods.is_empty(),
+        rods_known: !first.mechanisms().is_empty(),
         geometry: geometry.clone(),
     })
 }

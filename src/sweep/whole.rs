@@ -51,18 +51,12 @@ pub(super) struct Pair {
 impl Whole {
     /// The engine in words; none where it has no reciprocating masses, rods differ, or a number is too long.
     pub fn new(layout: &Engine) -> Option<Self> {
-        let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
-        let weightless = mechanism.mass.as_ref().is_some_and(Zero::is_zero);
-        if weightless || mechanism.rods.windows(2).any(|pair| pair[0] != pair[1]) {
+        let weightless = layout.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
+        if weightless || layout.mechanisms().len() > 1 {
             return None;
         }
-        let only_pistons = mechanism.rotating_masses.iter().all(Zero::is_zero)
-            && crankshaft.pins.is_empty()
-            && crankshaft.webs.is_empty()
-            && crankshaft.counterweights.is_empty();
-        let shafts = crankshaft.balancers.iter().map(|shaft| shaft.order);
-        let turning = shafts.chain((!only_pistons).then_some(1)).collect();
-        let cylinders = &layout.cylinders;
+        let turning = order::turning_masses(layout).into_iter().map(|mass| mass.order).collect();
+        let cylinders = layout.cylinders();
         let angles = cylinders.iter().flat_map(|cylinder| [cylinder.throw.turns(), cylinder.bank.turns()]);
         let conductor = common(angles)?;
         let exponent = |turns: &BigRational| Some(turns.numer().to_i64()? * (conductor / turns.denom().to_i64()?));

@@ -76,7 +76,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     let parameters = [parameter.clone()];
     let reader = Reader::new(template, &parameters);
     let engine = reader.engine(&reader.values(0)).ok()?;
-    let same_rods = engine.rods().len() < 2;
+    let same_rods = engine.mechanisms().len() < 2;
     let mut sets = Vec::new();
     for order in family::classify(&open, orders) {
         for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
@@ -128,7 +128,7 @@ const MOST_TRIED: i64 = 2000;
 /// Every term, of a piston or of a mass on a throw, turns by `kβ ± (k±1)α`, and β and α by whole multiples of φ/d. So each sum is a
 /// polynomial in `e^{±iφ/d}`, with at most twice its degree of zeros.
 fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSizeIterator<Item = BigRational> {
-    let angles = || open.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    let angles = || open.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
     let steps = angles().map(|angle| angle.coefficient(PHI));
     let divisor = steps.clone().fold(BigInt::one(), |all, step| all.lcm(step.denom()));
     let widest = steps.map(|step| step.abs()).max().unwrap_or_else(BigRational::zero);
@@ -173,24 +173,18 @@ fn find(open: &engine::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
 
 /// Whether an order has the coefficient 0: the odd ones of centric rods.
 fn is_gone(layout: &Engine, order: u32) -> bool {
-    let balanced = layout.crankshaft.balancers.iter().all(|shaft| shaft.order != order);
-    balanced && !layout.mechanism.has_order(Quantity::Force, order)
+    let balanced = layout.crankshaft().balancers.iter().all(|shaft| shaft.order != order);
+    balanced && !layout.pistons_have_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.
 fn with_turning_masses(layout: &Engine, order: u32, of: Zeros) -> bool {
-    let (mechanism, crankshaft) = (&layout.mechanism, &layout.crankshaft);
-    let on_the_crank = !mechanism.rotating_masses.iter().all(Zero::is_zero)
-        || !crankshaft.pins.is_empty()
-        || !crankshaft.webs.is_empty()
-        || !crankshaft.counterweights.is_empty();
     let enters = |sense: Sense| match of {
         Zeros::Direct => sense == Sense::Direct,
         Zeros::Reverse => sense == Sense::Reverse,
         _ => true,
     };
-    (on_the_crank && order == 1 && enters(Sense::Direct))
-        || crankshaft.balancers.iter().any(|shaft| shaft.order == order && enters(shaft.sense))
+    order::turning_masses(layout).iter().any(|mass| mass.order == order && enters(mass.sense))
 }
 
 /// Whether a vector of this engine vanishes, decided exactly.

@@ -109,7 +109,7 @@ fn coefficients(layout: &Engine, verdict: &Verdict, disturbance: Disturbance) ->
         Disturbance::BankOffset => (banks > 1).then(|| differences(&grouped(layout, &force(), bank))),
         // Where every bank is one cylinder, this is no disturbance of its own.
         Disturbance::BankMasses => {
-            (banks > 1 && banks < layout.cylinders.len()).then(|| grouped(layout, &verdict.sum, bank))
+            (banks > 1 && banks < layout.cylinders().len()).then(|| grouped(layout, &verdict.sum, bank))
         }
         Disturbance::CylinderMasses => {
             Some(verdict.sum.terms().iter().map(|term| PhasorSum::new(vec![term.clone()])).collect())
@@ -119,7 +119,7 @@ fn coefficients(layout: &Engine, verdict: &Verdict, disturbance: Disturbance) ->
 
 /// The sum with the terms below the reference plane reversed, and those in it left out.
 fn either_side(layout: &Engine, sum: &PhasorSum) -> PhasorSum {
-    let terms = layout.cylinders.iter().zip(sum.terms());
+    let terms = layout.cylinders().iter().zip(sum.terms());
     let signed = |(cylinder, term): (&Cylinder, &Term)| Term {
         angle: term.angle.clone(),
         weight: &term.weight * layout.arm(cylinder).signum(),
@@ -134,13 +134,13 @@ fn differences(sums: &[PhasorSum]) -> Vec<PhasorSum> {
 }
 
 fn distinct<K: Ord>(layout: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeSet<K> {
-    layout.cylinders.iter().map(key).collect()
+    layout.cylinders().iter().map(key).collect()
 }
 
 /// The sums over the cylinders that share something.
 fn grouped<K: Ord>(layout: &Engine, sum: &PhasorSum, key: impl Fn(&Cylinder) -> K) -> Vec<PhasorSum> {
     let mut groups: BTreeMap<K, Vec<Term>> = BTreeMap::new();
-    for (cylinder, term) in layout.cylinders.iter().zip(sum.terms()) {
+    for (cylinder, term) in layout.cylinders().iter().zip(sum.terms()) {
         groups.entry(key(cylinder)).or_default().push(term.clone());
     }
     groups.into_values().map(PhasorSum::new).collect()

@@ -8,7 +8,7 @@ pub use firmness::{Disturbance, Firmness, Outcome, firmness};
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
 
-use crate::engine::{Engine, Rod};
+use crate::engine::{Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::order;
 use crate::proof::{Certificate, Quantity, Sense, Shape};
@@ -95,8 +95,8 @@ impl Balance {
 /// Cylinders with equal rods: only they have the coefficient c_k in common, so that their sum is judged by itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Class {
-    /// Rod ratio and offset.
-    pub rod: Rod,
+    /// What moves their pistons.
+    pub mechanism: Mechanism,
     /// The names of the cylinders.
     pub cylinders: Vec<String>,
 }
@@ -132,7 +132,7 @@ impl OrderBalance {
 /// Where rods differ, each class of equal ones is judged by itself: the sum of an order vanishes, whatever the
 /// coefficients, where each class does. All centric cranks have `c_1 = 1` in common.
 pub fn classify(layout: &Engine, orders: &[u32], with_torque: bool) -> Vec<OrderBalance> {
-    let rods = layout.rods();
+    let rods = layout.mechanisms();
     let judge = |layout: &Engine, order: u32, class: Option<Class>| OrderBalance {
         order,
         exists: has_order(layout, class.as_ref(), Quantity::Force, order),
@@ -166,8 +166,8 @@ pub fn torque(layout: &Engine, orders: &[u32]) -> Vec<Verdict> {
 
 fn has_order(layout: &Engine, class: Option<&Class>, quantity: Quantity, order: u32) -> bool {
     match class {
-        Some(class) => class.rod.has_order(quantity, order),
-        None => layout.mechanism.has_order(quantity, order),
+        Some(class) => class.mechanism.has_order(quantity, order),
+        None => layout.pistons_have_order(quantity, order),
     }
 }
 
@@ -177,8 +177,8 @@ fn judged(orders: &[u32]) -> impl Iterator<Item = u32> {
 }
 
 impl Class {
-    fn new(layout: &Engine, rod: &Rod) -> Self {
-        let of = layout.cylinders.iter().zip(&layout.mechanism.rods).filter(|(_, of)| *of == rod);
-        Class { rod: rod.clone(), cylinders: of.map(|(cylinder, _)| cylinder.name.clone()).collect() }
+    fn new(layout: &Engine, mechanism: &Mechanism) -> Self {
+        let of = layout.cylinders().iter().filter(|cylinder| cylinder.mechanism.as_ref() == Some(mechanism));
+        Class { mechanism: mechanism.clone(), cylinders: of.map(|cylinder| cylinder.name.clone()).collect() }
     }
 }

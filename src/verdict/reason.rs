@@ -58,17 +58,17 @@ pub fn reason(layout: &Engine, verdict: &Verdict) -> Reason {
 ///
 /// `None` where some cylinder has none. A cylinder in the plane is its own image.
 pub fn mirror_partners(layout: &Engine) -> Option<Vec<usize>> {
-    let mut partners: Vec<Option<usize>> = vec![None; layout.cylinders.len()];
+    let mut partners: Vec<Option<usize>> = vec![None; layout.cylinders().len()];
     let is_image = |a: &Cylinder, b: &Cylinder| {
         layout.arm(a) == -layout.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
     };
-    for (index, cylinder) in layout.cylinders.iter().enumerate() {
+    for (index, cylinder) in layout.cylinders().iter().enumerate() {
         if partners[index].is_some() {
             continue;
         }
         let in_plane = is_image(cylinder, cylinder);
-        let image = (index + 1..layout.cylinders.len())
-            .find(|&other| !in_plane && partners[other].is_none() && is_image(cylinder, &layout.cylinders[other]));
+        let image = (index + 1..layout.cylinders().len())
+            .find(|&other| !in_plane && partners[other].is_none() && is_image(cylinder, &layout.cylinders()[other]));
         let image = if in_plane { index } else { image? };
         partners[index] = Some(image);
         partners[image] = Some(index);

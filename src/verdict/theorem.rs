@@ -67,7 +67,7 @@ impl std::error::Error for NoTheorem {}
 
 /// The least even number that makes every throw and bank whole: the sums of order k depend on k only modulo it.
 pub fn period(layout: &Engine) -> BigInt {
-    let angles = layout.cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    let angles = layout.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
     angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
 }
 
@@ -77,7 +77,7 @@ pub fn period(layout: &Engine) -> BigInt {
 /// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, and where the engine is not one of equal
 /// centric cranks.
 pub fn theorem(layout: &Engine) -> Result<Theorem, NoTheorem> {
-    if layout.rods().len() > 1 {
+    if layout.mechanisms().len() > 1 {
         return Err(NoTheorem::RodsDiffer);
     }
     if layout.has_offset() {

@@ -387,7 +387,7 @@ fn reactions_sum_to_the_force_and_its_moment_order_by_order_and_at_every_angle()
             for step in 0..12 {
                 let theta = f64::from(step) * 0.55;
                 let reactions = loads.bearings.iter().map(|bearing| bearing.waveform.at(theta));
-                let arm = |at: &BigRational| (at - &layout.reference_plane).to_f64().expect("a position");
+                let arm = |at: &BigRational| (at - layout.reference_plane()).to_f64().expect("a position");
                 let moment: Complex<f64> = loads.bearings.iter().map(|b| b.waveform.at(theta) * arm(&b.position)).sum();
                 assert!((reactions.sum::<Complex<f64>>() - whole.force.at(theta)).norm() < 1e-12 * largest);
                 assert!((moment - whole.moment.at(theta)).norm() < 1e-11 * largest);
@@ -402,24 +402,24 @@ fn the_sum_of_orders_is_what_the_closed_form_of_the_motion_gives() {
     let orders: Vec<u32> = (1..=30).collect();
     for _ in 0..5 {
         let layout = random(&mut dice);
-        let beam = Beam::new(layout.bearings.clone()).expect("a beam");
+        let beam = Beam::new(layout.bearings().to_vec()).expect("a beam");
         let loads = solved(&layout, &orders, Method::Continuous);
         let float = |number: &BigRational| number.to_f64().expect("a number");
         // The unit is m r, or one kilogram times r where every reciprocating mass is zero.
-        let mechanism = &layout.mechanism;
+        let mechanism = layout.dimensions();
         let unit = mechanism.mass.as_ref().map(float).filter(|mass| *mass > 0.0).unwrap_or(1.0);
         let has_mass = mechanism.mass.as_ref().is_some_and(|mass| !mass.is_zero());
         for step in 0..9 {
             let theta = 0.7 * f64::from(step);
-            let mut reactions = vec![Complex::new(0.0, 0.0); layout.bearings.len()];
-            for (index, cylinder) in layout.cylinders.iter().enumerate() {
-                let rod = &mechanism.rods[index];
+            let mut reactions = vec![Complex::new(0.0, 0.0); layout.bearings().len()];
+            for cylinder in layout.cylinders() {
+                let rod = cylinder.rod().expect("a rod");
                 let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).expect("a crank");
                 let turn = |degrees: BigRational| float(&degrees).to_radians();
                 let (throw, bank) = (turn(cylinder.throw.degrees()), turn(cylinder.bank.degrees()));
                 let mass = if has_mass { float(&cylinder.reciprocating_mass) } else { 0.0 };
                 let along = -mass * crank.acceleration(theta + throw - bank);
-                let rotating = float(&mechanism.rotating_masses[index]) / unit;
+                let rotating = float(&cylinder.rotating_mass) / unit;
                 let force = Complex::from_polar(along, bank) + Complex::from_polar(rotating, theta + throw);
                 let force = force * float(&cylinder.crank_radius);
                 for (sum, part) in reactions.iter_mut().zip(beam.influence(&cylinder.position).expect("no ends")) {

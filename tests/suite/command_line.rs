@@ -39,7 +39,7 @@ fn list_prints_a_line_an_engine() {
     let list = succeeds(&["list"]);
     let engines = crankstar::file::catalogue().expect("the catalogue reads");
     assert_eq!(list.lines().count(), engines.len());
-    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(layout.title.written())));
+    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(layout.title().written())));
 }
 
 #[test]

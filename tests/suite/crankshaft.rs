@@ -104,16 +104,16 @@ fn the_thesis_weighs_its_crankshafts_so() {
 #[test]
 fn a_balance_factor_makes_the_counterweights_of_the_thesis() {
     let i3 = with_factor(I3, "0.65", "20 mm");
-    let weights = &i3.crankshaft.counterweights;
+    let weights = &i3.crankshaft().counterweights;
     let positions: Vec<String> = weights.iter().map(|weight| weight.position.to_string()).collect();
     assert_eq!(positions, ["3/25", "2/25", "1/50", "-1/50", "-2/25", "-3/25"]);
     assert!(weights.iter().all(|weight| weight.mass == ratio(268_125, 1_000_000)));
     assert_eq!(i3.balance_factors(), vec![Some(ratio(65, 100)); 3]);
     let v8 = with_factor(CROSS, "1", "30 mm");
-    assert!(v8.crankshaft.counterweights.iter().all(|weight| weight.mass == ratio(725, 1000)));
+    assert!(v8.crankshaft().counterweights.iter().all(|weight| weight.mass == ratio(725, 1000)));
     let listed = with_factor(I3, "[0, 1, 0.5]", "0 m");
     assert_eq!(listed.balance_factors(), vec![Some(ratio(0, 1)), Some(ratio(1, 1)), Some(ratio(1, 2))]);
-    assert_eq!(listed.crankshaft.counterweights.len(), 3);
+    assert_eq!(listed.crankshaft().counterweights.len(), 3);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crankstar::engine::{Cylinder, Engine};
+use crankstar::engine::{Cylinder, Draft, Engine, ReferencePlane};
 use crankstar::file::{catalogue, find, parse};
 use crankstar::order;
 use crankstar::proof::Quantity::{self, Force, Moment};
@@ -84,12 +84,12 @@ fn amount(dice: &mut Dice) -> BigRational {
 fn amounts<K: Ord>(layout: &Engine, dice: &mut Dice, key: impl Fn(&Cylinder) -> K) -> Vec<BigRational> {
     let mut drawn: BTreeMap<K, BigRational> = BTreeMap::new();
     let mut draw = |cylinder| drawn.entry(key(cylinder)).or_insert_with(|| amount(dice)).clone();
-    layout.cylinders.iter().map(&mut draw).collect()
+    layout.cylinders().iter().map(&mut draw).collect()
 }
 
 /// The engine with one thing changed at random.
 fn disturbed(layout: &Engine, disturbance: Disturbance, dice: &mut Dice) -> Engine {
-    let plane = &layout.reference_plane;
+    let plane = layout.reference_plane();
     let bank = |cylinder: &Cylinder| cylinder.bank.clone();
     let drawn = match disturbance {
         SymmetricSpacing => amounts(layout, dice, |cylinder| layout.arm(cylinder).abs()),
@@ -97,9 +97,10 @@ fn disturbed(layout: &Engine, disturbance: Disturbance, dice: &mut Dice) -> Engi
         BankOffset | BankMasses => amounts(layout, dice, bank),
         CylinderMasses => amounts(layout, dice, |cylinder| cylinder.name.clone()),
     };
-    let banks: BTreeMap<_, _> = layout.cylinders.iter().map(bank).zip(drawn.iter().cloned()).collect();
+    let banks: BTreeMap<_, _> = layout.cylinders().iter().map(bank).zip(drawn.iter().cloned()).collect();
     let middle = banks.values().sum::<BigRational>() / BigRational::from_integer(banks.len().into());
-    let mut changed = layout.clone();
+    let reference_plane = ReferencePlane::Named(plane.clone());
+    let mut changed = Draft { reference_plane, ..layout.clone().into_draft() };
     for (cylinder, drawn) in changed.cylinders.iter_mut().zip(drawn) {
         match disturbance {
             SymmetricSpacing => cylinder.position = plane + layout.arm(cylinder).signum() * drawn,
@@ -108,13 +109,13 @@ fn disturbed(layout: &Engine, disturbance: Disturbance, dice: &mut Dice) -> Engi
             BankMasses | CylinderMasses => cylinder.reciprocating_mass *= drawn,
         }
     }
-    changed
+    changed.build().expect("it holds together")
 }
 
 /// Disturbs every zero of an engine at random and compares with what is said of it; returns how many outcomes it met.
 fn check(layout: &Engine, dice: &mut Dice) -> [usize; 3] {
     let mut met = [0; 3];
-    for order in classify(layout, &layout.orders, false) {
+    for order in classify(layout, layout.orders(), false) {
         for balance in [&order.force, &order.moment] {
             let Some(firmness) = firmness(layout, balance) else { continue };
             for disturbance in Disturbance::ALL {
@@ -133,7 +134,7 @@ fn check(layout: &Engine, dice: &mut Dice) -> [usize; 3] {
                 assert!(
                     holds,
                     "{}: {quantity:?} of order {}, {disturbance:?} {outcome:?}",
-                    layout.title.written(),
+                    layout.title().written(),
                     order.order
                 );
                 met[outcome as usize] += 1;
@@ -173,7 +174,7 @@ fn so_do_random_disturbances_of_unusual_engines() {
 #[test]
 fn moving_both_banks_apart_about_their_middle_leaves_a_flat_twin_on_one_pin_without_moment() {
     let flat = parse("flat", "title = 'flat'\n[flat]\nthrows = [0]").unwrap();
-    assert!(flat.cylinders.iter().all(|cylinder| flat.arm(cylinder).is_zero()));
+    assert!(flat.cylinders().iter().all(|cylinder| flat.arm(cylinder).is_zero()));
     assert_eq!(outcome(&flat, Moment, 1, BankOffset), Survives);
     assert_eq!(outcome(&flat, Moment, 2, BankOffset), Breaks);
 }

@@ -69,7 +69,7 @@ fn coefficient_squared(balance: &Balance) -> PhasorSum {
 
 #[track_caller]
 fn assert_left(layout: &Engine, quantity: Quantity, order: u32, shape: Shape, squared: &PhasorSum) {
-    let what = format!("{}, {quantity:?} of order {order}", layout.title.written());
+    let what = format!("{}, {quantity:?} of order {order}", layout.title().written());
     let balance = balance(layout, quantity, order);
     assert_eq!(balance.shape, shape, "{what}");
     assert_equal(&coefficient_squared(&balance), squared, &what);
@@ -238,12 +238,12 @@ fn radial(cylinders: u32) -> Engine {
 fn every_engine_of_the_catalogue_reads_and_names_its_source() {
     let engines = catalogue().unwrap();
     for (entry, layout) in &engines {
-        let source = layout.source.as_ref().map(Untrusted::written).unwrap_or("");
+        let source = layout.source().map(Untrusted::written).unwrap_or("");
         assert!(source.len() > 10, "{} names no source", entry.name);
-        assert_ne!(layout.title.written(), entry.name, "{} has no title", entry.name);
+        assert_ne!(layout.title().written(), entry.name, "{} has no title", entry.name);
     }
     let names: BTreeSet<String> = engines.iter().map(|(entry, _)| entry.name.to_lowercase()).collect();
-    let titles: BTreeSet<&str> = engines.iter().map(|(_, layout)| layout.title.written()).collect();
+    let titles: BTreeSet<&str> = engines.iter().map(|(_, layout)| layout.title().written()).collect();
     assert_eq!((names.len(), titles.len()), (engines.len(), engines.len()), "a name or a title stands twice");
 }
 

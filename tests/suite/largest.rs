@@ -5,7 +5,7 @@ use crankstar::accuracy::{self, Largest, LargestLoads, Method, largest};
 use crankstar::claim;
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
-use crankstar::loads::{self, Missing, loads, needed_orders, usual_orders, vanishes_at_every_order};
+use crankstar::loads::{Missing, loads, needed_orders, usual_orders, vanishes_at_every_order};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Numbers};
 use crankstar::verdict;
@@ -25,8 +25,8 @@ fn at(layout: &Engine, theta: f64) -> [f64; 3] {
     let float = |number: &BigRational| number.to_f64().expect("a float");
     let mut sums = [[0.0; 2]; 2];
     let mut torque = 0.0;
-    for (index, cylinder) in layout.cylinders.iter().enumerate() {
-        let rod = &layout.mechanism.rods[index];
+    for cylinder in layout.cylinders() {
+        let rod = cylinder.rod().expect("a rod");
         let (ratio, offset) = (float(&rod.ratio), float(&rod.offset));
         let [throw, bank] = [&cylinder.throw, &cylinder.bank].map(|turn| float(turn.turns()) * TAU);
         let (sin, cos) = (theta + throw - bank).sin_cos();
@@ -36,11 +36,7 @@ fn at(layout: &Engine, theta: f64) -> [f64; 3] {
         let acceleration = -cos + x * sin / root - ratio * cos * cos / root.powi(3);
         let (mass, radius, arm) =
             (float(&cylinder.reciprocating_mass), float(&cylinder.crank_radius), float(&layout.arm(cylinder)));
-        let rotating = layout
-            .mechanism
-            .rotating_masses
-            .get(index)
-            .map_or(0.0, |rotating| float(rotating) / layout.mechanism.mass.as_ref().map_or(1.0, float));
+        let rotating = float(&cylinder.rotating_mass) / layout.dimensions().mass.as_ref().map_or(1.0, float);
         let force = [
             radius * (-mass * acceleration * bank.cos() + rotating * (theta + throw).cos()),
             radius * (-mass * acceleration * bank.sin() + rotating * (theta + throw).sin()),
@@ -229,7 +225,7 @@ fn a_force_that_begins_at_a_high_order_is_found_and_is_not_zero() {
         panic!("known")
     };
     let c = crankstar::motion::SliderCrank::new(
-        layout.mechanism.rods[0].ratio.clone(),
+        layout.rods().next().expect("a rod").ratio.clone(),
         BigRational::from_integer(0.into()),
     );
     let c = c.expect("a crank").coefficient(46).re.to_float().abs();
@@ -282,17 +278,6 @@ fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
         rows.iter().any(|row| row[1] == "not judged") && rows.iter().any(|row| row[1] == "does not exist"),
         "{rows:?}"
     );
-}
-
-#[test]
-fn a_list_of_the_wrong_length_is_refused() {
-    let mut layout = engine(&format!("speed = 6000\n[inline]\nthrows = [0, 120, 240]\n{MECHANISM}"));
-    layout.mechanism.rods.pop();
-    let wrong = Missing::Lists { of: "rods", values: 2, cylinders: 3 };
-    assert_eq!(loads(&layout, &[1]).err(), Some(wrong.clone()));
-    assert_eq!(largest(&layout, Quantity::Force).err(), Some(wrong.clone()));
-    assert_eq!(loads::comparable(&layout).err(), Some(wrong.clone()));
-    assert_eq!(accuracy::study(&layout, Quantity::Force, false).err(), Some(wrong));
 }
 
 #[test]

@@ -53,9 +53,9 @@ struct Piston {
 impl Pistons {
     fn of(layout: &Engine) -> Self {
         let float = |number: &BigRational| number.to_f64().expect("a float");
-        let mechanism = &layout.mechanism;
-        let piston = |(index, cylinder): (usize, &Cylinder)| {
-            let Rod { ratio, offset } = mechanism.rods[index].clone();
+        let mechanism = layout.dimensions();
+        let piston = |cylinder: &Cylinder| {
+            let Rod { ratio, offset } = cylinder.rod().expect("a rod").clone();
             let unit = mechanism.mass.as_ref().expect("a mass");
             Piston {
                 crank: SliderCrank::new(ratio, offset).expect("a crank"),
@@ -63,11 +63,11 @@ impl Pistons {
                 bank: float(cylinder.bank.turns()) * TAU,
                 arm: float(&layout.arm(cylinder)),
                 mass: float(&cylinder.reciprocating_mass),
-                rotating: mechanism.rotating_masses.get(index).map_or(0.0, |mass| float(&(mass / unit))),
+                rotating: float(&(&cylinder.rotating_mass / unit)),
                 radius: float(&cylinder.crank_radius),
             }
         };
-        Pistons(layout.cylinders.iter().enumerate().map(piston).collect())
+        Pistons(layout.cylinders().iter().map(piston).collect())
     }
 
     /// Force, moment and torque of all pistons at once, from the closed form of each, in m r ω² and m r² ω².
@@ -256,12 +256,12 @@ proptest! {
         let layout = engine(&text);
         let pistons = Pistons::of(&layout);
         let loads = computed(&layout, &[1, 2, 6]);
-        prop_assert_eq!(loads.torque.is_some(), layout.effects.torque);
+        prop_assert_eq!(loads.torque.is_some(), layout.effects().torque);
         let Some(torque) = loads.torque else { return Ok(()) };
         prop_assert!([1, 2, 3, 4, 6].iter().all(|order| torque.orders.iter().any(|torque| torque.order == *order)));
         for order in &torque.orders {
             let [ahead, _] = by_fourier(&pistons, order.order)[2];
-            let size = layout.cylinders.iter().map(|c| (c.weight() * &c.crank_radius).to_f64().expect("a float")).sum::<f64>();
+            let size = layout.cylinders().iter().map(|c| (c.weight() * &c.crank_radius).to_f64().expect("a float")).sum::<f64>();
             prop_assert!((order.vector.value - 2.0 * ahead).norm() < 1e-12 * size, "order {}: {text}", order.order);
             if order.vector.outcome == Outcome::Zero {
                 prop_assert_eq!(order.vector.value, Complex::zero());

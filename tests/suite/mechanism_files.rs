@@ -18,18 +18,19 @@ fn ratio(numerator: i64, denominator: i64) -> BigRational {
 
 #[test]
 fn stroke_and_rod_length_give_radius_and_ratio_exactly() {
-    let mechanism = engine("speed = '100 Hz'\n[mechanism]\nstroke = '90 mm'\nrod_length = '0.18'").mechanism;
-    assert_eq!(mechanism.crank_radius, Some(ratio(45, 1000)));
-    assert_eq!(mechanism.speed, Some(ratio(6000, 1)));
-    assert_eq!(mechanism.rods, vec![Rod { ratio: ratio(1, 4), offset: ratio(0, 1) }; 2]);
+    let layout = engine("speed = '100 Hz'\n[mechanism]\nstroke = '90 mm'\nrod_length = '0.18'");
+    assert_eq!(layout.dimensions().crank_radius, Some(ratio(45, 1000)));
+    assert_eq!(layout.dimensions().speed, Some(ratio(6000, 1)));
+    let rod = Rod { ratio: ratio(1, 4), offset: ratio(0, 1) };
+    assert_eq!(layout.rods().collect::<Vec<_>>(), [&rod, &rod]);
 }
 
 #[test]
 fn an_offset_is_divided_by_the_rod_length() {
     let by_length = engine("[mechanism]\ncrank_radius = '40 mm'\nrod_length = '160 mm'\npin_offset = '-3.2 mm'");
     let by_ratio = engine("[mechanism]\nrod_ratio = '1/4'\noffset_ratio = '-0.02'");
-    assert_eq!(by_length.mechanism.rods, by_ratio.mechanism.rods);
-    assert_eq!(by_length.mechanism.rods[0].offset, ratio(-1, 50));
+    assert!(by_length.rods().eq(by_ratio.rods()));
+    assert_eq!(by_length.cylinders()[0].rod().expect("a rod").offset, ratio(-1, 50));
 }
 
 #[test]
@@ -37,30 +38,33 @@ fn a_rod_with_its_centre_of_gravity_is_split_in_two_masses_that_keep_its_mass() 
     let parts = "[mechanism]\nstroke = 1\nrod_length = 2\npiston_mass = '0.4'\npin_mass = '0.15'\nrod_mass = '0.6'\nrod_centre = '1/2'";
     let layout = engine(parts);
     // A quarter of the way from the big end: a quarter of the mass reciprocates.
-    assert_eq!(layout.mechanism.mass, Some(ratio(7, 10)));
-    assert_eq!(layout.mechanism.rotating_masses, vec![ratio(45, 100); 2]);
-    assert!(layout.cylinders.iter().all(|cylinder| cylinder.weight() == ratio(1, 1)));
+    assert_eq!(layout.dimensions().mass, Some(ratio(7, 10)));
+    assert!(layout.cylinders().iter().all(|cylinder| cylinder.rotating_mass == ratio(45, 100)));
+    assert!(layout.cylinders().iter().all(|cylinder| cylinder.weight() == ratio(1, 1)));
 }
 
 #[test]
 fn a_list_gives_each_cylinder_its_own_and_the_first_that_is_not_zero_is_the_unit() {
     let layout = engine("[mechanism]\ncrank_radius = [1, 2]\nrod_ratio = ['1/3', '1/4']\nreciprocating_mass = [0, 3]");
-    let weights: Vec<BigRational> = layout.cylinders.iter().map(engine::Cylinder::weight).collect();
+    let weights: Vec<BigRational> = layout.cylinders().iter().map(engine::Cylinder::weight).collect();
     assert_eq!(weights, [ratio(0, 1), ratio(2, 1)]);
-    assert_eq!((layout.mechanism.mass, layout.mechanism.crank_radius), (Some(ratio(3, 1)), Some(ratio(1, 1))));
-    assert_eq!(layout.mechanism.rods[1].ratio, ratio(1, 4));
+    assert_eq!(
+        (layout.dimensions().mass.clone(), layout.dimensions().crank_radius.clone()),
+        (Some(ratio(3, 1)), Some(ratio(1, 1)))
+    );
+    assert_eq!(layout.cylinders()[1].rod().expect("a rod").ratio, ratio(1, 4));
 }
 
 #[test]
 fn an_engine_without_masses_keeps_its_verdicts() {
     let layout = engine("[mechanism]\nreciprocating_mass = 0");
-    assert_eq!(layout.mechanism.mass, Some(ratio(0, 1)));
+    assert_eq!(layout.dimensions().mass, Some(ratio(0, 1)));
     assert!(layout.has_unit_masses());
 }
 
 #[test]
 fn the_title_block_keeps_what_was_written() {
-    let block = engine("[document]\nnumber = 4711\nauthor = 'A. Person'\nassumptions = ['one']").title_block;
+    let block = engine("[document]\nnumber = 4711\nauthor = 'A. Person'\nassumptions = ['one']").title_block().clone();
     let rows: Vec<(&str, &str)> = block.rows.iter().map(|(name, text)| (*name, text.written())).collect();
     assert_eq!(rows, [("Document", "4711"), ("Author", "A. Person")]);
     assert_eq!(block.assumptions, ["one"]);
@@ -115,5 +119,5 @@ fn masses_that_the_cylinders_give_are_not_given_again() {
     let error = file::parse("x.toml", &format!("{cylinder}[mechanism]\nreciprocating_mass = 1"));
     assert!(error.expect_err("twice").to_string().contains("given twice"));
     let layout = file::parse("x.toml", &format!("{cylinder}[mechanism]\nrod_ratio = 0.25")).expect("once");
-    assert_eq!(layout.mechanism.mass, Some(ratio(1, 1)));
+    assert_eq!(layout.dimensions().mass, Some(ratio(1, 1)));
 }

@@ -11,12 +11,10 @@ use std::sync::OnceLock;
 use std::{env, fs};
 
 use crankstar::beam::Beam;
-use crankstar::engine::Engine;
+use crankstar::engine::{Draft, Engine};
 use crankstar::file::parse;
 use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, loads};
-use crankstar::optimise::{
-    Couple, Front, Left, Place, Point, Refused, Uniform, Wish, bare, front, measure, places, uniform,
-};
+use crankstar::optimise::{Couple, Front, Left, Place, Point, Refused, Uniform, Wish, front, measure, places, uniform};
 use crankstar::report;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -37,7 +35,7 @@ fn read(engine: &str, file: &str) -> Engine {
 }
 
 fn wish(layout: &Engine, couple: Couple, points: usize) -> Wish {
-    Wish { couple, points, orders: layout.orders.clone() }
+    Wish { couple, points, orders: layout.orders().to_vec() }
 }
 
 fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
@@ -72,13 +70,13 @@ fn measured(engine: &str) -> Front {
     let places = places(&layout);
     let point = |file: &str| {
         let layout = read(engine, file);
-        let design = measure(&layout, &places, &layout.orders).expect("a design");
+        let design = measure(&layout, &places, layout.orders()).expect("a design");
         Point { layout, design, least: 0.0 }
     };
     let compared = |(over, under): (i64, i64)| {
         let factor = BigRational::new(over.into(), under.into());
         let uniform = uniform(&layout, &factor).expect("counterweights on every throw");
-        let design = measure(&uniform, &places, &layout.orders).expect("a design");
+        let design = measure(&uniform, &places, layout.orders()).expect("a design");
         // What no crankshaft that keeps the conditions reaches has no file.
         let beside = |as_what: &str| {
             let file = format!("as-{as_what}-as-{}.toml", float(&factor));
@@ -168,7 +166,7 @@ fn the_summary_of_all_three_is_as_stored() {
         let summary = report::optimise_summary(&layout, &stored(engine), &Couple::Zero, &format!("{engine}/"));
         format!(
             "\n## {}\n\n{summary}\n[The front, its counterweights, and how they are found]({engine}/optimise.md)\n",
-            layout.title.written()
+            layout.title().written()
         )
     };
     let text = format!("{INTRODUCTION}{}", ENGINES.iter().map(section).collect::<String>());
@@ -202,7 +200,11 @@ fn parts_of_a_weight_weigh_what_it_weighs_and_stand_within_its_radius() {
                 assert!(mass >= least - 1e-12 && mass <= least + 1.001e-6, "{engine}: {mass} for {least}");
             }
             let of_weights: BigRational = point.design.weights.iter().map(|weight| &weight.mass).sum();
-            assert_eq!(bare(&point.layout).crankshaft_mass().expect("a mass") + of_weights, point.design.mass);
+            assert_eq!(
+                point.layout.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
+                    + of_weights,
+                point.design.mass
+            );
         }
     }
 }
@@ -263,12 +265,17 @@ struct Felt {
 impl Felt {
     fn new(layout: &Engine, places: &[Place]) -> Self {
         let circle = Circle::new(720);
-        let bare = bearing_loads(&bare(layout), &layout.orders, Method::Continuous).expect("loads");
-        let beam = Beam::new(layout.bearings.clone()).expect("a beam");
+        let bare = bearing_loads(
+            &layout.with_counterweights(Vec::new()).expect("it holds"),
+            layout.orders(),
+            Method::Continuous,
+        )
+        .expect("loads");
+        let beam = Beam::new(layout.bearings().to_vec()).expect("a beam");
         let shares: Vec<Vec<f64>> =
             places.iter().map(|at| beam.influence(&at.position).expect("shares").iter().map(float).collect()).collect();
         Felt {
-            parts: (0..layout.bearings.len()).map(|j| shares.iter().map(|share| share[j]).collect()).collect(),
+            parts: (0..layout.bearings().len()).map(|j| shares.iter().map(|share| share[j]).collect()).collect(),
             bare: bare.bearings.iter().map(|bearing| bearing.waveform.sample(&circle)).collect(),
             turning: (0..720).map(|step| Complex::cis(f64::from(step).to_radians() / 2.0)).collect(),
         }
@@ -342,7 +349,7 @@ fn no_uniform_balance_factor_comes_below_the_front_of_the_flat_plane_v8() {
     let curve: Vec<[f64; 2]> = front.points.iter().map(|p| [float(&p.design.mass), p.design.peak()]).collect();
     for tenths in 1..=13 {
         let uniform = uniform(&layout, &BigRational::new(tenths.into(), 10.into())).expect("counterweights");
-        let design = measure(&uniform, &front.places, &layout.orders).expect("a design");
+        let design = measure(&uniform, &front.places, layout.orders()).expect("a design");
         let mass = float(&design.mass);
         // The front is convex, so that its chords lie above it.
         let chord = curve.windows(2).find(|pair| pair[0][0] <= mass && mass <= pair[1][0]);
@@ -446,19 +453,18 @@ fn what_is_missing_is_named() {
     assert_eq!(refused(&i3, Couple::Zero, 0), Refused::NoPoints.to_string());
     let no_first = front(&i3, &Wish { couple: Couple::Zero, points: 1, orders: vec![2] });
     assert_eq!(no_first.err(), Some(Refused::NoFirstOrder));
-    let mut no_bearings = i3.clone();
-    no_bearings.bearings.clear();
+    let no_bearings = Draft { bearings: Vec::new(), ..i3.clone().into_draft() }.build().expect("it holds");
     assert!(refused(&no_bearings, Couple::Zero, 1).contains("main bearings"));
     assert_eq!(refused(&engine("[0, 120, 240]", beam, ""), Couple::Zero, 1), Refused::NoPlaces.to_string());
     let one = "[[counterweight]]\nthrow = 2\nmass = 1\nradius = 0.05";
     assert!(refused(&engine("[0, 120, 240]", beam, one), Couple::Zero, 1).contains("all counterweights stand at 0"));
-    let no_speed = parse("no-speed.toml", &i3.file.written().replace("speed = 6000\n", "")).expect("it reads");
+    let no_speed = parse("no-speed.toml", &i3.file().written().replace("speed = 6000\n", "")).expect("it reads");
     assert_eq!(refused(&no_speed, Couple::AtMost(whole(5)), 1), Refused::NoSpeed.to_string());
     assert_eq!(refused(&no_speed, Couple::Zero, 1), "");
     let offset = WEBS.replace("[crankshaft]", "offset_ratio = 0.01\n[crankshaft]");
     assert_eq!(refused(&engine("[0, 120, 240]", beam, &offset), Couple::Zero, 1), Refused::Offset.to_string());
     let inline = "crankshaft = { balance_factor = 1, counterweight_radius = 0.05, web_offset = 0.02 }\n";
-    let text = format!("{inline}{}", engine("[0, 120, 240]", beam, "").file.written());
+    let text = format!("{inline}{}", engine("[0, 120, 240]", beam, "").file().written());
     let layout = parse("inline.toml", &text).expect("it reads");
     assert!(refused(&layout, Couple::Zero, 1).contains("tables of their own"), "{}", refused(&layout, Couple::Zero, 1));
 }
@@ -473,7 +479,7 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
     let _ = fs::remove_dir_all(&directory);
     fs::create_dir_all(&directory).expect("a folder");
     let file = directory.join("i3.toml");
-    fs::write(&file, engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS).file.written()).expect("a file");
+    fs::write(&file, engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS).file().written()).expect("a file");
     let (file, out) = (file.to_str().expect("UTF-8"), directory.join("out"));
     let run = crankstar(&["optimise", file, "--points", "2", "--output", out.to_str().expect("UTF-8")]);
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
@@ -515,8 +521,11 @@ fn the_command_refuses_what_is_no_bound() {
 fn a_crankshaft_that_is_balanced_already_needs_no_counterweights_to_be_lightest() {
     let i4 = engine("[0, 180, 180, 0]", "[0.2, 0.1, 0, -0.1, -0.2]", WEBS);
     let front = solved(&i4, Couple::Zero, 2);
-    assert!(front.points[0].layout.crankshaft.counterweights.iter().all(|weight| weight.mass.is_zero()));
-    assert_eq!(front.points[0].design.mass, bare(&i4).crankshaft_mass().expect("a mass"));
+    assert!(front.points[0].layout.crankshaft().counterweights.iter().all(|weight| weight.mass.is_zero()));
+    assert_eq!(
+        front.points[0].design.mass,
+        i4.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
+    );
     let waveform = |point: &Point| -> Vec<Waveform> {
         let loads = bearing_loads(&point.layout, &[1, 2], Method::Continuous).expect("loads");
         loads.bearings.into_iter().map(|bearing| bearing.waveform).collect()

@@ -74,7 +74,7 @@ fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
         let (mass, radius) = (&cylinder.reciprocating_mass, &cylinder.crank_radius);
         let weight = match verdict.quantity {
             Quantity::Force => mass * radius,
-            Quantity::Moment => mass * radius * (&cylinder.position - &layout.reference_plane),
+            Quantity::Moment => mass * radius * (&cylinder.position - layout.reference_plane()),
             Quantity::Torque => mass * radius * radius,
         };
         (angle, weight)
@@ -101,7 +101,7 @@ impl Tally {
                 Some(class) => class.cylinders.contains(&cylinder.name),
                 None => true,
             };
-            let of: Vec<&Cylinder> = layout.cylinders.iter().filter(is_meant).collect();
+            let of: Vec<&Cylinder> = layout.cylinders().iter().filter(is_meant).collect();
             self.shape(oracle, layout, &of, &order.force, text);
             self.shape(oracle, layout, &of, &order.moment, text);
             let torque = order.torque.as_ref().expect("a torque was asked for");

@@ -17,7 +17,7 @@ fn folder() -> PathBuf {
 }
 
 fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderBalance>) {
-    let orders = verdict::classify(&layout, &layout.orders, false);
+    let orders = verdict::classify(&layout, layout.orders(), false);
     (entry, layout, orders)
 }
 
@@ -115,15 +115,15 @@ fn compare_layouts(below: &str) {
         for dialect in [Dialect::GithubMarkdown, Dialect::Latex] {
             let written = match file::parse_layout("layout.toml", &layout).expect("it reads") {
                 Layout::Known(engine, open) => {
-                    let open = open.map(|open| (family::classify(&open, &engine.orders), open));
-                    let orders = verdict::classify(&engine, &engine.orders, false);
+                    let open = open.map(|open| (family::classify(&open, engine.orders()), open));
+                    let orders = verdict::classify(&engine, engine.orders(), false);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
                     report::report(
                         report::Subject { layout: &engine, orders: &orders, family, needed: None, accuracy: None },
                         dialect,
                     )
                 }
-                Layout::Open(open) => report::open_report(&open, &family::classify(&open, &open.orders), dialect),
+                Layout::Open(open) => report::open_report(&open, &family::classify(&open, open.orders()), dialect),
             };
             files.extend(written.into_iter().map(|file| (file.name, file.text)));
         }

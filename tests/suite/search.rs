@@ -247,7 +247,7 @@ fn a_found_star_is_an_engine_with_the_moments_it_claims() {
     {
         for star in found(&problem).stars {
             let layout = star.engine(&problem).expect("a layout that reads");
-            let firing = layout.firing.as_ref();
+            let firing = layout.firing();
             assert_eq!(star.firing_order.is_some(), firing.is_some_and(|firing| firing.is_even()));
             for moment in &star.moments {
                 let sense = Some(moment.sense.unwrap_or(Sense::Direct));

@@ -33,7 +33,7 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
 }
 
 fn text(layout: &Engine, dialect: Dialect) -> String {
-    let orders = verdict::classify(layout, &layout.orders, false);
+    let orders = verdict::classify(layout, layout.orders(), false);
     report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
         .remove(0)
         .text
@@ -43,7 +43,7 @@ fn text(layout: &Engine, dialect: Dialect) -> String {
 fn says(layout: &Engine, lines: &[&str]) {
     let text = text(layout, Dialect::DollarMarkdown);
     for line in lines {
-        assert!(text.lines().any(|found| found == *line), "{}: no line {line}", layout.title.written());
+        assert!(text.lines().any(|found| found == *line), "{}: no line {line}", layout.title().written());
     }
 }
 
@@ -151,7 +151,7 @@ fn agrees(layout: &Engine, theorem: &Theorem) {
         for order in std::iter::once(1).chain((2..=200).step_by(2)) {
             let left = [Sense::Direct, Sense::Reverse].map(|sense| !sum_vanishes(layout, quantity, order, sense));
             let said = [&direct, &reverse].map(|one| one.contains(order));
-            assert_eq!(said, left, "{}: {} {order}", layout.title.written(), quantity.name());
+            assert_eq!(said, left, "{}: {} {order}", layout.title().written(), quantity.name());
             assert_eq!(both.contains(order), left[0] || left[1]);
             lowest = lowest.or((left[0] || left[1]).then_some(order));
         }
@@ -178,7 +178,7 @@ fn no_statement_on_the_catalogue_holds_with_a_smaller_modulus() {
                     assert!(
                         classes.any(|order| found.contains(order) != found.contains(order + smaller)),
                         "{}: {found:?} repeats after {smaller}",
-                        layout.title.written()
+                        layout.title().written()
                     );
                 }
             }

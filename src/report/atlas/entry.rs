@@ -73,7 +73,7 @@ pub(super) struct Ties {
 impl EngineRow {
     /// An engine of the catalogue.
     pub fn known(name: &str, layout: &Engine) -> Self {
-        let title = layout.title.clone();
+        let title = layout.title().clone();
         EngineRow::judged(layout, Origin::Catalogue, name.to_owned(), title, None)
     }
 
@@ -88,7 +88,7 @@ impl EngineRow {
     fn judged(layout: &Engine, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
         let wish = Wish { orders: REMEDIED.to_vec(), ..Wish::default() };
         let names = |firing: &crate::engine::Firing| {
-            let name = |shot: &crate::engine::Shot| layout.cylinders[shot.cylinder].name.as_str();
+            let name = |shot: &crate::engine::Shot| layout.cylinders()[shot.cylinder].name.as_str();
             firing.shots.iter().map(name).collect::<Vec<_>>().join("-")
         };
         EngineRow {
@@ -96,8 +96,8 @@ impl EngineRow {
             name,
             title,
             ties,
-            firing: brief::firing(layout.firing.as_ref()),
-            firing_order: layout.firing.as_ref().map(names).unwrap_or_default(),
+            firing: brief::firing(layout.firing()),
+            firing_order: layout.firing().map(names).unwrap_or_default(),
             orders: verdict::classify(layout, &ORDERS, false)
                 .iter()
                 .map(|judged| Order {
@@ -108,20 +108,20 @@ impl EngineRow {
                 .collect(),
             first_left: brief::first_left(&verdict::theorem(layout)),
             remedy: brief::remedy(&remedy::remedy(layout, &wish)),
-            unit: layout.length_unit,
+            unit: layout.length_unit(),
         }
     }
 }
 
 /// `0, 90, 270, 180°`; in multiples of `(360/7)°` where degrees do not end.
 fn throws(layout: &Engine) -> String {
-    let count = num_rational::BigRational::from_integer(layout.cylinders.len().into());
-    let angles = layout.cylinders.iter().map(|cylinder| cylinder.throw.degrees());
+    let count = num_rational::BigRational::from_integer(layout.cylinders().len().into());
+    let angles = layout.cylinders().iter().map(|cylinder| cylinder.throw.degrees());
     let degrees: Vec<String> = angles.map(|angle| typeset::number(&angle)).collect();
     if degrees.iter().all(|text| !text.contains(['/', '≈'])) {
         return format!("throws {}°", degrees.join(", "));
     }
-    let steps = layout.cylinders.iter().map(|cylinder| typeset::number(&(cylinder.throw.turns() * &count)));
+    let steps = layout.cylinders().iter().map(|cylinder| typeset::number(&(cylinder.throw.turns() * &count)));
     let unit = typeset::turns(&count.recip());
     format!("throws {} times {unit}", steps.collect::<Vec<_>>().join(", "))
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::super::calculation::Unit;
 use super::amounts::unit_of;
-use crate::engine::Engine;
+use crate::engine::{Engine, Mechanism};
 use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
@@ -83,7 +83,7 @@ struct Term {
 pub fn bearings_document(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
     let unit = unit_of(continuous);
     BearingsDocument {
-        title: layout.title.written().to_owned(),
+        title: layout.title().written().to_owned(),
         amplitudes: "zero-to-peak",
         sign: "the force that the bearing feels; y in the reference direction, x across it",
         unit: unit.name,
@@ -152,7 +152,7 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
 fn coefficient(factor: &Factor) -> String {
     match factor {
         Factor::One => "1".to_owned(),
-        Factor::Motion(rod) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
+        Factor::Motion(Mechanism::SliderCrank(rod)) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
         Factor::Torque(_) | Factor::Open => unreachable!("bearings feel forces of rods that are known"),
     }
 }

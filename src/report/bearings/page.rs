@@ -102,7 +102,7 @@ pub fn bearings_page(layout: &Engine, continuous: &BearingLoads, determinate: &B
         drawings: drawn.iter().map(drawing).collect(),
     };
     let page = Page {
-        title: dialect.quoted(&layout.title),
+        title: dialect.quoted(layout.title()),
         headline: bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
         peaks: set(tables::bearings_rows(layout, continuous, determinate)),
         assumptions: ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),

@@ -1,14 +1,12 @@
 //! Which formulas do the numbers follow? Numbered on from those of the proofs, alike in every format.
 
-use num_traits::Zero;
-
 use crate::engine::Engine;
 use crate::loads::Loads;
 use crate::order::MassGroup;
 
 /// The equations with what they say, in TeX with their numbers.
 pub(super) fn equations(layout: &Engine, loads: &Loads) -> Vec<(&'static str, String)> {
-    let offset = layout.mechanism.rods.iter().any(|rod| !rod.offset.is_zero());
+    let offset = layout.has_offset();
     let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\sin^2\\psi" };
     let mut equations = vec![
         (

@@ -38,7 +38,7 @@ pub(super) fn rows(layout: &Engine) -> Vec<Vec<String>> {
     let row = |given: &Given| {
         let (name, symbol, unit) = words(given.quantity);
         let value = typeset::number(&given.value);
-        let of = given.cylinder.map_or("all".to_owned(), |index| layout.cylinders[index].name.clone());
+        let of = given.cylinder.map_or("all".to_owned(), |index| layout.cylinders()[index].name.clone());
         vec![
             name.to_owned(),
             format!("${symbol}$"),
@@ -47,12 +47,12 @@ pub(super) fn rows(layout: &Engine) -> Vec<Vec<String>> {
             of,
         ]
     };
-    layout.mechanism.given.iter().map(row).collect()
+    layout.dimensions().given.iter().map(row).collect()
 }
 
 /// Rows of the table of turning masses: what, mass, radius, angle at θ = 0, position, speed.
 pub(super) fn turning(layout: &Engine) -> Vec<Vec<String>> {
-    let crankshaft = &layout.crankshaft;
+    let crankshaft = layout.crankshaft();
     let row = |name: String, mass: String, radius: String, angle: &Turn, position: &BigRational, speed: &str| {
         vec![name, mass, radius, typeset::angle(angle), typeset::number(position), speed.to_owned()]
     };
@@ -83,8 +83,8 @@ pub(super) fn turning(layout: &Engine) -> Vec<Vec<String>> {
 
 /// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².
 pub(super) fn lines(layout: &Engine, loads: &Loads) -> Vec<Line> {
-    let by_cylinder = layout.mechanism.given.iter().any(|given| given.cylinder.is_some());
-    let cylinders = if by_cylinder { layout.cylinders.len() } else { 1 };
+    let by_cylinder = layout.dimensions().given.iter().any(|given| given.cylinder.is_some());
+    let cylinders = if by_cylinder { layout.cylinders().len() } else { 1 };
     let mut lines = Vec::new();
     if cylinders <= MOST_LINES {
         for index in 0..cylinders {
@@ -100,16 +100,16 @@ pub(super) fn lines(layout: &Engine, loads: &Loads) -> Vec<Line> {
 fn of_cylinder(layout: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
     let value = |measure: Measure| {
         let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
-        layout.mechanism.given.iter().find(of).and_then(|given| given.value.to_f64())
+        layout.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
     };
-    let subscript = if by_cylinder { format!("_{{{}}}", layout.cylinders[index].name) } else { String::new() };
+    let subscript = if by_cylinder { format!("_{{{}}}", layout.cylinders()[index].name) } else { String::new() };
     let named = |symbol: &str| match symbol.split_once('_') {
         Some((letter, below)) if by_cylinder => {
             format!(
                 "{letter}_{{{}{},{}}}",
                 "",
                 below.trim_matches(['{', '}']).replace("\\mathrm{", ""),
-                layout.cylinders[index].name
+                layout.cylinders()[index].name
             )
         }
         _ => format!("{symbol}{subscript}"),

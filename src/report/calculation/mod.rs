@@ -95,7 +95,7 @@ struct TorqueSection {
 
 /// The loads of a layout that holds numbers; none where the file gives none.
 pub(super) fn numbers_of(layout: &Engine, orders: &[u32], needed: Option<&Needed>) -> Option<Result<Numbers, Missing>> {
-    let asks = layout.mechanism.given.iter().any(|given| given.quantity != crate::engine::Measure::Speed);
+    let asks = layout.dimensions().given.iter().any(|given| given.quantity != crate::engine::Measure::Speed);
     asks.then(|| Numbers::new(layout, orders, needed))
 }
 
@@ -158,10 +158,10 @@ impl Results {
             ),
             inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
             turning: turning_table(layout, dialect),
-            source: layout.mechanism.source.as_ref().map(|source| dialect.quoted(source)),
+            source: layout.dimensions().source.as_ref().map(|source| dialect.quoted(source)),
             assumptions: prose(words::assumptions(layout, loads))
                 .into_iter()
-                .chain(layout.title_block.assumptions.iter().map(|assumption| dialect.quoted(assumption)))
+                .chain(layout.title_block().assumptions.iter().map(|assumption| dialect.quoted(assumption)))
                 .collect(),
             nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
             equations: equations::equations(layout, loads).into_iter().map(equation).collect(),

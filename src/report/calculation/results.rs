@@ -48,7 +48,7 @@ fn of_order(layout: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group>
 /// `c_2 = λ + λ³/4 + …` of equal centric cranks; the value alone where the series is long or the crank offset.
 fn coefficient(layout: &Engine, order: &OrderLoads) -> Option<Line> {
     let value = order.coefficient.as_ref()?.to_complex();
-    let rod = layout.mechanism.rods.first()?;
+    let rod = layout.rods().next()?;
     let symbol = format!("c_{{{}}}", order.order);
     if order.order == 1 && rod.offset.is_zero() {
         return None;
@@ -128,8 +128,8 @@ fn with_rotating(
     star: f64,
     vector: &Vector,
 ) -> Option<Expression> {
-    let mechanism = &layout.mechanism;
-    let rotating = mechanism.rotating_masses.first()?.to_f64()?;
+    let mechanism = layout.dimensions();
+    let rotating = layout.cylinders()[0].rotating_mass.to_f64()?;
     let mass = mechanism.mass.as_ref()?.to_f64()?;
     let inner = Expression::Sum(vec![
         Expression::Number(1),
@@ -185,7 +185,7 @@ fn extremes(layout: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Sw
 
 /// The second order with `c_2 = λ` alone, as textbooks take it.
 fn textbook(layout: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
-    let rod = layout.mechanism.rods.first().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+    let rod = layout.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
     let c = order.coefficient.as_ref()?.to_complex().norm();
     if order.order != 2 {
         return None;

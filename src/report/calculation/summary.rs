@@ -27,7 +27,7 @@ pub fn loads_rows(layout: &Engine, loads: &Loads) -> Rows {
     all.dedup();
     let row = |order: u32| {
         let judged = loads.orders.iter().find(|loads| loads.order == order);
-        let unjudged = match layout.mechanism.has_order(Quantity::Force, order) {
+        let unjudged = match layout.pistons_have_order(Quantity::Force, order) {
             true => NOT_JUDGED,
             false => DOES_NOT_EXIST,
         };
@@ -51,7 +51,7 @@ const NOT_JUDGED: &str = "not judged";
 
 /// The amplitude of an order of the torque, or that there is none.
 pub(super) fn torque_cell(layout: &Engine, order: &TorqueOrder, unit: Unit) -> String {
-    match layout.mechanism.has_order(Quantity::Torque, order.order) {
+    match layout.pistons_have_order(Quantity::Torque, order.order) {
         true => torque_amplitude(order, unit),
         false => DOES_NOT_EXIST.to_owned(),
     }

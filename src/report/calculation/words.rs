@@ -1,7 +1,5 @@
 //! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
 
-use num_traits::Zero;
-
 use super::inputs;
 use super::summary::name;
 use crate::engine::{Engine, Measure};
@@ -14,7 +12,7 @@ pub(super) fn assumptions(layout: &Engine, loads: &Loads) -> Vec<String> {
         "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".to_owned(),
         "All clearances are zero, and gravity and friction are left out.".to_owned(),
     ];
-    let given = |measure: Measure| layout.mechanism.given.iter().any(|given| given.quantity == measure);
+    let given = |measure: Measure| layout.dimensions().given.iter().any(|given| given.quantity == measure);
     if given(Measure::RodMass) {
         lines.push(
             "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; its own moment of inertia is not met exactly by them.".to_owned(),
@@ -29,10 +27,10 @@ pub(super) fn assumptions(layout: &Engine, loads: &Loads) -> Vec<String> {
             "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".to_owned(),
         );
     }
-    if layout.mechanism.rods.iter().all(|rod| rod.offset.is_zero()) {
+    if !layout.has_offset() {
         lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".to_owned());
     }
-    let common_axis = layout.form == crate::engine::Form::Radial;
+    let common_axis = layout.form() == crate::engine::Form::Radial;
     if common_axis {
         lines.push("All rods of a row work on the crankpin itself: no articulated rods.".to_owned());
     }
@@ -55,7 +53,7 @@ pub(super) fn nomenclature(layout: &Engine, loads: &Loads) -> Vec<Vec<String>> {
         row("\\psi = \\theta + \\beta - \\alpha", "crank angle of a cylinder, 0 at top dead centre", "°"),
     ];
     let mut seen: Vec<Measure> = Vec::new();
-    for given in &layout.mechanism.given {
+    for given in &layout.dimensions().given {
         if !seen.contains(&given.quantity) {
             seen.push(given.quantity);
             let (meaning, symbol, unit) = inputs::words(given.quantity);
@@ -63,16 +61,16 @@ pub(super) fn nomenclature(layout: &Engine, loads: &Loads) -> Vec<Vec<String>> {
         }
     }
     let has = |measure: Measure| seen.contains(&measure);
-    if !has(Measure::CrankRadius) && layout.mechanism.crank_radius.is_some() {
+    if !has(Measure::CrankRadius) && layout.dimensions().crank_radius.is_some() {
         rows.push(row("r", "crank radius", "m"));
     }
     if !has(Measure::RodRatio) {
         rows.push(row("\\lambda", "rod ratio r/l", "–"));
     }
-    if !has(Measure::ReciprocatingMass) && layout.mechanism.mass.is_some() {
+    if !has(Measure::ReciprocatingMass) && layout.dimensions().mass.is_some() {
         rows.push(row("m", "reciprocating mass of a cylinder", "kg"));
     }
-    if layout.mechanism.rods.iter().any(|rod| !rod.offset.is_zero()) && !has(Measure::OffsetRatio) {
+    if layout.has_offset() && !has(Measure::OffsetRatio) {
         rows.push(row("\\delta", "offset ratio e/l", "–"));
     }
     if loads.scale.is_some() {
@@ -122,13 +120,12 @@ pub(super) fn effects(layout: &Engine, loads: &Loads) -> Vec<EffectRow> {
         why: if inside { yes } else { no }.to_owned(),
         group: None,
     };
-    let first = layout.mechanism.rods.first();
-    let unequal = layout.mechanism.rods.iter().any(|rod| Some(rod) != first) || !layout.has_unit_masses();
+    let unequal = layout.mechanisms().len() > 1 || !layout.has_unit_masses();
     let others = [
         row("pin offset", layout.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
         row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
-        row("main bearings", !layout.bearings.is_empty(), "positions given", "no positions given"),
+        row("main bearings", !layout.bearings().is_empty(), "positions given", "no positions given"),
         row("gas forces", false, "", "not part of this program"),
     ];
     masses.chain(others).collect()
@@ -143,7 +140,7 @@ pub(super) fn limits(layout: &Engine, loads: &Loads) -> Vec<String> {
         "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".to_owned(),
         "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".to_owned(),
     ];
-    if layout.mechanism.given.iter().any(|given| given.quantity == Measure::RodMass) {
+    if layout.dimensions().given.iter().any(|given| given.quantity == Measure::RodMass) {
         lines.push("The inertia torque of a real rod differs from that of its two masses by the error of their moment of inertia.".to_owned());
     }
     lines

@@ -91,15 +91,15 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 fn engine(engine: &Compared) -> EngineEntry {
     let [first_force_left, first_moment_left] = brief::first_left(&engine.theorem);
     let full = BigRational::from_integer(360.into());
-    let firing = engine.layout.firing.as_ref().map(|firing| Firing {
+    let firing = engine.layout.firing().map(|firing| Firing {
         even: firing.is_even(),
         intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
     });
     EngineEntry {
         name: engine.name.written().to_owned(),
-        title: engine.layout.title.written().to_owned(),
-        cylinders: engine.layout.cylinders.len(),
-        position_unit: match engine.layout.length_unit {
+        title: engine.layout.title().written().to_owned(),
+        cylinders: engine.layout.cylinders().len(),
+        position_unit: match engine.layout.length_unit() {
             LengthUnit::Metre => "m",
             LengthUnit::Spacing => "spacing",
         },

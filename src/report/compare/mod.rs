@@ -61,7 +61,7 @@ impl<'a> Compared<'a> {
     }
 
     fn firing(&self) -> String {
-        brief::firing(self.layout.firing.as_ref())
+        brief::firing(self.layout.firing())
     }
 }
 

@@ -20,8 +20,8 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     let mut add = |name: String, cell: &dyn Fn(&Compared) -> String| {
         rows.push(std::iter::once(name).chain(engines.iter().map(cell)).collect());
     };
-    add("Title".to_owned(), &|engine| engine.layout.title.escaped(Format::Plain));
-    add("Cylinders".to_owned(), &|engine| engine.layout.cylinders.len().to_string());
+    add("Title".to_owned(), &|engine| engine.layout.title().escaped(Format::Plain));
+    add("Cylinders".to_owned(), &|engine| engine.layout.cylinders().len().to_string());
     add("Firing".to_owned(), &|engine| engine.firing());
     let orders = orders_of(engines);
     for &order in &orders {
@@ -51,7 +51,7 @@ fn words(engine: &Compared, order: u32, summary: fn(&OrderBalance) -> String) ->
 }
 
 fn speed(engine: &Compared) -> String {
-    engine.layout.mechanism.speed.as_ref().map_or_else(String::new, typeset::number)
+    engine.layout.dimensions().speed.as_ref().map_or_else(String::new, typeset::number)
 }
 
 fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> String {
@@ -105,7 +105,7 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
 /// What the positions, and with them the moments, are counted in.
 fn positions(engines: &[Compared]) -> String {
     let of = |unit: LengthUnit| -> Vec<String> {
-        engines.iter().filter(|e| e.layout.length_unit == unit).map(|e| e.name.escaped(Format::Plain)).collect()
+        engines.iter().filter(|e| e.layout.length_unit() == unit).map(|e| e.name.escaped(Format::Plain)).collect()
     };
     match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
         (_, spacings) if spacings.is_empty() => "Positions are in metres.".to_owned(),

@@ -79,7 +79,7 @@ struct UniformEntry {
 pub fn optimise_document(layout: &Engine, front: &Front, couple: &Couple) -> OptimiseDocument {
     let units = tables::units(layout, front);
     OptimiseDocument {
-        title: layout.title.written().to_owned(),
+        title: layout.title().written().to_owned(),
         couple_at_most: match couple {
             Couple::Zero => 0.0,
             Couple::AtMost(most) => most.to_f64().unwrap_or(f64::NAN),
@@ -96,7 +96,7 @@ fn point(point: &Point, units: Units) -> PointEntry {
         design: design(&point.design, units),
         largest_load_at_least: point.least * units.newtons,
         counterweights: point.design.weights.iter().map(weight).collect(),
-        layout: point.layout.file.written().to_owned(),
+        layout: point.layout.file().written().to_owned(),
     }
 }
 

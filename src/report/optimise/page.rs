@@ -88,7 +88,8 @@ pub fn optimise_files(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Fi
     let dialect = Dialect::GithubMarkdown;
     let mut layouts: Vec<File> = Vec::new();
     for (index, point) in front.points.iter().enumerate() {
-        layouts.push(File { name: format!("point-{}.toml", index + 1), text: point.layout.file.written().to_owned() });
+        layouts
+            .push(File { name: format!("point-{}.toml", index + 1), text: point.layout.file().written().to_owned() });
     }
     for uniform in &front.uniform {
         let factor = uniform.factor.to_f64().unwrap_or(f64::NAN);
@@ -96,11 +97,11 @@ pub fn optimise_files(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Fi
         let named = compared.into_iter().filter_map(|(as_what, point)| Some((as_what, point.as_ref()?)));
         layouts.extend(named.map(|(as_what, point)| File {
             name: format!("as-{as_what}-as-{factor}.toml"),
-            text: point.layout.file.written().to_owned(),
+            text: point.layout.file().written().to_owned(),
         }));
     }
     let page = Page {
-        title: dialect.quoted(&layout.title),
+        title: dialect.quoted(layout.title()),
         summary: optimise_summary(layout, front, couple, ""),
         front: set(tables::optimise_rows(layout, front)),
         weights: set(tables::weights(layout, front)),
@@ -125,7 +126,7 @@ fn drawing(layout: &Engine, front: &Front) -> String {
     let at =
         |design: &Design| (rounded(design.mass.to_f64().unwrap_or(f64::NAN)), rounded(design.peak() * units.newtons));
     let load = Axis::linear(format!("Largest bearing load in {}", units.force));
-    let mut plot = Plot::new(layout.title.escaped(Format::Plain), Axis::linear("Crankshaft mass in kg"), load);
+    let mut plot = Plot::new(layout.title().escaped(Format::Plain), Axis::linear("Crankshaft mass in kg"), load);
     let best: Vec<(f64, f64)> = front.points.iter().map(|point| at(&point.design)).collect();
     plot.marks.extend(best.iter().map(|&at| PointMark::dot(at, "")));
     plot.curves.push(Curve::new(0, "the best counterweights", best));

@@ -81,7 +81,7 @@ pub fn optimise_compared(layout: &Engine, front: &Front) -> Rows {
 
 /// The counterweights of each point: their balance factor and skew, by plane.
 pub(super) fn weights(layout: &Engine, front: &Front) -> Rows {
-    let unit = if layout.length_unit == LengthUnit::Metre { " m" } else { "" };
+    let unit = if layout.length_unit() == LengthUnit::Metre { " m" } else { "" };
     let place = |place: &crate::optimise::Place| {
         let throw = place.throw.map_or_else(String::new, |throw| format!(", throw {}", throw + 1));
         format!("z = {}{unit}{throw}", typeset::number(&place.position))

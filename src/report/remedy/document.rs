@@ -1,7 +1,7 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
 use super::super::document::{rod_claim, vectors};
-use crate::engine::Engine;
+use crate::engine::{Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
 use crate::numbers;
@@ -62,13 +62,12 @@ fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
 
 fn engine(subject: &Subject) -> RemedyDocument {
     let layout = subject.engine();
-    let rod = |index| layout.mechanism.rods.get(index);
-    let cylinders = layout.cylinders.iter().enumerate().map(|(index, cylinder)| RodCylinder {
+    let cylinders = layout.cylinders().iter().map(|cylinder| RodCylinder {
         throw: cylinder.throw.turns().clone(),
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
         weight: order::mass_radius(layout, cylinder),
-        rod: rod(index).map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
+        rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
     });
     let masses = order::turning_masses(layout).into_iter().map(|mass| TurningClaim {
         order: mass.order,
@@ -79,11 +78,11 @@ fn engine(subject: &Subject) -> RemedyDocument {
     });
     RemedyDocument {
         format: Format::Remedy,
-        title: layout.title.written().to_owned(),
+        title: layout.title().written().to_owned(),
         masses: Masses::All,
         orders: Vec::new(),
         quantities: vec![Quantity::Force, Quantity::Moment],
-        reference_plane: layout.reference_plane.clone(),
+        reference_plane: layout.reference_plane().clone(),
         cylinders: cylinders.collect(),
         turning_masses: masses.collect(),
         weights: Vec::new(),
@@ -113,7 +112,7 @@ fn coefficient(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
         Factor::Open => Coefficient::Common,
-        Factor::Motion(rod) => Coefficient::Rod(rod_claim(rod)),
+        Factor::Motion(Mechanism::SliderCrank(rod)) => Coefficient::Rod(rod_claim(rod)),
         Factor::Torque(_) => unreachable!("weights take away forces"),
     }
 }

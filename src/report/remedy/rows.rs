@@ -12,7 +12,7 @@ use crate::remedy::{Partial, Remedy};
 /// A row a weight.
 pub fn remedy_rows(remedy: &Remedy) -> Rows {
     let in_numbers = remedy.subject.scale().is_some();
-    let metres = remedy.subject.engine().length_unit == LengthUnit::Metre;
+    let metres = remedy.subject.engine().length_unit() == LengthUnit::Metre;
     let position = if metres { "Position in m" } else { "Position" };
     let mut header: Vec<String> =
         ["Weight", "Turns", position, "Mass-radius U", "Angle at θ = 0"].map(str::to_owned).into();
@@ -85,7 +85,7 @@ fn partial_line(remedy: &Remedy) -> Option<String> {
 fn crankshaft_lines(remedy: &Remedy) -> Vec<String> {
     let layout = remedy.subject.engine();
     let mut lines = Vec::new();
-    if layout.crankshaft.counterweights.iter().any(|weight| weight.throw.is_some()) {
+    if layout.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
         let factors = layout.balance_factors();
         let factors = factors.iter().map(|factor| factor.as_ref().map_or_else(|| "none".to_owned(), number));
         let factors = factors.collect::<Vec<_>>().join(", ");

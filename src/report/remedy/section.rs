@@ -51,7 +51,7 @@ pub fn remedy_files(remedy: &Remedy, dialect: Dialect) -> Vec<File> {
     if dialect == Dialect::Latex {
         return vec![File { name: "remedy.tex".into(), text: section }];
     }
-    let title = dialect.quoted(&remedy.subject.engine().title);
+    let title = dialect.quoted(remedy.subject.engine().title());
     let mut files = vec![File { name: "remedy.md".into(), text: format!("# {title}\n\n{section}") }];
     let drawing =
         remedy_figure(remedy).map(|(name, figure)| File { name: format!("{name}.svg"), text: svg(&figure, CAPTION) });

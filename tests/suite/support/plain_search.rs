@@ -86,10 +86,12 @@ fn layout(cylinders: usize) -> Engine {
     crankstar::file::parse("star.toml", &text).expect("a layout")
 }
 
-fn with_throws(layout: &mut Engine, star: &[i64], directions: i64) {
-    for (cylinder, &throw) in layout.cylinders.iter_mut().zip(star) {
+fn with_throws(layout: &Engine, star: &[i64], directions: i64) -> Engine {
+    let mut draft = layout.clone().into_draft();
+    for (cylinder, &throw) in draft.cylinders.iter_mut().zip(star) {
         cylinder.throw = Turn::fraction(throw, directions);
     }
+    draft.build().expect("it holds together")
 }
 
 fn squares(layout: &Engine, orders: &[u32]) -> Vec<PhasorSum> {
@@ -99,10 +101,10 @@ fn squares(layout: &Engine, orders: &[u32]) -> Vec<PhasorSum> {
 
 /// The distinct values of these stars, those with unbalanced first-order force left out where a grid asks for it.
 pub fn all_stars(problem: &Problem, stars: Vec<Vec<i64>>, directions: i64) -> Vec<Star> {
-    let mut layout = layout(problem.cylinders as usize);
+    let bare = layout(problem.cylinders as usize);
     let mut distinct: Vec<Star> = Vec::new();
     for star in stars {
-        with_throws(&mut layout, &star, directions);
+        let layout = with_throws(&bare, &star, directions);
         let force = order::star(&layout, Quantity::Force, 1, Some(Sense::Direct));
         if problem.grid.is_some() && !force.vanishes() {
             continue;

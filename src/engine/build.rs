@@ -1,0 +1,206 @@
+//! Does a draft hold together? Only then it is an engine.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use super::draft::{Draft, ReferencePlane};
+use super::family::Family;
+use super::length::Length;
+use super::linear::Linear;
+use super::mechanism::Mechanism;
+use super::model::Engine;
+use super::order::{ORDERS, pistons_have_order};
+use super::throws::throws;
+use crate::proof::Quantity;
+
+/// An engine has at most so many cylinders.
+pub const MOST_CYLINDERS: usize = 2000;
+
+/// The orders of a draft that names none are those that exist, up to this one.
+const USUALLY_UP_TO: u32 = 6;
+
+/// Why a draft is no engine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BuildError {
+    /// No cylinder, or more than [`MOST_CYLINDERS`].
+    Cylinders(usize),
+    /// Two cylinders of the same name.
+    SameName(String),
+    /// A quantity below 0, or 0 where it has to be above.
+    OutOfRange {
+        /// Which, of what: `the crank radius of cylinder 2`.
+        what: String,
+        /// Its value.
+        value: BigRational,
+    },
+    /// Some cylinders have a mechanism, and others none.
+    MechanismMissing {
+        /// The first cylinder without one.
+        cylinder: String,
+    },
+    /// A rod that is too short for its crank and offset.
+    CannotTurnRound {
+        /// The cylinder.
+        cylinder: String,
+    },
+    /// A number that is no order.
+    Order(u32),
+    /// A list that has not one value for each throw.
+    List {
+        /// What the list holds.
+        of: &'static str,
+        /// How many.
+        values: usize,
+        /// For so many throws.
+        throws: usize,
+    },
+    /// A counterweight on a throw that is not there.
+    NoSuchThrow(usize),
+    /// A firing order that has not every cylinder once.
+    Firing,
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BuildError::Cylinders(count) => {
+                write!(f, "an engine has 1 to {MOST_CYLINDERS} cylinders, this one has {count}")
+            }
+            BuildError::SameName(name) => write!(f, "two cylinders are called {name}"),
+            BuildError::OutOfRange { what, value } => write!(f, "{what} is {value}, which is too small"),
+            BuildError::MechanismMissing { cylinder } => {
+                write!(f, "cylinder {cylinder} has no mechanism and others have one; give it to all, or to none")
+            }
+            BuildError::CannotTurnRound { cylinder } => {
+                write!(f, "cylinder {cylinder} cannot turn round: its rod is too short")
+            }
+            BuildError::Order(number) => {
+                write!(f, "{number} is no order, which is a whole number from 1 to {}", ORDERS.end())
+            }
+            BuildError::List { of, values, throws } => {
+                write!(f, "{values} {of} for {throws} throws; give one to each, or none")
+            }
+            BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
+        }
+    }
+}
+
+impl std::error::Error for BuildError {}
+
+impl<A, L: Length> Draft<A, L> {
+    /// What holds for engines and families alike.
+    fn checked(mut self) -> Result<Engine<A, L>, BuildError> {
+        if self.cylinders.is_empty() || self.cylinders.len() > MOST_CYLINDERS {
+            return Err(BuildError::Cylinders(self.cylinders.len()));
+        }
+        let mut names = BTreeSet::new();
+        for (index, cylinder) in self.cylinders.iter_mut().enumerate() {
+            if cylinder.name.is_empty() {
+                cylinder.name = (index + 1).to_string();
+            }
+            if !names.insert(cylinder.name.clone()) {
+                return Err(BuildError::SameName(cylinder.name.clone()));
+            }
+            let name = &cylinder.name;
+            not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
+            not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
+            positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
+            if cylinder.mechanism.as_ref().is_some_and(|mechanism| !mechanism.turns_round()) {
+                return Err(BuildError::CannotTurnRound { cylinder: name.clone() });
+            }
+        }
+        let without = self.cylinders.iter().find(|cylinder| cylinder.mechanism.is_none());
+        if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {
+            return Err(BuildError::MechanismMissing { cylinder: cylinder.name.clone() });
+        }
+        let dimensions = &self.dimensions;
+        dimensions.mass.iter().try_for_each(|mass| not_negative(mass, || "the reciprocating mass".into()))?;
+        dimensions.speed.iter().try_for_each(|speed| not_negative(speed, || "the speed".into()))?;
+        dimensions.crank_radius.iter().try_for_each(|radius| positive(radius, || "the crank radius".into()))?;
+        let mechanisms: Vec<&Mechanism> = self.cylinders.iter().filter_map(|one| one.mechanism.as_ref()).collect();
+        let usual = (1..=USUALLY_UP_TO).filter(|&order| pistons_have_order(&mechanisms, Quantity::Force, order));
+        if let Some(number) = self.orders.iter().find(|order| !ORDERS.contains(order)) {
+            return Err(BuildError::Order(*number));
+        }
+        self.orders.sort_unstable();
+        self.orders.dedup();
+        let orders = if self.orders.is_empty() { usual.collect() } else { self.orders.clone() };
+        let positions: Vec<&L> = self.cylinders.iter().map(|cylinder| &cylinder.position).collect();
+        let plane = match &self.reference_plane {
+            ReferencePlane::Middle => L::middle(&positions),
+            ReferencePlane::OfFamily(plane) | ReferencePlane::Named(plane) => plane.clone(),
+        };
+        Ok(Engine::new(self, plane, orders))
+    }
+}
+
+impl Draft {
+    /// The engine, if all of it fits together. Cylinders without a name get their number.
+    ///
+    /// # Errors
+    /// The first thing that does not fit.
+    pub fn build(self) -> Result<Engine, BuildError> {
+        let engine = self.checked()?;
+        let crankshaft = engine.crankshaft();
+        if !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() {
+            let throws = throws(&engine).len();
+            for (of, values) in [("pins", crankshaft.pins.len()), ("webs", crankshaft.webs.len())] {
+                if values != 0 && values != throws {
+                    return Err(BuildError::List { of, values, throws });
+                }
+            }
+            let mut on_throws = crankshaft.counterweights.iter().filter_map(|weight| weight.throw);
+            if let Some(index) = on_throws.find(|index| *index >= throws) {
+                return Err(BuildError::NoSuchThrow(index));
+            }
+        }
+        crankshaft.pins.iter().try_for_each(|mass| not_negative(mass, || "the mass of a pin".into()))?;
+        crankshaft.webs.iter().try_for_each(|web| not_negative(&web.mass, || "the mass of the webs".into()))?;
+        for weight in &crankshaft.counterweights {
+            not_negative(&weight.mass, || "the mass of a counterweight".into())?;
+            not_negative(&weight.radius, || "the radius of a counterweight".into())?;
+        }
+        for shaft in &crankshaft.balancers {
+            not_negative(&shaft.mass_radius, || "the mass-radius of a balancer shaft".into())?;
+            if !ORDERS.contains(&shaft.order) {
+                return Err(BuildError::Order(shaft.order));
+            }
+        }
+        if let Some(firing) = engine.firing() {
+            let cylinders: BTreeSet<usize> = firing.shots.iter().map(|shot| shot.cylinder).collect();
+            let count = engine.cylinders().len();
+            if firing.shots.len() != count || !cylinders.into_iter().eq(0..count) {
+                return Err(BuildError::Firing);
+            }
+        }
+        Ok(engine)
+    }
+}
+
+impl Draft<Linear, Linear> {
+    /// The family, if all of it fits together.
+    ///
+    /// # Errors
+    /// The first thing that does not fit.
+    pub fn build(self) -> Result<Family, BuildError> {
+        self.checked()
+    }
+}
+
+fn not_negative(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
+    match value.is_negative() {
+        false => Ok(()),
+        true => Err(BuildError::OutOfRange { what: what(), value: value.clone() }),
+    }
+}
+
+fn positive(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
+    match value.is_negative() || value.is_zero() {
+        false => Ok(()),
+        true => Err(BuildError::OutOfRange { what: what(), value: value.clone() }),
+    }
+}

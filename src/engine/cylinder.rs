@@ -1,0 +1,85 @@
+//! What is a cylinder, as far as balance goes? Its throw, bank, place and mass, and what moves its piston.
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::mechanism::{Mechanism, Rod};
+use crate::exact::Turn;
+
+/// One cylinder with its crank throw. In a [`Family`](super::Family) its angles `A` and its place `L` may hold unknowns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cylinder<A = Turn, L = BigRational> {
+    /// What it is called in the firing order: `1`, `L2`; where it is empty, its number.
+    pub name: String,
+    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end.
+    pub throw: A,
+    /// Angle α of the cylinder axis, from the reference direction.
+    pub bank: A,
+    /// Position z along the crankshaft, towards the free end, in the engine's [`LengthUnit`](super::LengthUnit).
+    pub position: L,
+    /// Reciprocating mass, in multiples of that of the engine.
+    pub reciprocating_mass: BigRational,
+    /// Rotating mass at the crankpin in kilograms.
+    pub rotating_mass: BigRational,
+    /// Crank radius, in multiples of that of the engine.
+    pub crank_radius: BigRational,
+    /// What moves the piston; none where nothing is known of it.
+    pub mechanism: Option<Mechanism>,
+    /// Which pin of the crankshaft it works on: cylinders with the same number share it, or the parts of a split one.
+    pub pin: usize,
+}
+
+impl<A, L> Cylinder<A, L> {
+    /// A cylinder of unit mass and unit crank radius on a pin of this number.
+    pub fn new(throw: A, bank: A, position: L, pin: usize) -> Self {
+        Cylinder {
+            name: String::new(),
+            throw,
+            bank,
+            position,
+            reciprocating_mass: BigRational::one(),
+            rotating_mass: BigRational::zero(),
+            crank_radius: BigRational::one(),
+            mechanism: None,
+            pin,
+        }
+    }
+
+    /// Length of the cylinder's vector in a star of the force: reciprocating mass times crank radius.
+    pub fn weight(&self) -> BigRational {
+        &self.reciprocating_mass * &self.crank_radius
+    }
+
+    /// Its connecting rod; none where nothing is known of it.
+    pub fn rod(&self) -> Option<&Rod> {
+        match self.mechanism.as_ref()? {
+            Mechanism::SliderCrank(rod) => Some(rod),
+        }
+    }
+
+    /// The same cylinder with other angles and another place, if they can be had.
+    pub(super) fn map<B, M>(
+        &self,
+        angle: impl Fn(&A) -> Option<B>,
+        length: impl FnOnce(&L) -> Option<M>,
+    ) -> Option<Cylinder<B, M>> {
+        Some(Cylinder {
+            name: self.name.clone(),
+            throw: angle(&self.throw)?,
+            bank: angle(&self.bank)?,
+            position: length(&self.position)?,
+            reciprocating_mass: self.reciprocating_mass.clone(),
+            rotating_mass: self.rotating_mass.clone(),
+            crank_radius: self.crank_radius.clone(),
+            mechanism: self.mechanism.clone(),
+            pin: self.pin,
+        })
+    }
+}
+
+impl Cylinder {
+    /// Crank angle `α − β` at which the piston stands at top dead centre.
+    pub fn top_dead_centre(&self) -> Turn {
+        &self.bank - &self.throw
+    }
+}

@@ -1,0 +1,123 @@
+//! How is an engine built? As a draft, whose fields are free, and which is an engine once it holds together.
+
+use num_rational::BigRational;
+
+use super::crankshaft::Crankshaft;
+use super::cylinder::Cylinder;
+use super::dimensions::Dimensions;
+use super::firing::{Cycle, Firing};
+use super::form::Form;
+use super::length::LengthUnit;
+use super::model::Effects;
+use super::title_block::TitleBlock;
+use crate::exact::Turn;
+use crate::text::Untrusted;
+
+/// An engine that is not checked yet: [`Draft::build`] makes it one.
+///
+/// ```
+/// use crankstar::engine::{Cylinder, Draft};
+/// use crankstar::exact::Turn;
+/// let mut draft = Draft::new("V-twin of 90 degrees");
+/// for bank in [-1, 1] {
+///     draft.cylinders.push(Cylinder::new(Turn::zero(), Turn::fraction(bank, 8), 0.into(), 0));
+/// }
+/// let engine = draft.build().unwrap();
+/// assert_eq!(engine.cylinders()[1].name, "2");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Draft<A = Turn, L = BigRational> {
+    /// What it is called in a report.
+    pub title: Untrusted,
+    /// Where the crank star is published.
+    pub source: Option<Untrusted>,
+    /// Which form of layout file describes it.
+    pub form: Form,
+    /// The cylinders.
+    pub cylinders: Vec<Cylinder<A, L>>,
+    /// The plane that moments are taken about.
+    pub reference_plane: ReferencePlane<L>,
+    /// What positions are counted in.
+    pub length_unit: LengthUnit,
+    /// Whether the positions are those of a real engine; else the cylinders stand one spacing apart.
+    pub positions_given: bool,
+    /// The orders that are asked for; none for the usual ones.
+    pub orders: Vec<u32>,
+    /// Two-stroke or four-stroke.
+    pub cycle: Option<Cycle>,
+    /// When the cylinders fire.
+    pub firing: Option<Firing>,
+    /// Positions of the main bearings; none where nothing is known of them.
+    pub bearings: Vec<BigRational>,
+    /// What the engine measures and weighs.
+    pub dimensions: Dimensions,
+    /// Masses on the crankshaft, and the balancer shafts that it drives.
+    pub crankshaft: Crankshaft,
+    /// What is asked for beyond force and moment.
+    pub effects: Effects,
+    /// What stands in the title block of a calculation report.
+    pub title_block: TitleBlock,
+    /// The layout file that it was read from; empty where it was not.
+    pub file: Untrusted,
+}
+
+/// The plane across the crankshaft that moments are taken about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReferencePlane<L = BigRational> {
+    /// The middle between the outermost cylinders.
+    Middle,
+    /// That of the family which the engine is a member of.
+    OfFamily(L),
+    /// This one.
+    Named(L),
+}
+
+impl<A, L> Draft<A, L> {
+    /// A draft without cylinders.
+    pub fn new(title: &str) -> Self {
+        Draft {
+            title: Untrusted::new(title),
+            source: None,
+            form: Form::General,
+            cylinders: Vec::new(),
+            reference_plane: ReferencePlane::Middle,
+            length_unit: LengthUnit::default(),
+            positions_given: true,
+            orders: Vec::new(),
+            cycle: None,
+            firing: None,
+            bearings: Vec::new(),
+            dimensions: Dimensions::default(),
+            crankshaft: Crankshaft::default(),
+            effects: Effects::default(),
+            title_block: TitleBlock::default(),
+            file: Untrusted::new(""),
+        }
+    }
+
+    /// The same with other cylinders and another reference plane.
+    pub(super) fn with_cylinders<B, M>(
+        self,
+        cylinders: Vec<Cylinder<B, M>>,
+        reference_plane: ReferencePlane<M>,
+    ) -> Draft<B, M> {
+        Draft {
+            title: self.title,
+            source: self.source,
+            form: self.form,
+            cylinders,
+            reference_plane,
+            length_unit: self.length_unit,
+            positions_given: self.positions_given,
+            orders: self.orders,
+            cycle: self.cycle,
+            firing: self.firing,
+            bearings: self.bearings,
+            dimensions: self.dimensions,
+            crankshaft: self.crankshaft,
+            effects: self.effects,
+            title_block: self.title_block,
+            file: self.file,
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! What are the factors of the exact sums, in numbers? Each is enclosed once.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+
+use super::factor::Factor;
+use crate::engine::Mechanism;
+use crate::motion::{Coefficient, Enclosure, SliderCrank};
+use crate::proof::Sense;
+
+/// The values of factors that were asked for.
+#[derive(Debug, Default)]
+pub struct Coefficients {
+    cranks: RefCell<BTreeMap<Mechanism, SliderCrank>>,
+    known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
+}
+
+impl Coefficients {
+    /// The value of a factor in an order: computed once; none where nothing is known of the mechanism.
+    pub fn of(&self, factor: &Factor, order: u32) -> Option<Coefficient> {
+        let key = (factor.clone(), order);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Some(known.clone());
+        }
+        let coefficient = match factor {
+            Factor::One => return Some(exactly_one()),
+            Factor::Open => return None,
+            Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order)),
+            Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order)),
+        };
+        self.known.borrow_mut().insert(key, coefficient.clone());
+        Some(coefficient)
+    }
+
+    /// The same in a sum of this sense: conjugated in a reverse one.
+    pub fn in_sense(&self, factor: &Factor, order: u32, sense: Option<Sense>) -> Option<Coefficient> {
+        let coefficient = self.of(factor, order)?;
+        Some(match sense {
+            Some(Sense::Reverse) => conjugate(coefficient),
+            Some(Sense::Direct) | None => coefficient,
+        })
+    }
+
+    /// The value of a factor, if it was asked for before.
+    pub fn known(&self, factor: &Factor, order: u32) -> Option<Coefficient> {
+        self.known.borrow().get(&(factor.clone(), order)).cloned()
+    }
+
+    /// How many values were computed.
+    pub fn computed(&self) -> usize {
+        self.known.borrow().len()
+    }
+
+    fn crank(&self, mechanism: &Mechanism, value: impl Fn(&SliderCrank) -> Coefficient) -> Coefficient {
+        let mut cranks = self.cranks.borrow_mut();
+        value(cranks.entry(mechanism.clone()).or_insert_with(|| crank(mechanism)))
+    }
+}
+
+/// The motion of a mechanism that an engine has: it turns round.
+pub fn crank(mechanism: &Mechanism) -> SliderCrank {
+    match mechanism {
+        Mechanism::SliderCrank(rod) => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
+            Ok(crank) => crank,
+            Err(_) => unreachable!("an engine's mechanisms turn round"),
+        },
+    }
+}
+
+/// 1, as a coefficient.
+pub fn exactly_one() -> Coefficient {
+    Coefficient { re: Enclosure::point(BigRational::from_integer(1.into())), im: Enclosure::zero() }
+}
+
+fn conjugate(coefficient: Coefficient) -> Coefficient {
+    let minus = BigRational::from_integer((-1).into());
+    Coefficient { im: coefficient.im.times(&minus), ..coefficient }
+}
