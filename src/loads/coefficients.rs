@@ -6,7 +6,7 @@ use super::{Missing, Swing, Vector, comparable, scale};
 use crate::engine::{Engine, Mechanism};
 use crate::motion::{Coefficient, SliderCrank};
 use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
-use crate::proof::Sense;
+use crate::proof::{Quantity, Sense};
 
 /// Forces from here on are refused: their sums and squares would leave the range of decimals.
 const LARGEST: f64 = 1e150;
@@ -61,7 +61,10 @@ impl Motion {
     pub fn common(&self, order: u32) -> Option<Coefficient> {
         let mut mechanisms = self.cranks.keys();
         let (Some(mechanism), None) = (mechanisms.next(), mechanisms.next()) else { return None };
-        let (factor, sign) = Factor::of_force(Some(mechanism), order)?;
+        let (factor, sign) = Factor::of_force(Some(mechanism), order);
+        if !factor.exists(Quantity::Force, order) {
+            return None;
+        }
         if factor == Factor::One {
             return Some(exactly_one());
         }

@@ -3,7 +3,7 @@
 use num_complex::Complex;
 
 use super::vector::{Outcome, Vector};
-use crate::order::OrderSum;
+use crate::order::{OrderSum, Path};
 
 /// One order of the force or the moment: the vector `½(P⁺ e^{ikθ} + P⁻ e^{−ikθ})`, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -12,12 +12,8 @@ pub struct Swing {
     pub direct: Vector,
     /// P⁻, which turns against it.
     pub reverse: Vector,
-    /// Whether the path is proved to be a line: both vectors are equally long.
-    pub is_line: bool,
-    /// Whether the component along direction 0 is proved to be zero.
-    pub nothing_along: bool,
-    /// Whether the component across direction 0 is proved to be zero.
-    pub nothing_across: bool,
+    /// What is proved of the path.
+    pub path: Path,
 }
 
 /// Lengths that differ by more than this part are surely not equal: they are known to the accuracy of a float.
@@ -29,15 +25,11 @@ impl Swing {
     /// Sums of one factor are compared with each other: `c S⁺` and, mirrored, `c S̄⁻`. Where several are left, only the
     /// coefficients could make them equal, and nothing is proved.
     pub(super) fn new([direct, reverse]: [Vector; 2], [direct_sum, reverse_sum]: [&OrderSum; 2]) -> Self {
-        let none = direct.outcome == Outcome::Zero && reverse.outcome == Outcome::Zero;
-        let mut swing = Swing { direct, reverse, is_line: none, nothing_along: none, nothing_across: none };
-        if none || swing.smallest() > SURELY_DIFFERENT * swing.largest() {
-            return swing;
+        let mut swing = Swing { direct, reverse, path: Path::POINT };
+        if !swing.vanishes() {
+            let surely_not = swing.smallest() > SURELY_DIFFERENT * swing.largest();
+            swing.path = if surely_not { Path::OPEN } else { Path::of(direct_sum, reverse_sum) };
         }
-        let mirrored = reverse_sum.mirrored();
-        swing.nothing_along = direct_sum.plus(&mirrored).vanishes();
-        swing.nothing_across = direct_sum.minus(&mirrored).vanishes();
-        swing.is_line = swing.nothing_along || swing.nothing_across || direct_sum.is_as_long_as(&mirrored);
         swing
     }
 

@@ -15,41 +15,45 @@ pub enum Factor {
     Motion(Mechanism),
     /// t_k, the coefficient of the inertia torque, of this mechanism.
     Torque(Mechanism),
-    /// The same of the rods of an engine that names none: centric, alike, and not zero where it is looked at.
+    /// The same of the rods of an engine that names none: they are centric and alike.
     Open,
 }
 
 impl Factor {
-    /// What the force of a cylinder with this mechanism stands before, and with which sign; none where it is zero: such an
-    /// order does not exist. A mechanism of which nothing is known is a centric crank.
+    /// What the force of a cylinder with this mechanism stands before, and with which sign. A mechanism of which nothing is
+    /// known is a centric crank.
     ///
     /// The root `√(1−(λ sinψ−δ)²)` stays as it is where δ changes its sign and ψ goes on by half a turn, so that its
     /// coefficient of order k then changes by (−1)^k; c_1 has the crank's own 1 beside it.
-    pub fn of_force(mechanism: Option<&Mechanism>, order: u32) -> Option<(Factor, BigRational)> {
+    pub fn of_force(mechanism: Option<&Mechanism>, order: u32) -> (Factor, BigRational) {
         let one = BigRational::one();
-        let is_odd = order % 2 == 1;
-        let Some(mechanism) = mechanism else {
-            return match order {
-                1 => Some((Factor::One, one)),
-                _ if is_odd => None,
-                _ => Some((Factor::Open, one)),
-            };
-        };
         match mechanism {
-            _ if !mechanism.has_order(Quantity::Force, order) => None,
-            Mechanism::SliderCrank(rod) if order == 1 && rod.offset.is_zero() => Some((Factor::One, one)),
-            Mechanism::SliderCrank(_) if order == 1 => Some((Factor::Motion(mechanism.clone()), one)),
-            Mechanism::SliderCrank(rod) => {
-                let sign = if rod.offset.is_negative() && is_odd { -one } else { one };
+            None if order == 1 => (Factor::One, one),
+            None => (Factor::Open, one),
+            Some(Mechanism::SliderCrank(rod)) if order == 1 && rod.offset.is_zero() => (Factor::One, one),
+            Some(mechanism) if order == 1 => (Factor::Motion(mechanism.clone()), one),
+            Some(Mechanism::SliderCrank(rod)) => {
+                let sign = if rod.offset.is_negative() && order % 2 == 1 { -one } else { one };
                 let mirrored = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
-                Some((Factor::Motion(Mechanism::SliderCrank(mirrored)), sign))
+                (Factor::Motion(Mechanism::SliderCrank(mirrored)), sign)
             }
         }
     }
 
-    /// What the inertia torque of a cylinder with this mechanism stands before; none where it is zero.
-    pub fn of_torque(mechanism: Option<&Mechanism>, order: u32) -> Option<Factor> {
-        let Some(mechanism) = mechanism else { return Some(Factor::Open) };
-        mechanism.has_order(Quantity::Torque, order).then(|| Factor::Torque(mechanism.clone()))
+    /// What the inertia torque of a cylinder with this mechanism stands before.
+    pub fn of_torque(mechanism: Option<&Mechanism>) -> Factor {
+        mechanism.map_or(Factor::Open, |mechanism| Factor::Torque(mechanism.clone()))
+    }
+
+    /// Whether it is not zero in an order of a quantity: whether the order exists.
+    pub fn exists(&self, quantity: Quantity, order: u32) -> bool {
+        match self {
+            Factor::One => true,
+            Factor::Motion(mechanism) | Factor::Torque(mechanism) => mechanism.has_order(quantity, order),
+            Factor::Open => match quantity {
+                Quantity::Force | Quantity::Moment => order == 1 || order.is_multiple_of(2),
+                Quantity::Torque => true,
+            },
+        }
     }
 }

@@ -6,7 +6,9 @@
 
 mod coefficients;
 mod factor;
+mod group;
 mod masses;
+mod path;
 mod phase;
 mod source;
 mod sum;
@@ -15,7 +17,9 @@ mod turning;
 
 pub use coefficients::{Coefficients, crank, exactly_one};
 pub use factor::Factor;
+pub use group::{Group, Sources};
 pub use masses::{MassGroup, Masses};
+pub use path::Path;
 pub use phase::{multiples, phase, phase_of};
 pub use source::{Contribution, Source, all_masses, contributions, groups_of, lever, star};
 pub use sum::{OrderSum, by_factor};

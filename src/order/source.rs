@@ -40,6 +40,18 @@ impl Source {
             Source::Balancer(_) => MassGroup::Balancers,
         }
     }
+
+    /// What it is called: a cylinder by its name, what turns by its number from 1.
+    pub fn name(self, engine: &Engine) -> String {
+        match self {
+            Source::Piston(index) => engine.cylinders()[index].name.clone(),
+            Source::BigEnd(index) => format!("big end of cylinder {}", engine.cylinders()[index].name),
+            Source::Pin(index) => format!("pin {}", index + 1),
+            Source::Webs(index) => format!("webs of throw {}", index + 1),
+            Source::Counterweight(index) => format!("counterweight {}", index + 1),
+            Source::Balancer(index) => format!("balancer shaft {}", index + 1),
+        }
+    }
 }
 
 /// The term that a source adds to the force of an order.
@@ -64,13 +76,28 @@ impl Contribution {
     }
 }
 
+/// The term of a piston in the star of an order: direct, reverse, or the torque's (none), in multiples of m r.
+pub(super) fn piston_term(engine: &Engine, cylinder: &Cylinder, order: u32, sense: Option<Sense>) -> Term {
+    let weight = mass_radius(engine, cylinder);
+    let weight = match sense {
+        Some(_) => weight * Factor::of_force(cylinder.mechanism.as_ref(), order).1,
+        None => weight,
+    };
+    Term { angle: phase(cylinder, order, sense), weight }
+}
+
 /// What every mass of an engine adds to the force of one order and sense: a term per cylinder, where the order exists for
 /// its rod, then those of the masses that turn at this order.
 pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let piston = |(index, cylinder): (usize, &Cylinder)| {
-        let (factor, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order)?;
-        let term = Term { angle: phase(cylinder, order, Some(sense)), weight: mass_radius(layout, cylinder) * sign };
-        Some(Contribution { source: Source::Piston(index), position: cylinder.position.clone(), factor, term })
+        let (factor, _) = Factor::of_force(cylinder.mechanism.as_ref(), order);
+        let term = piston_term(layout, cylinder, order, Some(sense));
+        factor.exists(Quantity::Force, order).then(|| Contribution {
+            source: Source::Piston(index),
+            position: cylinder.position.clone(),
+            factor,
+            term,
+        })
     };
     let pistons = layout.cylinders().iter().enumerate().filter_map(piston);
     let turning = turning_masses(layout).into_iter().filter(|mass| (mass.order, mass.sense) == (order, sense));
@@ -116,11 +143,11 @@ pub fn groups_of(layout: &Engine) -> Vec<MassGroup> {
 pub fn star(layout: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
     let term = |cylinder: &Cylinder| {
         let by = match quantity {
-            Quantity::Force => BigRational::one(),
-            Quantity::Moment => layout.arm(cylinder),
+            Quantity::Force | Quantity::Moment => lever(layout, quantity, &cylinder.position),
             Quantity::Torque => cylinder.crank_radius.clone(),
         };
-        Term { angle: phase(cylinder, order, sense), weight: cylinder.weight() * by }
+        let Term { angle, weight } = piston_term(layout, cylinder, order, sense);
+        Term { angle, weight: weight * by }
     };
     PhasorSum::new(layout.cylinders().iter().map(term).collect())
 }

@@ -292,10 +292,10 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, layout: &Engine, swin
         direct,
         reverse,
         largest: swing.largest() * factor,
-        smallest: if swing.is_line { 0.0 } else { swing.smallest() * factor },
+        smallest: if swing.path.is_line { 0.0 } else { swing.smallest() * factor },
         direction_deg: swing.direction(),
-        along: if swing.nothing_along { 0.0 } else { swing.along() * factor },
-        across: if swing.nothing_across { 0.0 } else { swing.across() * factor },
+        along: if swing.path.nothing_along { 0.0 } else { swing.along() * factor },
+        across: if swing.path.nothing_across { 0.0 } else { swing.across() * factor },
         dimensionless: swing.largest(),
     }
 }

@@ -255,12 +255,12 @@ fn ellipses_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
                     false if value <= 1e-12 * largest => "≈ 0".to_owned(),
                     false => amounts::amount(value, unit),
                 };
-                row.push(part(swing.smallest(), swing.is_line));
+                row.push(part(swing.smallest(), swing.path.is_line));
                 row.push(
                     swing.direction().map_or("–".to_owned(), |degrees| format!("≈ {}°", amounts::digits(degrees))),
                 );
-                row.push(part(swing.along(), swing.nothing_along));
-                row.push(part(swing.across(), swing.nothing_across));
+                row.push(part(swing.along(), swing.path.nothing_along));
+                row.push(part(swing.across(), swing.path.nothing_across));
                 row.push(format!("≈ {}", amounts::digits(largest)));
             }
             rows.push(row);

@@ -169,7 +169,7 @@ fn extremes(layout: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Sw
         _ => {
             let both = Expression::Sum(vec![direct.clone(), reverse.clone()]);
             let mut lines = vec![largest(halved(loads, both))];
-            if !swing.is_line {
+            if !swing.path.is_line {
                 let (longer, shorter) = match swing.direct.value.norm() > swing.reverse.value.norm() {
                     true => (direct, reverse),
                     false => (reverse, direct),
