@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crankstar::layout::Engine;
-use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Masses, Unreadable, read_document};
+use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Unreadable, read_document};
 use crankstar::report;
 
 use serde_json::Value;
@@ -39,7 +39,7 @@ impl Verify {
                 format!("the engine: that of {}", layouts::shown(layout))
             }
         };
-        write::to_stdout(&summary(document.title(), &checked, &engine))
+        write::to_stdout(&summary(&document, &checked, &engine))
     }
 
     /// One byte more than is read of a document tells that it is too large.
@@ -73,6 +73,9 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
             AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)
         }
         (AnyDocument::Family(_), Engine::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
+        (AnyDocument::Evidence(_), _) => {
+            return Err(Failure::new(format!("{name} holds documents of engines; --engine compares one of its own")));
+        }
         (AnyDocument::Family(_), Engine::Known(..)) => return Err(other("a family with open angles or lengths")),
         (AnyDocument::Classify(_) | AnyDocument::Remedy(_), Engine::Open(_)) => {
             return Err(other("an engine without unknowns"));
@@ -89,22 +92,25 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
 }
 
 /// What holds, what it is about, and what is not covered.
-fn summary(title: &str, checked: &Checked, engine: &str) -> String {
+fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
-    let title = crankstar::text::harmless(title);
+    let title = crankstar::text::harmless(document.title());
     let orders: Vec<String> = checked.orders.iter().map(u32::to_string).collect();
     let quantities: Vec<&str> = checked.quantities.iter().map(|quantity| quantity.name()).collect();
-    let masses = match checked.masses {
-        Masses::Reciprocating => "the reciprocating masses",
-        Masses::All => "all masses, with the weights of the remedy",
+    let masses: Vec<&str> = checked.masses.iter().map(|masses| masses.name()).collect();
+    let weights = if matches!(document, AnyDocument::Remedy(_)) { ", with the weights of the remedy" } else { "" };
+    let wholes = match (checked.wholes, checked.open_wholes) {
+        (0, _) => String::new(),
+        (wholes, 0) => format!("{wholes} whole orders, "),
+        (wholes, open) => format!("{wholes} whole orders ({open} of them not decided), "),
     };
     let mut lines = vec![
         format!("{title}: all {} certificates hold", checked.counts.certificates()),
-        format!("  about: {} of {masses}", quantities.join(", ")),
+        format!("  about: {} of {}{weights}", quantities.join(", "), masses.join(", ")),
         format!("  orders: {}, each with all its verdicts", orders.join(", ")),
         format!("  zero: {polygons}, by polygons; not zero: {residues} by a residue, {splittings} by a splitting"),
         format!(
-            "  besides: {decimals} decimals, {} shapes, {} statements on every order",
+            "  besides: {decimals} decimals, {wholes}{} shapes, {} statements on every order",
             checked.shapes, checked.theorems
         ),
         format!("  {engine}"),

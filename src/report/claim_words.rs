@@ -174,7 +174,7 @@ fn verdict_sense(verdict: &Verdict) -> &'static str {
 fn line(balance: &Balance) -> String {
     use crate::proof::Shape;
     match balance.shape {
-        Shape::Balanced => String::new(),
+        Shape::Balanced | Shape::NotDecided => String::new(),
         Shape::Rotating => format!(", at angle {}", left::bearing(&balance.direct.sum).plain()),
         Shape::CounterRotating => format!(", at angle {}", left::bearing(&balance.reverse.sum).plain()),
         Shape::Planar | Shape::Elliptical => {

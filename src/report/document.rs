@@ -1,13 +1,17 @@
 //! What does `classify --json` hold? Every verdict with its terms and its certificate.
 
+use std::borrow::Cow;
+
 use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
 
 use crate::exact::Term;
 use crate::layout::{self, Layout, Rod};
 use crate::numbers;
 use crate::proof::{
-    Cylinder, Document, Format, Masses, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, Vector,
-    VerdictClaim,
+    Cylinder, Document, Format, Masses, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, ShapeEvidence,
+    TheoremClaim, Vector, VerdictClaim,
 };
 use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
 
@@ -21,10 +25,9 @@ pub fn document(
     let of = |order: &OrderBalance| order.class.as_ref().map_or_else(Vec::new, |class| class.cylinders.clone());
     let verdicts = orders.iter().flat_map(|order| {
         let verdicts = [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).chain(&order.torque);
-        verdicts.map(move |verdict| verdict_claim(verdict, of(order)))
+        verdicts.map(move |verdict| verdict_claim(&against_the_offset(layout, verdict), of(order)))
     });
-    let shapes =
-        orders.iter().flat_map(|order| [&order.force, &order.moment].map(|balance| shape_claim(balance, of(order))));
+    let shapes = orders.iter().flat_map(|order| [&order.force, &order.moment].map(shape_claim));
     let mut numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();
     numbers.dedup();
     Document {
@@ -41,7 +44,9 @@ pub fn document(
             .enumerate()
             .map(|(at, one)| cylinder(one, layout.mechanism.rods.get(at)))
             .collect(),
+        turning_masses: Vec::new(),
         verdicts: verdicts.collect(),
+        wholes: Vec::new(),
         shapes: shapes.collect(),
         theorems: every_order.map(theorem_claims).unwrap_or_default(),
     }
@@ -74,6 +79,16 @@ pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
     terms.iter().map(|term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() }).collect()
 }
 
+/// Terms stand before the coefficient of an offset to the positive side; that of odd orders above 1 changes its sign with it.
+fn against_the_offset<'a>(layout: &Layout, verdict: &'a Verdict) -> Cow<'a, Verdict> {
+    let is_behind = layout.mechanism.rods.first().is_some_and(|rod| rod.offset.is_negative());
+    if !is_behind || verdict.quantity == Quantity::Torque || verdict.order == 1 || verdict.order.is_multiple_of(2) {
+        return Cow::Borrowed(verdict);
+    }
+    let sum = verdict.sum.scaled(&-BigRational::one());
+    Cow::Owned(Verdict { certificate: sum.certificate(), sum, ..verdict.clone() })
+}
+
 fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
     let vanishes = verdict.vanishes();
     let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&verdict.sum) };
@@ -90,13 +105,12 @@ fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
     }
 }
 
-fn shape_claim(balance: &Balance, of: Vec<String>) -> ShapeClaim {
+fn shape_claim(balance: &Balance) -> ShapeClaim {
     ShapeClaim {
         quantity: balance.direct.quantity,
         order: balance.direct.order,
-        of,
         shape: balance.shape,
-        certificate: balance.comparison.clone(),
+        evidence: balance.comparison.clone().map(ShapeEvidence::Certificate),
     }
 }
 

@@ -39,6 +39,7 @@ pub(super) fn shape_name(shape: Shape) -> &'static str {
         Shape::CounterRotating => "counter-rotating",
         Shape::Planar => "planar",
         Shape::Elliptical => "elliptical",
+        Shape::NotDecided => "not decided",
     }
 }
 
@@ -150,6 +151,7 @@ pub(super) fn sentence(balance: &Balance) -> String {
              largest value {largest}, along the line of angle {}.",
             line_bearing(balance).prose()
         ),
+        Shape::NotDecided => "Whether the vectors are equally long is not decided.".to_owned(),
     }
     .replace("|P", "\\lvert P")
     .replace("}|^2", "}\\rvert^2")
