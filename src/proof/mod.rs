@@ -55,6 +55,7 @@ pub use refusal::Refusal;
 pub use remedy::{
     CorrectedClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart, check_remedy_document,
 };
+pub use rod::coefficient_bounds;
 pub use shape::{MirrorClaim, Shape, ShapeClaim, ShapeEvidence};
 pub use theorem::{OrderClaim, Survivors, TheoremClaim};
 pub use verdict::{Vector, VerdictClaim};

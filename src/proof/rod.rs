@@ -79,6 +79,28 @@ impl<'a> Motion<'a> {
     }
 }
 
+/// Bounds of the real and of the imaginary part of a rod's c_k, or of its t_k for the torque, to about so many bits behind
+/// the point: what an enclosure of a whole order reckons with.
+///
+/// # Errors
+/// Where that would take too many points.
+pub fn coefficient_bounds(
+    rod: &RodClaim,
+    quantity: Quantity,
+    order: u32,
+    bits: u32,
+) -> Result<[[BigRational; 2]; 2], Refusal> {
+    let audit = Audit::new();
+    let number = match quantity {
+        Quantity::Force | Quantity::Moment => force(rod, order, bits, &audit),
+        Quantity::Torque => torque(rod, order, bits, &audit),
+    }?;
+    let bounds = |Ball { middle, doubt }: &Ball| {
+        [middle - doubt, middle + doubt].map(|bound| BigRational::new(bound, BigInt::one() << bits))
+    };
+    Ok([bounds(&number.re), bounds(&number.im)])
+}
+
 /// How many bits below 1 the bound of a coefficient stands.
 pub(super) fn smallness(coefficient: &Coefficient, quantity: Quantity, order: u32) -> Result<u64, Refusal> {
     match coefficient {

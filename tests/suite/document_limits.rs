@@ -91,7 +91,7 @@ fn one_verdict(throws: &[String], vanishes: bool, certificate: Value) -> Value {
     let terms: Vec<Value> = throws.iter().map(|throw| json!({ "angle": throw, "weight": "1" })).collect();
     let cylinders: Vec<Value> = throws.iter().enumerate().map(cylinder).collect();
     json!({ "format": "crankstar classify 2", "title": "", "masses": "reciprocating", "orders": [1], "quantities": ["force"],
-        "all_orders": false, "reference_plane": "0", "cylinders": cylinders, "shapes": [], "theorems": [],
+        "all_orders": false, "reference_plane": "0", "cylinders": cylinders, "turning_masses": [], "wholes": [], "shapes": [], "theorems": [],
         "verdicts": [{ "quantity": "force", "order": 1, "sense": "direct", "vanishes": vanishes, "terms": terms,
             "modulus": 1.0, "angle_deg": 1.0, "certificate": certificate }] })
 }

@@ -49,6 +49,7 @@ mod sweep;
 mod theorems;
 mod theory;
 mod thesis;
+mod whole_cheats;
 
 mod support {
     pub mod decimals;
@@ -63,5 +64,6 @@ mod support {
     pub mod program;
     pub mod stiffness;
     pub mod whole_degrees;
+    pub mod whole_documents;
     pub mod written;
 }
