@@ -56,7 +56,7 @@ fn every_document_of_verdicts_verifies_with_and_without_torque_and_every_order()
 /// With the masses of the layout that turn, and by a producer of its own.
 #[test]
 fn every_document_on_all_masses_verifies() {
-    let (mut several, mut open) = (0, 0);
+    let mut several = 0;
     for (index, (text, layout)) in known(4).enumerate() {
         let torque = index % 2 == 0;
         let orders = [&[1, 2][..], &[1, 2, 3, 4, 6], &[5], &[2, 12]][index % 4];
@@ -70,9 +70,8 @@ fn every_document_on_all_masses_verifies() {
         whole_documents::fill(&mut document);
         let (_, checked) = verified(&document, &text);
         several += checked.wholes;
-        open += checked.open_wholes;
     }
-    assert!(several > count() && open > 0, "{several} {open}");
+    assert!(several > count(), "{several}");
 }
 
 fn turning_mass(index: usize, mass: order::TurningMass) -> TurningMassClaim {
