@@ -38,8 +38,7 @@ impl Serialize for EvidenceDocument {
 struct LoadsOrder {
     quantity: Quantity,
     order: u32,
-    #[serde(flatten)]
-    own: Said,
+    vanishes: Option<bool>,
     direct: Said,
     reverse: Said,
 }
@@ -48,8 +47,7 @@ struct LoadsOrder {
 #[derive(Deserialize)]
 struct LoadsTorque {
     order: u32,
-    #[serde(flatten)]
-    own: Said,
+    vanishes: Option<bool>,
 }
 
 /// Whether something is zero; null where that is not decided.
@@ -148,8 +146,8 @@ impl EvidenceDocument {
 fn check_loads(loads: &Loads, judged: &[Judged]) -> Result<(), Fault> {
     let find =
         |quantity: Quantity, order: u32| judged.iter().find(|one| (one.quantity, one.order) == (quantity, order));
-    let agree = |place: String, said: &Said, proved: Option<Option<bool>>| match proved {
-        Some(proved) if proved == said.vanishes => Ok(()),
+    let agree = |place: String, said: Option<bool>, proved: Option<Option<bool>>| match proved {
+        Some(proved) if proved == said => Ok(()),
         Some(_) => Err(Fault::new(place, "it is not what the evidence says")),
         None => Err(Fault::new(place, "the evidence says nothing of it")),
     };
@@ -158,18 +156,18 @@ fn check_loads(loads: &Loads, judged: &[Judged]) -> Result<(), Fault> {
         let found = find(entry.quantity, entry.order).filter(|one| one.quantity != Quantity::Torque);
         let of = |sense: Sense| found.and_then(|one| one.place(Some(sense)).map(|place| one.vanishes(place)));
         let (direct, reverse) = (of(Sense::Direct), of(Sense::Reverse));
-        agree(at("direct.vanishes"), &entry.direct, direct)?;
-        agree(at("reverse.vanishes"), &entry.reverse, reverse)?;
+        agree(at("direct.vanishes"), entry.direct.vanishes, direct)?;
+        agree(at("reverse.vanishes"), entry.reverse.vanishes, reverse)?;
         let both = direct.zip(reverse).map(|both| match both {
             (Some(true), Some(true)) => Some(true),
             (Some(false), _) | (_, Some(false)) => Some(false),
             _ => None,
         });
-        agree(at("vanishes"), &entry.own, both)?;
+        agree(at("vanishes"), entry.vanishes, both)?;
     }
     for (index, entry) in loads.torque.iter().enumerate() {
         let found = find(Quantity::Torque, entry.order).map(|one| one.vanishes(0));
-        agree(format!("torque[{index}].vanishes"), &entry.own, found)?;
+        agree(format!("torque[{index}].vanishes"), entry.vanishes, found)?;
     }
     Ok(())
 }

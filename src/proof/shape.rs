@@ -34,6 +34,7 @@ pub enum Shape {
 
 /// The shape of what is left of one order, with the evidence that tells planar from elliptical.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "WrittenShape", into = "WrittenShape")]
 pub struct ShapeClaim {
     /// Force or moment.
     pub quantity: Quantity,
@@ -42,13 +43,11 @@ pub struct ShapeClaim {
     /// The shape.
     pub shape: Shape,
     /// Where neither vector vanishes: how they compare.
-    #[serde(flatten)]
     pub evidence: Option<ShapeEvidence>,
 }
 
 /// How the lengths of two vectors that do not vanish are compared.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ShapeEvidence {
     /// One sum each before the same coefficient: `|direct|² − |reverse|²` is zero (planar) or is not (elliptical).
     Certificate(Certificate),
@@ -66,6 +65,51 @@ pub struct MirrorClaim {
     pub sign: i8,
     /// That `direct − sign · conj(reverse)` is zero, for each coefficient that is not zero.
     pub certificates: Vec<Certificate>,
+}
+
+/// A shape as a document writes it: its evidence under the key that says which it is.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WrittenShape {
+    quantity: Quantity,
+    order: u32,
+    shape: Shape,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    certificate: Option<Certificate>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    mirror: Option<MirrorClaim>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bits: Option<u32>,
+}
+
+impl TryFrom<WrittenShape> for ShapeClaim {
+    type Error = &'static str;
+
+    fn try_from(written: WrittenShape) -> Result<Self, Self::Error> {
+        let WrittenShape { quantity, order, shape, certificate, mirror, bits } = written;
+        let evidence = match (certificate, mirror, bits) {
+            (None, None, None) => None,
+            (Some(certificate), None, None) => Some(ShapeEvidence::Certificate(certificate)),
+            (None, Some(mirror), None) => Some(ShapeEvidence::Mirror(mirror)),
+            (None, None, Some(bits)) => Some(ShapeEvidence::Bits(bits)),
+            _ => return Err("a shape has one of `certificate`, `mirror` and `bits`"),
+        };
+        Ok(ShapeClaim { quantity, order, shape, evidence })
+    }
+}
+
+impl From<ShapeClaim> for WrittenShape {
+    fn from(claim: ShapeClaim) -> Self {
+        let ShapeClaim { quantity, order, shape, evidence } = claim;
+        let mut written = WrittenShape { quantity, order, shape, certificate: None, mirror: None, bits: None };
+        match evidence {
+            Some(ShapeEvidence::Certificate(certificate)) => written.certificate = Some(certificate),
+            Some(ShapeEvidence::Mirror(mirror)) => written.mirror = Some(mirror),
+            Some(ShapeEvidence::Bits(bits)) => written.bits = Some(bits),
+            None => (),
+        }
+        written
+    }
 }
 
 /// Checks a shape against both vectors of its order.
