@@ -4,8 +4,10 @@
 
 use crankstar::engine::Engine;
 use crankstar::file;
+use crankstar::order::Masses;
+use crankstar::proof::Quantity;
 use crankstar::report::{self, Dialect};
-use crankstar::verdict;
+use crankstar::verdict::{self, Judgement};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -14,6 +16,8 @@ fn main() {
 
 const ENGINES: [&str; 6] = ["I4", "I5-12453", "V6-90-split", "V8-crossplane", "V12-60", "radial-18"];
 
+const QUANTITIES: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+
 fn engine(name: &str) -> Engine {
     file::find(name).expect("in the catalogue").engine().expect("it reads")
 }
@@ -21,15 +25,17 @@ fn engine(name: &str) -> Engine {
 #[divan::bench(args = ENGINES)]
 fn verdicts(bencher: Bencher, name: &str) {
     let layout = engine(name);
-    bencher.bench_local(|| verdict::classify(black_box(&layout), layout.orders(), false).len());
+    bencher.bench_local(|| {
+        verdict::classify(black_box(&layout), layout.orders(), Masses::Reciprocating, &QUANTITIES).len()
+    });
 }
 
 #[divan::bench(args = ENGINES)]
 fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
-        let orders = verdict::classify(black_box(&layout), layout.orders(), false);
-        let subject = report::Subject { layout: &layout, orders: &orders, family: None, needed: None, accuracy: None };
+        let judged = Judgement::new(black_box(&layout), layout.orders(), &QUANTITIES);
+        let subject = report::Subject { layout: &layout, judged: &judged, family: None, needed: None, accuracy: None };
         report::report(subject, Dialect::GithubMarkdown).len()
     });
 }

@@ -4,6 +4,8 @@
 //! The baseline, in the same run: 100 of these layouts from their text, one by one, judged by the decision procedure.
 
 use crankstar::file::{self, Template};
+use crankstar::order::Masses;
+use crankstar::proof::Quantity;
 use crankstar::sweep::{Geometry, Parameter, sweep};
 use crankstar::verdict;
 use divan::counter::ItemsCount;
@@ -59,7 +61,8 @@ fn d_hundred_layouts_from_their_text(bencher: Bencher) {
             .iter()
             .map(|text| {
                 let layout = file::parse("v8.toml", black_box(text)).expect("it reads");
-                verdict::classify(&layout, &[1, 2, 4, 6], false).len()
+                verdict::classify(&layout, &[1, 2, 4, 6], Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
+                    .len()
             })
             .sum::<usize>()
     });

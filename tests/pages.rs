@@ -11,9 +11,10 @@ use std::process::{Command, Stdio};
 
 use crankstar::engine::Engine;
 use crankstar::file;
+use crankstar::proof::Quantity;
 use crankstar::report::{self, Compared, Dialect};
 use crankstar::text::Untrusted;
-use crankstar::verdict;
+use crankstar::verdict::Judgement;
 use serde_json::Value;
 
 /// A fresh folder with the report of an engine in it.
@@ -23,9 +24,9 @@ fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{dialect:?}")).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
-    let orders = verdict::classify(layout, layout.orders(), false);
+    let judged = Judgement::new(layout, layout.orders(), &[Quantity::Force, Quantity::Moment]);
     for file in
-        report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
+        report::report(report::Subject { layout, judged: &judged, family: None, needed: None, accuracy: None }, dialect)
     {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }

@@ -11,12 +11,13 @@ use std::sync::LazyLock;
 
 use crankstar::claim::{parse_claims, parse_statement};
 use crankstar::engine::{Cycle, Engine, Family};
+use crankstar::family;
 use crankstar::file::{self, Key, Layout, Template};
-use crankstar::proof::read_document;
+use crankstar::proof::{Quantity, read_document};
 use crankstar::report::{self, Dialect};
 use crankstar::search::{self, Front, Options, Problem, search};
 use crankstar::sweep::{Geometry, Parameter, Range, sweep};
-use crankstar::{family, verdict};
+use crankstar::verdict::Judgement;
 
 /// Longer texts only take longer.
 const LONGEST: usize = 16 << 10;
@@ -46,15 +47,15 @@ fn known(layout: &Engine) {
         return;
     }
     let orders: Vec<u32> = layout.orders().iter().copied().take(2).collect();
-    let balances = verdict::classify(layout, &orders, true);
-    let document = report::document(layout, &balances, &report::quantities(true), None);
+    let judged = Judgement::new(layout, &orders, &Quantity::ALL);
+    let document = report::document(layout, judged.masses, &judged.orders, &Quantity::ALL, None);
     assert!(serde_json::to_string(&document).is_ok());
     if let Ok(numbers) = report::Numbers::new(layout, &orders, None) {
         assert!(serde_json::to_string(&report::loads_document(layout, &numbers, None)).is_ok());
     }
     if layout.cylinders().len() <= MOST_REPORTED {
-        let balances = verdict::classify(layout, &orders, false);
-        let subject = report::Subject { layout, orders: &balances, family: None, needed: None, accuracy: None };
+        let judged = Judgement::new(layout, &orders, &[Quantity::Force, Quantity::Moment]);
+        let subject = report::Subject { layout, judged: &judged, family: None, needed: None, accuracy: None };
         assert!(!report::report(subject, Dialect::Latex).is_empty());
     }
 }

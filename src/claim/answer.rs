@@ -7,7 +7,7 @@ use super::possible::Witness;
 use crate::exact::PhasorSum;
 use crate::loads::BearingLoads;
 use crate::proof::Certificate;
-use crate::verdict::{OrderBalance, Verdict};
+use crate::verdict::{OrderBalance, TorquePart, Verdict};
 
 /// Whether a claim holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,6 +98,8 @@ impl Evidence {
 pub enum Finding {
     /// One order of the force and the moment.
     Order(Box<OrderBalance>),
+    /// One order of the inertia torque.
+    Torque(Box<TorquePart>),
     /// Of the orders asked, those that do not vanish, over one period.
     Orders {
         /// The orders that do not vanish.

@@ -4,6 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::answer::{Answer, Evidence, Finding, Status};
 use super::condition::{of_vanishing, senses};
+use super::masses;
 use super::statement::Orders;
 use crate::engine::Engine;
 use crate::proof::Quantity;
@@ -26,8 +27,7 @@ pub(super) fn answer(layout: &Engine, orders: &Orders, quantities: &[Quantity]) 
         (Orders::Every, Some(period)) => ([1].into_iter().chain((2..=period).step_by(2)).collect(), Some(period)),
         (Orders::Higher, Some(period)) => ((2..=period).step_by(2).collect(), Some(period)),
     };
-    let balances: Vec<OrderBalance> =
-        judged.iter().filter_map(|order| verdict::classify(layout, &[*order], false).pop()).collect();
+    let balances: Vec<OrderBalance> = judged.iter().filter_map(|order| masses::pistons(layout, *order)).collect();
     let (vanishing, surviving): (Vec<&OrderBalance>, Vec<&OrderBalance>) =
         balances.iter().partition(|order| asked(order, quantities).all(Balance::is_balanced));
     // A couple that is free of the reference plane is the plainest counterexample.

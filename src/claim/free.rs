@@ -6,10 +6,11 @@
 
 use super::answer::{Answer, Condition, Evidence, Finding, Status};
 use super::every;
+use super::masses;
 use super::statement::Orders;
 use crate::engine::Engine;
 use crate::proof::Quantity;
-use crate::verdict::{self, OrderBalance};
+use crate::verdict::OrderBalance;
 
 /// Answers the claim that no order leaves a free moment.
 pub(super) fn answer(layout: &Engine) -> Answer {
@@ -23,7 +24,7 @@ pub(super) fn answer(layout: &Engine) -> Answer {
             Answer { status, finding, evidence }
         }
         (Status::False, Finding::Orders { surviving, judged, period, .. }) => {
-            let orders = surviving.iter().filter_map(|order| verdict::classify(layout, &[*order], false).pop());
+            let orders = surviving.iter().filter_map(|order| masses::pistons(layout, *order));
             let mut free = Vec::new();
             for order in orders {
                 match of_one_force(&order) {

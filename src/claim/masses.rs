@@ -1,6 +1,5 @@
 //! Is it true, what is said about other masses than the pistons: rotating ones, counterweights, bearings, the crankshaft?
 
-use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::absolute::is_whole;
@@ -8,47 +7,47 @@ use super::answer::{Answer, Finding, Status};
 use super::compare;
 use super::statement::{Tolerance, Value};
 use crate::engine::Engine;
-use crate::exact::PhasorSum;
 use crate::loads::{self, BearingLoads, Method};
 use crate::order::{self, Masses};
-use crate::proof::{Quantity, Sense};
-use crate::verdict::{Balance, OrderBalance};
+use crate::proof::Quantity;
+use crate::verdict::{self, Balance, OrderBalance};
 
 /// Peaks that differ by less than this part are alike: the roundings of their decimals could not tell them apart.
 const ALIKE: f64 = 1e-12;
 
-/// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
-pub(super) fn balance(layout: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
-    loads::comparable(layout).map_err(|missing| missing.to_string())?;
-    if layout.mechanisms().is_empty() {
-        return Err(loads::Missing::Rods.to_string());
+/// One order of the force and the moment: of the pistons, which all have one coefficient, or of other masses.
+pub(super) fn balance_of(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
+    match masses {
+        Masses::Reciprocating => pistons(engine, order).ok_or_else(|| "no order".to_owned()),
+        Masses::Rotating | Masses::Counterweights | Masses::All => balance(engine, order, masses),
     }
-    let one_coefficient = |quantity: Quantity, sense: Sense| {
-        let mut terms = order::contributions(layout, order, sense);
-        terms.retain(|one| masses.include(one.source.group()));
-        let lever = |position: &BigRational| order::lever(layout, quantity, position);
-        let parts = order::by_factor(terms.iter().map(|one| one.weighed(lever)));
-        // A sum that vanishes is kept: its certificate is the proof.
-        let mut left = parts.into_values().filter(|sum| !sum.collected().is_empty());
-        match (left.next(), left.next()) {
-            (None, _) => Ok(PhasorSum::new(Vec::new())),
-            (Some(only), None) => Ok(PhasorSum::new(only.collected())),
-            _ => Err("the masses have more than one coefficient".to_owned()),
+}
+
+/// One order of the pistons, which have one coefficient.
+pub(super) fn pistons(engine: &Engine, order: u32) -> Option<OrderBalance> {
+    let quantities = [Quantity::Force, Quantity::Moment];
+    let judged = verdict::classify(engine, &[order], Masses::Reciprocating, &quantities);
+    judged.into_iter().flat_map(|verdict| verdict.parts).next()
+}
+
+/// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
+fn balance(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
+    order::comparable(engine).map_err(|missing| missing.to_string())?;
+    let judged = verdict::classify(engine, &[order], masses, &[Quantity::Force, Quantity::Moment]);
+    let parts = judged.into_iter().flat_map(|verdict| verdict.parts);
+    let has_terms = |part: &OrderBalance| {
+        let verdicts = [&part.force, &part.moment].into_iter().flat_map(Balance::verdicts);
+        part.exists && verdicts.into_iter().any(|verdict| !verdict.sum.collected().is_empty())
+    };
+    // What nothing is left of counts for nothing in the others.
+    let (mut with, without): (Vec<OrderBalance>, Vec<OrderBalance>) = parts.partition(has_terms);
+    match (with.pop(), with.is_empty()) {
+        (Some(only), true) => Ok(OrderBalance { class: None, ..only }),
+        (None, _) => {
+            without.into_iter().next().map(|part| OrderBalance { exists: true, ..part }).ok_or("no order".into())
         }
-    };
-    let of = |quantity: Quantity| {
-        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| one_coefficient(quantity, sense));
-        Ok::<_, String>(Balance::of(quantity, order, direct?, reverse?))
-    };
-    Ok(OrderBalance {
-        exists: true,
-        torque_exists: true,
-        order,
-        class: None,
-        force: of(Quantity::Force)?,
-        moment: of(Quantity::Moment)?,
-        torque: None,
-    })
+        _ => Err("the masses have more than one coefficient".to_owned()),
+    }
 }
 
 /// Answers a claim about the crankshaft's mass.

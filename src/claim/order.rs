@@ -11,7 +11,6 @@ use super::statement::{Angle, Predicate, Subject, Value};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::numbers::{self, Form};
-use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 use crate::verdict::{self, Balance, OrderBalance, Verdict};
 
@@ -23,7 +22,7 @@ struct Vectors<'a> {
 }
 
 impl<'a> Vectors<'a> {
-    fn new(order: &'a OrderBalance, subject: Subject) -> Option<Self> {
+    fn new(order: &'a OrderBalance, subject: Subject) -> Self {
         let of = |balance: &'a Balance| match subject.sense {
             Some(Sense::Direct) => Vectors { verdicts: vec![&balance.direct], shape: None, comparison: None },
             Some(Sense::Reverse) => Vectors { verdicts: vec![&balance.reverse], shape: None, comparison: None },
@@ -36,13 +35,7 @@ impl<'a> Vectors<'a> {
                 }),
             },
         };
-        match subject.quantity {
-            Quantity::Force => Some(of(&order.force)),
-            Quantity::Moment => Some(of(&order.moment)),
-            Quantity::Torque => {
-                order.torque.as_ref().map(|torque| Vectors { verdicts: vec![torque], shape: None, comparison: None })
-            }
-        }
+        of(if subject.quantity == Quantity::Force { &order.force } else { &order.moment })
     }
 
     fn vanish(&self) -> bool {
@@ -57,32 +50,27 @@ impl<'a> Vectors<'a> {
 
 /// Answers a claim about one order.
 pub(super) fn answer(layout: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
-    let with_torque = subject.quantity == Quantity::Torque;
-    let order = match subject.masses {
-        Masses::Reciprocating => {
-            verdict::classify(layout, &[subject.order], with_torque).pop().ok_or("no order".into())
-        }
-        masses => masses::balance(layout, subject.order, masses),
-    };
-    let order = match order {
+    if subject.quantity == Quantity::Torque {
+        return of_torque(layout, subject, predicate);
+    }
+    let order = match masses::balance_of(layout, subject.order, subject.masses) {
         Ok(order) => order,
         Err(reason) => return Answer::nothing(&reason),
     };
-    let exists = if with_torque { order.torque_exists } else { order.exists };
-    if !exists {
-        return missing(order, predicate);
+    if !order.exists {
+        return Answer { status: missing(predicate), finding: Finding::Order(Box::new(order)), evidence: Vec::new() };
     }
-    let Some(vectors) = Vectors::new(&order, subject) else { return Answer::nothing("no vectors") };
+    let vectors = Vectors::new(&order, subject);
     let mut evidence = vectors.evidence();
     let status = match predicate {
         Predicate::Vanishes(claimed) => vanishing(layout, subject, &order, vectors.vanish(), *claimed),
         Predicate::Is(shape) if vectors.shape == Some(*shape) => Status::True,
         Predicate::Is(_) => Status::False,
         Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
+        Predicate::Equals(value, _) if value.unit.is_some() => {
+            return absolute::answer(layout, subject, &order, value, numbers, evidence);
+        }
         Predicate::Equals(value, angle) => {
-            if value.unit.is_some() {
-                return absolute::answer(layout, subject, &order, value, numbers, evidence);
-            }
             let (status, more) = largest(&vectors, subject, value);
             evidence.extend(more);
             match angle {
@@ -101,16 +89,47 @@ pub(super) fn answer(layout: &Engine, subject: Subject, predicate: &Predicate, n
     Answer { status, finding, evidence }
 }
 
+/// Answers a claim about one order of the inertia torque.
+fn of_torque(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
+    let judged = verdict::torque(engine, &[subject.order]).into_iter().flat_map(|torque| torque.parts).next();
+    let Some(torque) = judged else { return Answer::nothing("no order") };
+    let vectors = Vectors { verdicts: vec![&torque.verdict], shape: None, comparison: None };
+    let mut evidence = if torque.exists { vectors.evidence() } else { Vec::new() };
+    let status = match predicate {
+        _ if !torque.exists => missing(predicate),
+        Predicate::Vanishes(claimed) => truth(vectors.vanish() == *claimed),
+        Predicate::Is(_) => Status::False,
+        Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
+        Predicate::Equals(value, _) if value.unit.is_some() => {
+            return Answer::nothing("the inertia torque is compared in multiples of m r² ω², without a unit");
+        }
+        Predicate::Equals(value, angle) => {
+            let (status, more) = largest(&vectors, subject, value);
+            evidence.extend(more);
+            match angle {
+                Some(angle) if status.holds() => match (status, direction(&vectors, angle, false, &mut evidence)) {
+                    (Status::True, other) | (other, Status::True) => other,
+                    (_, other) => other,
+                },
+                _ => status,
+            }
+        }
+    };
+    Answer { status, finding: Finding::Torque(Box::new(torque.clone())), evidence }
+}
+
+fn truth(is_so: bool) -> Status {
+    if is_so { Status::True } else { Status::False }
+}
+
 /// An order that does not exist is 0, and balanced, whatever its sums are.
-fn missing(order: OrderBalance, predicate: &Predicate) -> Answer {
-    let is_so = match predicate {
+fn missing(predicate: &Predicate) -> Status {
+    truth(match predicate {
         Predicate::Vanishes(claimed) => *claimed,
         Predicate::Is(shape) => *shape == Shape::Balanced,
         Predicate::Plane(_) | Predicate::Equals(_, Some(_)) => false,
         Predicate::Equals(value, None) => value.form.to_float() == 0.0,
-    };
-    let status = if is_so { Status::True } else { Status::False };
-    Answer { status, finding: Finding::Order(Box::new(order)), evidence: Vec::new() }
+    })
 }
 
 /// Vanishing, with what it depends on.

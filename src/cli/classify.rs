@@ -3,10 +3,12 @@
 use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
+use crankstar::proof::Quantity;
 use crankstar::report;
 use crankstar::verdict;
 
 use super::failure::Failure;
+use super::masses::Masses;
 use super::verify::proved;
 use super::{Subject, terminal, write};
 
@@ -15,6 +17,8 @@ use super::{Subject, terminal, write};
 pub struct Classify {
     #[command(flatten)]
     subject: Subject,
+    #[command(flatten)]
+    masses: Masses,
     /// Print the verdicts with their certificates as JSON
     #[arg(long)]
     json: bool,
@@ -34,20 +38,22 @@ impl Classify {
             Layout::Known(layout, _) => layout,
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
-        let balances = verdict::classify(&layout, &orders, self.torque);
+        let torque = self.torque.then_some(Quantity::Torque);
+        let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
+        let judged = self.masses.judge(&layout, &orders, &quantities)?;
         if !self.json {
-            return write::to_stdout(&terminal::summary(&layout, &balances));
+            return write::to_stdout(&terminal::summary(&layout, &judged));
         }
-        let theorem = self.all_orders.then(|| verdict::theorem(&layout)).transpose().map_err(Failure::new)?;
-        let quantities = report::quantities(self.torque);
-        let document = report::document(&layout, &balances, &quantities, theorem.as_ref());
+        let theorem = self.all_orders.then(|| verdict::theorem(&layout, judged.masses));
+        let theorem = theorem.transpose().map_err(Failure::new)?;
+        let document = report::document(&layout, judged.masses, &judged.orders, &quantities, theorem.as_ref());
         write::to_stdout(&proved(&document)?)
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
-        if self.torque || self.all_orders {
+        if self.torque || self.all_orders || self.masses.are_given() {
             return Err(Failure::new(
-                "--torque and --all-orders need an engine without unknowns; give them values below [values]",
+                "--torque, --all-orders and --masses need an engine without unknowns; give them values below [values]",
             ));
         }
         family::comparable(family).map_err(Failure::new)?;

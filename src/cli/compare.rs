@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{self, Compared};
+use crankstar::report::{self, CompareDocument, Compared};
 use crankstar::text::Untrusted;
 
 use super::failure::Failure;
-use super::{folder, layouts, print_json, terminal, write};
+use super::verify::proved_or_without;
+use super::{folder, layouts, terminal, write};
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]
@@ -44,7 +45,8 @@ impl Compare {
         let compared: Vec<Compared> =
             engines.iter().map(|(name, layout)| Compared::new(name.clone(), layout, &orders)).collect();
         if self.json {
-            return print_json(&report::compare_document(&compared));
+            let document = report::compare_document(&compared);
+            return write::to_stdout(&proved_or_without(document, CompareDocument::without_evidence)?);
         }
         let mut text = terminal::compare(&compared);
         if let Some(folder) = &self.output {

@@ -5,10 +5,11 @@ use std::ffi::{OsStr, OsString};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
-use crankstar::report::{self, Numbers};
+use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
-use super::{Subject, print_json, terminal, write};
+use super::verify::proved_or_without;
+use super::{Subject, terminal, write};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -74,7 +75,10 @@ impl Loads {
         let needed = self.auto.needed(&layout)?;
         let numbers = Numbers::new(&layout, &orders, needed.as_ref()).map_err(Failure::new)?;
         match self.json {
-            true => print_json(&report::loads_document(&layout, &numbers, needed.as_ref())),
+            true => {
+                let document = report::loads_document(&layout, &numbers, needed.as_ref());
+                write::to_stdout(&proved_or_without(document, LoadsDocument::without_evidence)?)
+            }
             false => write::to_stdout(&terminal::loads(&layout, &numbers, needed.as_ref())),
         }
     }

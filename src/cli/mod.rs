@@ -11,6 +11,7 @@ mod folder;
 mod layouts;
 mod list;
 mod loads;
+mod masses;
 mod optimise;
 mod progress;
 mod remedy;

@@ -7,10 +7,10 @@ use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase, Dialect};
-use crankstar::verdict;
 
 use super::failure::Failure;
 use super::loads::Auto;
+use super::masses::Masses;
 use super::{Format, Math, Subject, folder, progress, terminal, write};
 
 /// Arguments of `report`.
@@ -18,6 +18,8 @@ use super::{Format, Math, Subject, folder, progress, terminal, write};
 pub struct Report {
     #[command(flatten)]
     subject: Subject,
+    #[command(flatten)]
+    masses: Masses,
     /// Language of the report
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
@@ -56,7 +58,7 @@ impl Report {
             Layout::Known(layout, family) => {
                 let needed = self.auto.needed(layout)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
-                let balances = verdict::classify(layout, orders, false);
+                let judged = self.masses.judge(layout, orders, &[Quantity::Force, Quantity::Moment])?;
                 // Where the rods differ nothing is said of other values than those given.
                 let family = family.as_ref().filter(|family| family::comparable(family).is_ok());
                 let open = family.map(|family| (family.as_ref(), family::classify(family, orders)));
@@ -64,12 +66,15 @@ impl Report {
                 let accuracy = self.accuracy.then(|| accuracy_of(layout)).transpose()?;
                 let subject = report::Subject {
                     layout,
-                    orders: &balances,
+                    judged: &judged,
                     family,
                     needed: needed.as_ref(),
                     accuracy: accuracy.as_ref(),
                 };
-                (report::report(subject, dialect), terminal::summary(layout, &balances))
+                (report::report(subject, dialect), terminal::summary(layout, &judged))
+            }
+            Layout::Open(_) if self.masses.are_given() => {
+                return Err(Failure::new("--masses needs an engine without unknowns; give them values below [values]"));
             }
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;

@@ -8,30 +8,56 @@ use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
 use crankstar::report::{self, AccuracyCase, Compared, Numbers};
 use crankstar::text::Format;
-use crankstar::verdict::OrderBalance;
+use crankstar::verdict::{Judgement, OrderVerdict};
 
-/// The title and a table: a row an order.
-pub fn summary(layout: &Engine, orders: &[OrderBalance]) -> String {
+/// The title and a table, a row per order; a second one of the pistons alone where other masses turn.
+pub fn summary(engine: &Engine, judged: &Judgement) -> String {
+    let tables = match &judged.pistons {
+        None => format!("{}\n", verdicts(&judged.orders)),
+        Some(pistons) => {
+            let [as_built, alone] = [report::AS_BUILT, report::PISTONS_ALONE];
+            format!("{as_built}:\n{}\n{alone}:\n{}\n", verdicts(&judged.orders), verdicts(pistons))
+        }
+    };
+    let missing =
+        |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());
+    let why = if judged.orders.iter().any(missing) { format!("{WHY_NOT}\n") } else { String::new() };
+    let whose = report::whose_masses(engine, judged).map_or_else(String::new, |words| format!("{words}\n"));
+    format!("{}\n{tables}{}\n{why}{whose}", engine.title().escaped(Format::Plain), report::LEGEND)
+}
+
+/// A row per order, and one for each of its sums where there are several.
+fn verdicts(orders: &[OrderVerdict]) -> Table {
     let with_torque = orders.iter().any(|order| order.torque.is_some());
     let mut table = ruled();
     let mut header = vec!["Order", "Force", "Moment"];
     header.extend(with_torque.then_some("Torque"));
     table.set_header(header);
     for order in orders {
+        let [force, moment] = report::whole_summary(order);
         let mut row = vec![
-            Cell::new(report::order_name(order)),
-            verdict_cell(report::force_summary(order), order.force.is_balanced()),
-            verdict_cell(report::moment_summary(order), order.moment.is_balanced()),
+            Cell::new(order.order),
+            verdict_cell(force, order.force.is_balanced()),
+            verdict_cell(moment, order.moment.is_balanced()),
         ];
         row.extend(
-            order.torque.as_ref().map(|torque| verdict_cell(report::torque_summary(order, torque), torque.vanishes())),
+            order
+                .torque
+                .as_ref()
+                .map(|torque| verdict_cell(report::torque_summary(torque), torque.outcome.vanishes() == Some(true))),
         );
         table.add_row(row);
+        for part in order.parts.iter().filter(|part| part.class.is_some()) {
+            let mut row = vec![
+                Cell::new(report::order_name(part)),
+                verdict_cell(report::force_summary(part), part.force.is_balanced()),
+                verdict_cell(report::moment_summary(part), part.moment.is_balanced()),
+            ];
+            row.extend(with_torque.then(|| Cell::new("")));
+            table.add_row(row);
+        }
     }
-    let missing = orders.iter().any(|order| !order.exists || (order.torque.is_some() && !order.torque_exists));
-    let why = if missing { format!("{WHY_NOT}\n") } else { String::new() };
-    let whose = report::whose_masses(layout).map_or_else(String::new, |words| format!("{words}\n"));
-    format!("{}\n{table}\n{}\n{why}{whose}", layout.title().escaped(Format::Plain), report::LEGEND)
+    table
 }
 
 /// The title of a family and a table: for which angles each order vanishes.

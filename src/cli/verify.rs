@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crankstar::file::Layout;
-use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Masses, Unreadable, read_document};
+use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Unreadable, read_document};
 use crankstar::report;
 
 use serde_json::Value;
@@ -39,7 +39,7 @@ impl Verify {
                 format!("the engine: that of {}", layouts::shown(layout))
             }
         };
-        write::to_stdout(&summary(document.title(), &checked, &engine))
+        write::to_stdout(&summary(&document, &checked, &engine))
     }
 
     /// One byte more than is read of a document tells that it is too large.
@@ -67,12 +67,15 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
     let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {shown} is not"));
     let right = match (document, layouts::read(layout)?) {
         (AnyDocument::Classify(own), Layout::Known(layout, _)) => {
-            AnyDocument::Classify(report::document(&layout, &[], &own.quantities, None))
+            AnyDocument::Classify(report::document(&layout, report::masses_of(own.masses), &[], &own.quantities, None))
         }
         (AnyDocument::Remedy(_), Layout::Known(layout, _)) => {
             AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)
         }
         (AnyDocument::Family(_), Layout::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
+        (AnyDocument::Evidence(_), _) => {
+            return Err(Failure::new(format!("{name} holds documents of engines; --engine compares one of its own")));
+        }
         (AnyDocument::Family(_), Layout::Known(..)) => return Err(other("a family with open angles or lengths")),
         (AnyDocument::Classify(_) | AnyDocument::Remedy(_), Layout::Open(_)) => {
             return Err(other("an engine without unknowns"));
@@ -89,22 +92,25 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
 }
 
 /// What holds, what it is about, and what is not covered.
-fn summary(title: &str, checked: &Checked, engine: &str) -> String {
+fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
-    let title = crankstar::text::harmless(title);
+    let title = crankstar::text::harmless(document.title());
     let orders: Vec<String> = checked.orders.iter().map(u32::to_string).collect();
     let quantities: Vec<&str> = checked.quantities.iter().map(|quantity| quantity.name()).collect();
-    let masses = match checked.masses {
-        Masses::Reciprocating => "the reciprocating masses",
-        Masses::All => "all masses, with the weights of the remedy",
+    let masses: Vec<&str> = checked.masses.iter().map(|masses| masses.name()).collect();
+    let weights = if matches!(document, AnyDocument::Remedy(_)) { ", with the weights of the remedy" } else { "" };
+    let wholes = match (checked.wholes, checked.open_wholes) {
+        (0, _) => String::new(),
+        (wholes, 0) => format!("{wholes} whole orders, "),
+        (wholes, open) => format!("{wholes} whole orders ({open} of them not decided), "),
     };
     let mut lines = vec![
         format!("{title}: all {} certificates hold", checked.counts.certificates()),
-        format!("  about: {} of {masses}", quantities.join(", ")),
+        format!("  about: {} of {}{weights}", quantities.join(", "), masses.join(", ")),
         format!("  orders: {}, each with all its verdicts", orders.join(", ")),
         format!("  zero: {polygons}, by polygons; not zero: {residues} by a residue, {splittings} by a splitting"),
         format!(
-            "  besides: {decimals} decimals, {} shapes, {} statements on every order",
+            "  besides: {decimals} decimals, {wholes}{} shapes, {} statements on every order",
             checked.shapes, checked.theorems
         ),
         format!("  {engine}"),
@@ -118,6 +124,26 @@ fn summary(title: &str, checked: &Checked, engine: &str) -> String {
 /// # Errors
 /// Where it is too large for `verify`, and where it does not hold, which is a fault of this program.
 pub fn proved(document: &impl serde::Serialize) -> Result<String, Failure> {
+    text_of(document)?.map_err(|why| {
+        Failure::new(format!(
+            "the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"
+        ))
+    })
+}
+
+/// The same of a document that says more than its evidence proves: without that where it is too large for `verify`.
+///
+/// # Errors
+/// Where it does not hold, which is a fault of this program.
+pub fn proved_or_without<D: serde::Serialize>(document: D, without: impl FnOnce(D) -> D) -> Result<String, Failure> {
+    match text_of(&document)? {
+        Ok(text) => Ok(text),
+        Err(_) => super::json(&without(document)),
+    }
+}
+
+/// The text, or why `verify` does not take it.
+fn text_of(document: &impl serde::Serialize) -> Result<Result<String, String>, Failure> {
     let tree = serde_json::to_value(document).map_err(Failure::new)?;
     if is_beyond_decimals(&tree) {
         return Err(Failure::new(
@@ -125,26 +151,24 @@ pub fn proved(document: &impl serde::Serialize) -> Result<String, Failure> {
         ));
     }
     let json = super::json(document)?;
-    let too_large = |why: &dyn std::fmt::Display| {
-        Failure::new(format!(
-            "the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"
-        ))
-    };
     let fault = |why: &dyn std::fmt::Display| {
         Failure::new(format!(
             "this is a fault of crankstar, so nothing is printed: its checker refuses the proof: {why}"
         ))
     };
-    let read = read_document(json.as_bytes()).map_err(|error| match &error {
-        Unreadable::TooLarge(_) | Unreadable::TooManyDigits(_) => too_large(&error),
-        Unreadable::NotJson(_) | Unreadable::Format(_) | Unreadable::Malformed(_) => fault(&error),
-    })?;
+    let read = match read_document(json.as_bytes()) {
+        Ok(read) => read,
+        Err(error @ (Unreadable::TooLarge(_) | Unreadable::TooManyDigits(_))) => return Ok(Err(error.to_string())),
+        Err(error @ (Unreadable::NotJson(_) | Unreadable::Format(_) | Unreadable::Malformed(_))) => {
+            return Err(fault(&error));
+        }
+    };
     match read.check() {
-        Ok(_) => Ok(json),
-        Err(error) => Err(match error.reason {
-            crankstar::proof::Reason::TooManySteps => too_large(&error),
-            crankstar::proof::Reason::Wrong(_) => fault(&error),
-        }),
+        Ok(_) => Ok(Ok(json)),
+        Err(error) => match error.reason {
+            crankstar::proof::Reason::TooManySteps => Ok(Err(error.to_string())),
+            crankstar::proof::Reason::Wrong(_) => Err(fault(&error)),
+        },
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Missing, Swing, Vector, comparable, scale};
+use super::{Missing, Swing, Vector, scale};
 use crate::engine::{Engine, Mechanism};
 use crate::motion::{Coefficient, SliderCrank};
 use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
@@ -26,7 +26,7 @@ impl Motion {
         if mechanisms.is_empty() {
             return Err(Missing::Rods);
         }
-        comparable(engine)?;
+        order::comparable(engine)?;
         let cranks = mechanisms.into_iter().map(|mechanism| (mechanism.clone(), order::crank(mechanism))).collect();
         Ok(Motion { cranks, coefficients: Coefficients::default() })
     }

@@ -2,20 +2,17 @@
 
 use std::fmt;
 
-use num_traits::Zero;
-
 use crate::beam::Mistake;
-use crate::engine::{self, Engine};
+use crate::engine;
+use crate::order::NotComparable;
 
 /// Why a layout has no numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Missing {
     /// No rod: without λ no coefficient is known.
     Rods,
-    /// The rotating masses cannot be compared with reciprocating ones that are not given.
-    Masses,
-    /// The radii of webs, counterweights or balancer shafts cannot be compared with a crank radius that is not given.
-    CrankRadius,
+    /// Masses that are not in one unit.
+    NotComparable(NotComparable),
     /// Forces that no decimal can hold.
     TooLarge,
     /// Methods are compared for what moves with the crank alone.
@@ -36,12 +33,7 @@ impl fmt::Display for Missing {
             Missing::Rods => f.write_str(
                 "the layout says nothing of its rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius",
             ),
-            Missing::Masses => f.write_str(
-                "the layout gives rotating masses, on rods, crankshaft or balancer shafts, but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass",
-            ),
-            Missing::CrankRadius => f.write_str(
-                "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius",
-            ),
+            Missing::NotComparable(what) => what.fmt(f),
             Missing::TooLarge => {
                 f.write_str("m r ω² and m r² ω² have to be below 10^150: mass, crank radius or speed of the layout is too large for decimals")
             }
@@ -73,20 +65,8 @@ pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
     }
 }
 
-/// Whether the masses that turn can be compared with the reciprocating ones.
-///
-/// # Errors
-/// What the layout lacks for that.
-pub fn comparable(layout: &Engine) -> Result<(), Missing> {
-    let (mechanism, crankshaft) = (layout.dimensions(), layout.crankshaft());
-    let in_metres =
-        !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
-    let turns = in_metres
-        || layout.cylinders().iter().any(|cylinder| !cylinder.rotating_mass.is_zero())
-        || !crankshaft.pins.is_empty();
-    match (mechanism.mass.is_none() && turns, mechanism.crank_radius.is_none() && in_metres) {
-        (true, _) => Err(Missing::Masses),
-        (_, true) => Err(Missing::CrankRadius),
-        _ => Ok(()),
+impl From<NotComparable> for Missing {
+    fn from(what: NotComparable) -> Self {
+        Missing::NotComparable(what)
     }
 }

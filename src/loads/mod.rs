@@ -19,7 +19,7 @@ mod waveform;
 pub use always::vanishes_at_every_order;
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
 use coefficients::Motion;
-pub use missing::{Missing, are_orders, comparable};
+pub use missing::{Missing, are_orders};
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
 pub use scale::{Arm, Scale, scale};

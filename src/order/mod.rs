@@ -5,6 +5,7 @@
 //! number are one exact phasor sum; sums before different numbers are kept apart ([`OrderSum`]).
 
 mod coefficients;
+mod comparable;
 mod factor;
 mod group;
 mod masses;
@@ -16,6 +17,7 @@ mod torque;
 mod turning;
 
 pub use coefficients::{Coefficients, crank, exactly_one};
+pub use comparable::{NotComparable, comparable};
 pub use factor::Factor;
 pub use group::{Group, Sources};
 pub use masses::{MassGroup, Masses};

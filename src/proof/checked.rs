@@ -1,22 +1,29 @@
 //! What was checked of a document, and what is not covered by it?
 
+use std::collections::BTreeSet;
+
 use super::audit::Counts;
 use super::document::Document;
 use super::engine::{Masses, Quantity};
 use super::open::OpenDocument;
 use super::remedy::RemedyDocument;
+use super::whole_sum::{WholeClaim, WholeOutcome};
 
 /// What a check that found nothing wrong was about.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
-    /// Whose masses.
-    pub masses: Masses,
+    /// Whose masses; of several documents all, each once.
+    pub masses: Vec<Masses>,
     /// The orders.
     pub orders: Vec<u32>,
     /// The quantities.
     pub quantities: Vec<Quantity>,
     /// Certificates and decimals.
     pub counts: Counts,
+    /// Statements on whole orders that have several sums.
+    pub wholes: usize,
+    /// How many of them are left open: what is not decided, or whose rods are not known.
+    pub open_wholes: usize,
     /// Shapes of what is left.
     pub shapes: usize,
     /// Statements on every order.
@@ -29,17 +36,25 @@ const COEFFICIENTS: &str = "the coefficients c_k of the motion, and whether an o
 const FORMS: &str = "closed forms of what is left, and how firm a zero is (neither is in the document)";
 const EQUAL_RODS: &str = "that the rods are equal and centric: the document names none";
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
+const OUTSIDE: &str = "the numbers outside of `evidence`, such as newtons and decimals";
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
 impl Checked {
-    pub(super) fn classify(document: &Document, rods_known: bool, counts: Counts) -> Self {
+    pub(super) fn classify(document: &Document, counts: Counts) -> Self {
+        let rods_known = document.rods().is_ok_and(|rods| rods.is_some());
         let unknown = (!rods_known).then_some(EQUAL_RODS);
+        let is_open = |whole: &&WholeClaim| match whole.outcome {
+            WholeOutcome::NotDecided { .. } | WholeOutcome::Open => true,
+            WholeOutcome::Zero | WholeOutcome::NotZero | WholeOutcome::NotZeroByEnclosure { .. } => false,
+        };
         Checked {
-            masses: document.masses,
+            masses: vec![document.masses],
             orders: document.orders.clone(),
             quantities: document.quantities.clone(),
             counts,
+            wholes: document.wholes.len(),
+            open_wholes: document.wholes.iter().filter(is_open).count(),
             shapes: document.shapes.len(),
             theorems: document.theorems.len(),
             not_covered: [COEFFICIENTS, FORMS].into_iter().chain(unknown).collect(),
@@ -49,10 +64,12 @@ impl Checked {
     pub(super) fn family(document: &OpenDocument, all_solved: bool, counts: Counts) -> Self {
         let open = (!all_solved).then_some(NOT_SOLVED);
         Checked {
-            masses: document.masses,
+            masses: vec![document.masses],
             orders: document.orders.clone(),
             quantities: document.quantities.clone(),
             counts,
+            wholes: 0,
+            open_wholes: 0,
             shapes: 0,
             theorems: 0,
             not_covered: [COEFFICIENTS, SAME_RODS].into_iter().chain(open).collect(),
@@ -62,13 +79,36 @@ impl Checked {
     pub(super) fn remedy(document: &RemedyDocument, rods_known: bool, counts: Counts) -> Self {
         let unknown = (!rods_known).then_some(EQUAL_RODS);
         Checked {
-            masses: document.masses,
+            masses: vec![document.masses],
             orders: document.orders.clone(),
             quantities: document.quantities.clone(),
             counts,
+            wholes: 0,
+            open_wholes: 0,
             shapes: 0,
             theorems: 0,
             not_covered: [WEIGHTS].into_iter().chain(unknown).collect(),
         }
     }
+
+    /// Of a document that holds others as its evidence.
+    pub(super) fn evidence(documents: &[Document], counts: Counts) -> Self {
+        let each: Vec<Checked> = documents.iter().map(|document| Checked::classify(document, counts)).collect();
+        let total = |number: fn(&Checked) -> usize| each.iter().map(number).sum();
+        Checked {
+            masses: once(each.iter().flat_map(|one| one.masses.clone())),
+            orders: once(each.iter().flat_map(|one| one.orders.clone())),
+            quantities: once(each.iter().flat_map(|one| one.quantities.clone())),
+            counts,
+            wholes: total(|one| one.wholes),
+            open_wholes: total(|one| one.open_wholes),
+            shapes: total(|one| one.shapes),
+            theorems: total(|one| one.theorems),
+            not_covered: once(each.iter().flat_map(|one| one.not_covered.clone()).chain([OUTSIDE])),
+        }
+    }
+}
+
+fn once<T: Ord>(all: impl Iterator<Item = T>) -> Vec<T> {
+    all.collect::<BTreeSet<T>>().into_iter().collect()
 }

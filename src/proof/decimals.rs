@@ -5,8 +5,9 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::audit::{Audit, Reason, squared_words, steps_of};
+use super::ball::{Ball, Complex};
 use super::collected::{Collected, common_multiple};
-use super::enclosure::{Ball, Circle};
+use super::enclosure::Circle;
 use super::refusal::Refusal;
 
 /// A decimal for reading; no verdict is made from it.
@@ -50,14 +51,12 @@ pub(super) fn check_decimals(
     if !modulus.is_positive() || angle > half_turn || angle <= -half_turn {
         return Err("`modulus` is positive and `angle_deg` lies between -180 and 180".into());
     }
-    let scale = sum.values().try_fold(BigInt::one(), |scale, weight| {
-        audit.spend(squared_words(&scale) + steps_of(weight))?;
-        Ok::<_, Refusal>(common_multiple(&scale, weight.denom()))
-    })?;
+    let scale = scale([sum], audit)?;
     let modulus = modulus * BigRational::from_integer(scale.clone());
     let mut bits = FIRST_BITS;
     while bits <= MOST_BITS {
-        let parts = enclose(sum, &scale, &audit.circle(bits), audit)?;
+        let Complex { re, im } = enclose(sum, &scale, &audit.circle(bits), audit)?;
+        let parts = [re, im];
         match (length(&parts, &modulus, bits), direction(&parts, &angle, &audit.circle(bits))) {
             (Answer::Fits, Answer::Fits) => {
                 audit.count_decimals(2);
@@ -71,8 +70,16 @@ pub(super) fn check_decimals(
     Err(format!("{MOST_BITS} bits do not tell whether `modulus` and `angle_deg` fit the terms").into())
 }
 
-/// Real and imaginary part of `S · scale · 2^bits`.
-fn enclose(sum: &Collected, scale: &BigInt, circle: &Circle, audit: &Audit) -> Result<[Ball; 2], Refusal> {
+/// The least whole number that makes all weights of these sums whole.
+pub(super) fn scale<'a>(sums: impl IntoIterator<Item = &'a Collected>, audit: &Audit) -> Result<BigInt, Refusal> {
+    sums.into_iter().flat_map(Collected::values).try_fold(BigInt::one(), |scale, weight| {
+        audit.spend(squared_words(&scale) + steps_of(weight))?;
+        Ok(common_multiple(&scale, weight.denom()))
+    })
+}
+
+/// `S · scale`, to the bits of the circle.
+pub(super) fn enclose(sum: &Collected, scale: &BigInt, circle: &Circle, audit: &Audit) -> Result<Complex, Refusal> {
     let (mut re, mut im, mut doubt) = (BigInt::zero(), BigInt::zero(), BigInt::zero());
     for (angle, weight) in sum {
         audit.spend(circle.steps() + steps_of(angle) + squared_words(scale))?;
@@ -82,7 +89,7 @@ fn enclose(sum: &Collected, scale: &BigInt, circle: &Circle, audit: &Audit) -> R
         im += &whole * sin;
         doubt += whole.abs() * 2;
     }
-    Ok([re, im].map(|middle| Ball { middle, doubt: doubt.clone() }))
+    Ok(Complex { re: Ball { middle: re, doubt: doubt.clone() }, im: Ball { middle: im, doubt } })
 }
 
 /// Whether `|S|` is this, up to the accuracy: squares are compared.

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 /// Bits that are computed beyond those that are answered for.
 const GUARD: u32 = 32;
@@ -88,19 +88,4 @@ fn arctan_of_inverse(q: u32, bits: u32) -> BigInt {
         power /= q * q;
     }
     sum
-}
-
-/// What is known of a number: it differs from `middle` by at most `doubt`.
-#[derive(Clone, Debug)]
-pub(super) struct Ball {
-    pub middle: BigInt,
-    pub doubt: BigInt,
-}
-
-impl Ball {
-    /// The least and the largest size it can have.
-    pub fn sizes(&self) -> [BigInt; 2] {
-        let size = self.middle.abs();
-        [(&size - &self.doubt).max(BigInt::zero()), size + &self.doubt]
-    }
 }

@@ -57,13 +57,50 @@ pub struct RodClaim {
 }
 
 /// Whose masses the verdicts are about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Masses {
     /// What goes up and down with the pistons.
     Reciprocating,
-    /// All of the engine: what turns besides.
+    /// What turns with the crankpins.
+    Rotating,
+    /// The counterweights.
+    Counterweights,
+    /// All of the engine, balancer shafts among them.
     All,
+}
+
+impl Masses {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Masses::Reciprocating => "the reciprocating masses",
+            Masses::Rotating => "the rotating masses",
+            Masses::Counterweights => "the counterweights",
+            Masses::All => "all masses",
+        }
+    }
+}
+
+/// A mass that turns at a multiple of the crank speed, with a name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TurningMassClaim {
+    /// What it is called: no cylinder and no other mass is called so.
+    pub name: String,
+    /// The multiple.
+    pub order: u32,
+    /// With the crank or against it.
+    pub sense: Sense,
+    /// Position along the crankshaft, in the unit of the reference plane.
+    #[serde(with = "fraction")]
+    pub position: BigRational,
+    /// Its direction at θ = 0, in turns.
+    #[serde(with = "fraction")]
+    pub angle: BigRational,
+    /// Mass times radius, in multiples of m r, as a cylinder's mass times its crank radius is.
+    #[serde(with = "fraction")]
+    pub mass_radius: BigRational,
 }
 
 /// What a verdict is about.
@@ -79,6 +116,9 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// All of them, in the order of the documents.
+    pub const ALL: [Quantity; 3] = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+
     /// The word of the JSON document.
     pub fn name(self) -> &'static str {
         match self {

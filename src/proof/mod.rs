@@ -6,34 +6,45 @@
 #![doc = include_str!("README.md")]
 
 mod audit;
+mod ball;
 mod certificate;
 mod check;
 mod checked;
+mod coefficient;
 mod collected;
 mod decimals;
 mod document;
+mod document_check;
 mod enclosure;
 mod engine;
+mod evidence;
 mod fraction;
+mod judged;
 mod open;
 mod open_check;
 mod reading;
 mod refusal;
 mod remedy;
+mod rod;
 mod shape;
+mod source;
 mod splitting;
 mod theorem;
 mod verdict;
 mod when;
 mod whole;
+mod whole_sum;
 
 pub use audit::{Counts, Fault, MOST_STEPS, Reason};
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::check_certificate;
 pub use checked::Checked;
+pub use coefficient::Coefficient;
 pub use decimals::Decimal;
-pub use document::{Document, check_document};
-pub use engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, Sense};
+pub use document::Document;
+pub use document_check::check_document;
+pub use engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, Sense, TurningMassClaim};
+pub use evidence::EvidenceDocument;
 pub use open::{
     AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
     SumClaim, WhenClaim,
@@ -42,9 +53,10 @@ pub use open_check::check_open_document;
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
 pub use refusal::Refusal;
 pub use remedy::{
-    Coefficient, CorrectedClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart,
-    check_remedy_document,
+    CorrectedClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart, check_remedy_document,
 };
-pub use shape::{Shape, ShapeClaim};
+pub use rod::coefficient_bounds;
+pub use shape::{MirrorClaim, Shape, ShapeClaim, ShapeEvidence};
 pub use theorem::{OrderClaim, Survivors, TheoremClaim};
 pub use verdict::{Vector, VerdictClaim};
+pub use whole_sum::{WholeClaim, WholeOutcome};

@@ -54,13 +54,11 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
 }
 
 fn check_head(document: &OpenDocument) -> Result<(), Fault> {
-    match document.format {
-        Format::Family => (),
-        Format::Classify | Format::Remedy => return Err(Fault::new("format", "families are in `crankstar family 2`")),
+    if document.format != Format::Family {
+        return Err(Fault::new("format", "families are in `crankstar family 2`"));
     }
-    match document.masses {
-        Masses::Reciprocating => (),
-        Masses::All => return Err(Fault::new("masses", "this format knows verdicts on the reciprocating masses only")),
+    if document.masses != Masses::Reciprocating {
+        return Err(Fault::new("masses", "this format knows verdicts on the reciprocating masses only"));
     }
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_asked(&document.orders, &document.quantities)?;

@@ -11,7 +11,9 @@ use serde_json::{Map, Value};
 
 use super::audit::Fault;
 use super::checked::Checked;
-use super::document::{Document, check_document};
+use super::document::Document;
+use super::document_check::check_document;
+use super::evidence::EvidenceDocument;
 use super::fraction::MOST_DIGITS;
 use super::open::OpenDocument;
 use super::open_check::check_open_document;
@@ -32,6 +34,15 @@ pub enum Format {
     /// A remedy.
     #[serde(rename = "crankstar remedy 2")]
     Remedy,
+    /// Numbers of one engine, with the verdicts on it.
+    #[serde(rename = "crankstar loads 2")]
+    Loads,
+    /// Engines side by side, with the verdicts on each.
+    #[serde(rename = "crankstar compare 2")]
+    Compare,
+    /// Engines over a range, with verdicts on some.
+    #[serde(rename = "crankstar sweep 2")]
+    Sweep,
 }
 
 /// A document of one of the formats.
@@ -44,6 +55,8 @@ pub enum AnyDocument {
     Family(OpenDocument),
     /// A remedy.
     Remedy(RemedyDocument),
+    /// Numbers, with verdicts as their evidence.
+    Evidence(EvidenceDocument),
 }
 
 /// Why a text is no document.
@@ -76,8 +89,8 @@ impl fmt::Display for Unreadable {
             ),
             Unreadable::Format(Some(name)) => write!(
                 f,
-                "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\" and \
-                 \"crankstar remedy 2\""
+                "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
+                 \"crankstar remedy 2\", \"crankstar loads 2\", \"crankstar compare 2\" and \"crankstar sweep 2\""
             ),
         }
     }
@@ -100,10 +113,14 @@ pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
     let format = tree.get("format").cloned();
     let name = format.as_ref().map(Value::to_string);
     let format = format.and_then(|format| serde_json::from_value(format).ok());
-    match format.ok_or(Unreadable::Format(name))? {
+    let format = format.ok_or(Unreadable::Format(name))?;
+    match format {
         Format::Classify => typed(&tree).map(AnyDocument::Classify),
         Format::Family => typed(&tree).map(AnyDocument::Family),
         Format::Remedy => typed(&tree).map(AnyDocument::Remedy),
+        Format::Loads | Format::Compare | Format::Sweep => {
+            EvidenceDocument::read(format, tree).map(AnyDocument::Evidence)
+        }
     }
 }
 
@@ -114,6 +131,7 @@ impl AnyDocument {
             AnyDocument::Classify(document) => &document.title,
             AnyDocument::Family(document) => &document.title,
             AnyDocument::Remedy(document) => &document.title,
+            AnyDocument::Evidence(document) => document.title(),
         }
     }
 
@@ -126,6 +144,7 @@ impl AnyDocument {
             AnyDocument::Classify(document) => check_document(document),
             AnyDocument::Family(document) => check_open_document(document),
             AnyDocument::Remedy(document) => check_remedy_document(document),
+            AnyDocument::Evidence(document) => document.check(),
         }
     }
 
@@ -140,7 +159,8 @@ impl AnyDocument {
     }
 }
 
-fn typed<T: DeserializeOwned + Serialize>(tree: &Value) -> Result<T, Unreadable> {
+/// Reads a document that says nothing else and nothing in another way.
+pub(super) fn typed<T: DeserializeOwned + Serialize>(tree: &Value) -> Result<T, Unreadable> {
     let malformed = |error: serde_json::Error| Unreadable::Malformed(error.to_string());
     let document: T = T::deserialize(tree).map_err(malformed)?;
     let again = serde_json::to_value(&document).map_err(malformed)?;

@@ -4,16 +4,17 @@ use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::One;
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, Fault, Reason};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::checked::Checked;
+use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::{Decimal, check_decimals};
-use super::engine::{Masses, Quantity, RodClaim, RodStatement, Sense, check_asked, rods};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, rods};
 use super::fraction;
 use super::reading::Format;
 use super::verdict::{Vector, phase};
@@ -113,18 +114,6 @@ pub struct WeightPart {
     pub angle_deg: Decimal,
 }
 
-/// What stands before a sum.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase", deny_unknown_fields)]
-pub enum Coefficient {
-    /// 1.
-    One,
-    /// The c_k that all rods have, where none is named.
-    Common,
-    /// The c_k of this rod.
-    Rod(RodClaim),
-}
-
 /// One sum of the corrected engine, which is zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -184,13 +173,11 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
 
 /// Whether the rods are known.
 fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
-    match document.format {
-        Format::Remedy => (),
-        Format::Classify | Format::Family => return Err(Fault::new("format", "remedies are in `crankstar remedy 2`")),
+    if document.format != Format::Remedy {
+        return Err(Fault::new("format", "remedies are in `crankstar remedy 2`"));
     }
-    match document.masses {
-        Masses::All => (),
-        Masses::Reciprocating => return Err(Fault::new("masses", "a remedy is about all masses of the engine")),
+    if document.masses != Masses::All {
+        return Err(Fault::new("masses", "a remedy is about all masses of the engine"));
     }
     check_asked(&document.orders, &document.quantities)?;
     if document.quantities != [Quantity::Force, Quantity::Moment] {
@@ -249,7 +236,10 @@ impl RemedyDocument {
         };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         for cylinder in &self.cylinders {
-            let Some((coefficient, sign)) = coefficient(&cylinder.rod, order) else { continue };
+            let Factor { coefficient, is_zero, sign } = Factor::of_force(&cylinder.rod, order);
+            if is_zero {
+                continue;
+            }
             let weight = &cylinder.weight * arm(&cylinder.position) * sign;
             let angle = phase(&cylinder.throw, &cylinder.bank, order, Some(sense));
             sums.entry(coefficient).or_default().push((angle, weight));
@@ -277,26 +267,4 @@ impl RemedyDocument {
         }
         Ok(left)
     }
-}
-
-/// The coefficient of a rod at an order, with a sign; none where it is zero. Centric rods have c_1 = 1 and no other odd
-/// order; with the offset's sign the coefficients of odd orders above 1 change theirs.
-fn coefficient(rod: &RodStatement, order: u32) -> Option<(Coefficient, BigRational)> {
-    let one = BigRational::one;
-    let odd = order % 2 == 1;
-    let rod = match rod {
-        RodStatement::Unknown if order == 1 => return Some((Coefficient::One, one())),
-        RodStatement::Unknown => return (!odd).then(|| (Coefficient::Common, one())),
-        RodStatement::Known(rod) => rod,
-    };
-    let centric = rod.offset.is_zero();
-    if order == 1 {
-        let coefficient = if centric { Coefficient::One } else { Coefficient::Rod(rod.clone()) };
-        return Some((coefficient, one()));
-    }
-    if rod.ratio.is_zero() || (centric && odd) {
-        return None;
-    }
-    let sign = if rod.offset.is_negative() && odd { -one() } else { one() };
-    Some((Coefficient::Rod(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() }), sign))
 }

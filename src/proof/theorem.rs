@@ -9,11 +9,10 @@ use serde::{Deserialize, Serialize};
 use super::audit::{Audit, Reason};
 use super::certificate::Certificate;
 use super::check::certify;
-use super::collected::collected;
+use super::collected::collect;
 use super::document::Document;
 use super::engine::{Quantity, Sense};
 use super::fraction;
-use super::verdict::Subject;
 use super::whole::prime_divisors;
 
 /// The orders that do not vanish, out of those that exist: order 1 and the even ones.
@@ -55,7 +54,7 @@ pub struct TheoremClaim {
     pub verdicts: Vec<OrderClaim>,
 }
 
-/// The verdict on one order; its terms are those of the cylinders.
+/// The verdict on one order; its terms are those of the engine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OrderClaim {
@@ -68,16 +67,22 @@ pub struct OrderClaim {
 }
 
 /// Every angle is a whole multiple of `1/period`, so one verdict a class proves all; each is checked, then the statement.
+/// Masses that turn with the crank make order 1 alone, which is told apart.
 pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &Audit) -> Result<(), Reason> {
     if !document.has_equal_centric_rods() {
         return Err("a statement on every order needs rods that are equal and centric".into());
     }
+    if document.turning_masses.iter().any(|mass| mass.order > 1) {
+        return Err("a statement on every order needs masses that turn with the crank or not at all".into());
+    }
     check_period(document, &claim.period)?;
     check_orders(claim)?;
     for verdict in &claim.verdicts {
-        let (quantity, sense) = (claim.quantity, Some(claim.sense));
-        let subject = Subject { quantity, order: verdict.order, sense, of: Vec::new() };
-        let sum = collected(&document.terms(&subject), audit)?;
+        let (quantity, order) = (claim.quantity, verdict.order);
+        let groups = document.groups(quantity, order);
+        let [group] = &groups[..] else { return Err(format!("order {order} has {} sums", groups.len()).into()) };
+        let terms = document.terms(group, quantity, order, Some(claim.sense));
+        let sum = collect(terms.into_iter().map(|(_, term)| (term.angle, term.weight)), audit)?;
         certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(|refusal| {
             match Reason::from(refusal) {
                 Reason::Wrong(words) => Reason::Wrong(format!("order {}: {words}", verdict.order)),

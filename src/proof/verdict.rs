@@ -1,10 +1,8 @@
 //! Does a verdict hold: are its terms those of the cylinders, its certificate sound, its decimals right?
 
-use std::collections::BTreeSet;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::One;
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, Reason};
@@ -12,8 +10,7 @@ use super::certificate::Certificate;
 use super::check::certify;
 use super::collected::{Collected, collected, turn};
 use super::decimals::{Decimal, check_decimals};
-use super::document::Document;
-use super::engine::{Cylinder, Quantity, Sense};
+use super::engine::{Quantity, Sense};
 use super::fraction;
 
 /// One term of a sum: `weight · e^{2πi·angle}`.
@@ -38,12 +35,12 @@ pub struct VerdictClaim {
     pub order: u32,
     /// Direct or reverse; none for the torque.
     pub sense: Option<Sense>,
-    /// The cylinders that it is about, by name, where the engine has rods that differ: the others have weight 0.
+    /// Whose terms they are, by name, where the order has several sums, each before a coefficient of its own.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub of: Vec<String>,
     /// Whether the sum is zero.
     pub vanishes: bool,
-    /// The sum, one term a cylinder, before collecting.
+    /// The sum, one term per source, before collecting.
     pub terms: Vec<Vector>,
     /// `|S|`, to a few units in the last place.
     pub modulus: Decimal,
@@ -53,7 +50,7 @@ pub struct VerdictClaim {
     pub certificate: Certificate,
 }
 
-/// What one verdict is about: its quantity, order, sense, and the cylinders where not all are meant.
+/// What one verdict is about: its quantity, order, sense, and the sources where not all are meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Subject {
     pub quantity: Quantity,
@@ -65,7 +62,7 @@ pub(super) struct Subject {
 impl Subject {
     pub fn place(&self) -> String {
         let sense = self.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
-        let of = if self.of.is_empty() { String::new() } else { format!(", cylinders {}", self.of.join(" ")) };
+        let of = if self.of.is_empty() { String::new() } else { format!(", of {}", self.of.join(" ")) };
         format!("({}, order {}{sense}{of})", self.quantity.name(), self.order)
     }
 }
@@ -87,51 +84,30 @@ pub(super) fn phase(throw: &BigRational, bank: &BigRational, order: u32, sense: 
     }
 }
 
-impl Document {
-    /// The sum that a verdict has to be about: weights m r, the moment's times the arm, the torque's times r.
-    pub(super) fn terms(&self, subject: &Subject) -> Vec<Vector> {
-        let of: BTreeSet<&str> = subject.of.iter().map(String::as_str).collect();
-        let term = |cylinder: &Cylinder| {
-            let arm = match subject.quantity {
-                Quantity::Moment => &cylinder.position - &self.reference_plane,
-                Quantity::Force => BigRational::one(),
-                Quantity::Torque => cylinder.crank_radius.clone(),
-            };
-            let is_meant = of.is_empty() || of.contains(cylinder.name.as_str());
-            let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * arm;
-            Vector {
-                angle: phase(&cylinder.throw, &cylinder.bank, subject.order, subject.sense),
-                weight: if is_meant { weight } else { BigRational::zero() },
-            }
-        };
-        self.cylinders.iter().map(term).collect()
-    }
-}
-
-/// Checks one verdict; returns its terms, collected.
-pub(super) fn check_verdict(document: &Document, verdict: &VerdictClaim, audit: &Audit) -> Result<Collected, Reason> {
-    check_terms(document, verdict)?;
+/// Checks one verdict against the terms that it has to have, by the names of their sources; returns its sum, collected.
+pub(super) fn check_verdict(
+    verdict: &VerdictClaim,
+    right: &[(String, Vector)],
+    audit: &Audit,
+) -> Result<Collected, Reason> {
+    check_terms(&verdict.terms, right)?;
     let sum = collected(&verdict.terms, audit)?;
     certify(&sum, verdict.vanishes, &verdict.certificate, audit)?;
     check_decimals(&sum, verdict.vanishes, verdict.modulus, verdict.angle_deg, audit)?;
     Ok(sum)
 }
 
-fn check_terms(document: &Document, verdict: &VerdictClaim) -> Result<(), Reason> {
-    if document.cylinders.len() != verdict.terms.len() {
-        return Err(format!("{} terms for {} cylinders", verdict.terms.len(), document.cylinders.len()).into());
+fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reason> {
+    if terms.len() != right.len() {
+        return Err(format!("{} terms for {} sources", terms.len(), right.len()).into());
     }
-    let right = document.terms(&verdict.subject());
-    for ((cylinder, term), Vector { angle, weight }) in document.cylinders.iter().zip(&verdict.terms).zip(right) {
-        if turn(&term.angle) != turn(&angle) {
-            let right = turn(&angle);
-            return Err(
-                format!("the angle of cylinder {} is {}, it should be {right}", cylinder.name, term.angle).into()
-            );
+    for (term, (name, Vector { angle, weight })) in terms.iter().zip(right) {
+        if turn(&term.angle) != turn(angle) {
+            let right = turn(angle);
+            return Err(format!("the angle of {name} is {}, it should be {right}", term.angle).into());
         }
-        if term.weight != weight {
-            let found = &term.weight;
-            return Err(format!("the weight of cylinder {} is {found}, it should be {weight}", cylinder.name).into());
+        if term.weight != *weight {
+            return Err(format!("the weight of {name} is {}, it should be {weight}", term.weight).into());
         }
     }
     Ok(())

@@ -23,7 +23,7 @@ impl Subject {
     /// # Errors
     /// What the layout lacks for its masses to be compared.
     pub fn new(layout: &Engine) -> Result<Self, Missing> {
-        loads::comparable(layout)?;
+        order::comparable(layout).map_err(loads::Missing::from)?;
         Ok(Subject { layout: layout.clone() })
     }
 

@@ -3,12 +3,13 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
-use super::star::{Ray, Star};
+use super::star::{Ray, Star, source_names};
 use super::typeset;
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
+use crate::order::Source;
 use crate::proof::{Certificate, Polygon, Quantity, Residue, Step};
 use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason};
 
@@ -19,7 +20,8 @@ const MOST_TERMS_WRITTEN: usize = 9;
 pub(super) fn argument(layout: &Engine, verdict: &Verdict) -> String {
     let star = Star::new(verdict);
     match reason(layout, verdict) {
-        Reason::NoWeight if verdict.quantity == Quantity::Moment => {
+        Reason::NoWeight if verdict.sources.is_empty() => "No mass has a part in it.".to_owned(),
+        Reason::NoWeight if verdict.quantity == Quantity::Moment && stand_in_the_plane(layout, verdict) => {
             "Every cylinder stands in the reference plane: all arms are zero.".to_owned()
         }
         Reason::NoWeight => "All masses are zero.".to_owned(),
@@ -52,12 +54,22 @@ pub(super) fn argument(layout: &Engine, verdict: &Verdict) -> String {
     }
 }
 
+/// Whether it is the arms that leave nothing of a moment of pistons.
+fn stand_in_the_plane(engine: &Engine, verdict: &Verdict) -> bool {
+    let arm = |source: &Source| match source {
+        Source::Piston(index) => Some(engine.arm(&engine.cylinders()[*index])),
+        _ => None,
+    };
+    verdict.sources.iter().all(|source| arm(source).is_some_and(|arm| arm.is_zero()))
+}
+
 fn mirror(layout: &Engine) -> String {
     let partners = mirror_partners(layout).unwrap_or_default().into_iter().enumerate();
+    let cylinders: Vec<Source> = (0..layout.cylinders().len()).map(Source::Piston).collect();
     format!(
         "the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, and \
          opposite arms, so their vectors cancel in every order.",
-        pairs(layout, partners.filter(|(index, partner)| index < partner)).join(", ")
+        pairs(layout, &cylinders, partners.filter(|(index, partner)| index < partner)).join(", ")
     )
 }
 
@@ -67,7 +79,7 @@ fn opposed(layout: &Engine, verdict: &Verdict) -> String {
         Quantity::Moment => ", each multiplied by its arm,",
         _ => "",
     };
-    let pairs = pairs(layout, partners.into_iter());
+    let pairs = pairs(layout, &verdict.sources, partners.into_iter());
     match pairs.as_slice() {
         [pair] => format!("By opposed pairs: the vectors of {pair}{turned} are equally long and opposite, and cancel."),
         _ => format!(
@@ -77,28 +89,30 @@ fn opposed(layout: &Engine, verdict: &Verdict) -> String {
     }
 }
 
-/// `1 and 4`, a pair of cylinders each.
-fn pairs(layout: &Engine, indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
-    let name = |index: usize| layout.cylinders()[index].name.as_str();
+/// `1 and 4`, a pair of sources each.
+fn pairs(layout: &Engine, sources: &[Source], indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
+    let name = |index: usize| sources[index].name(layout);
     indices.map(|(first, second)| format!("{} and {}", name(first), name(second))).collect()
 }
 
 /// Each direction with the weights that cancel on it.
 fn cancelling(layout: &Engine, verdict: &Verdict) -> String {
-    let mut directions: Vec<(&Turn, Vec<(&str, &BigRational)>)> = Vec::new();
-    for (cylinder, term) in layout.cylinders().iter().zip(verdict.sum.terms()) {
-        let entry = (cylinder.name.as_str(), &term.weight);
+    let mut directions: Vec<(&Turn, Vec<(Source, &BigRational)>)> = Vec::new();
+    for (source, term) in verdict.sources.iter().zip(verdict.sum.terms()) {
+        let entry = (*source, &term.weight);
         match directions.iter_mut().find(|(angle, _)| *angle == &term.angle) {
             Some((_, members)) => members.push(entry),
             None => directions.push((&term.angle, vec![entry])),
         }
     }
     directions.sort_by_key(|(angle, _)| *angle);
-    let one = |(angle, members): &(&Turn, Vec<(&str, &BigRational)>)| {
+    let one = |(angle, members): &(&Turn, Vec<(Source, &BigRational)>)| {
         let weights: Vec<String> = members.iter().map(|(_, weight)| typeset::number(weight)).collect();
-        let names: Vec<&str> = members.iter().map(|(name, _)| *name).collect();
+        let names = source_names(layout, members.iter().map(|(source, _)| *source));
         let sum = weights.join(" + ").replace("+ −", "− ");
-        format!("at {} (cylinders {}) {sum} = 0", typeset::angle(angle), typeset::names(&names))
+        let pistons = members.iter().all(|(source, _)| matches!(source, Source::Piston(_)));
+        let kind = if pistons { "cylinders" } else { "vectors" };
+        format!("at {} ({kind} {names}) {sum} = 0", typeset::angle(angle))
     };
     directions.iter().map(one).collect::<Vec<_>>().join("; ")
 }

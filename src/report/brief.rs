@@ -3,9 +3,9 @@
 use super::left;
 use super::typeset;
 use crate::engine::{DOES_NOT_EXIST, Firing};
-use crate::proof::Sense;
+use crate::proof::{Quantity, Sense};
 use crate::remedy::{Kind, Refused, Remedy, Shaft};
-use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, Theorem};
+use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem};
 
 /// More intervals than this are told by the least and the largest.
 const MOST_INTERVALS: usize = 4;
@@ -38,22 +38,26 @@ pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [String; 2] {
         Ok(theorem) => [one(&theorem.force), one(&theorem.moment)],
         Err(NoTheorem::PeriodTooLong(_)) => ["not stated: long period", "not stated: long period"].map(str::to_owned),
         Err(NoTheorem::Offset) => ["not stated: pin offset", "not stated: pin offset"].map(str::to_owned),
+        Err(NoTheorem::Shaft(_)) => ["not stated: balancer shafts", "not stated: balancer shafts"].map(str::to_owned),
         Err(NoTheorem::RodsDiffer) => ["not stated: rods differ", "not stated: rods differ"].map(str::to_owned),
     }
 }
 
-/// A cell of an order: what each class of equal rods leaves, or all cylinders together.
-pub(super) fn by_class(classes: &[&OrderBalance], words: fn(&OrderBalance) -> String) -> String {
-    let cell = |order: &&OrderBalance| match &order.class {
-        None => words(order),
-        Some(class) => format!("{}: {}", left::class_cylinders(class), words(order)),
+/// A cell of an order: the whole, and what each of its sums leaves where there are several.
+pub(super) fn cell(order: &OrderVerdict, quantity: Quantity) -> String {
+    let [force, moment] = left::whole_summary(order);
+    let is_force = quantity == Quantity::Force;
+    let whole = if is_force { force } else { moment };
+    let words = if is_force { left::force_summary } else { left::moment_summary };
+    let part = |part: &OrderBalance| {
+        let class = part.class.as_ref()?;
+        Some(format!("{}: {}", left::class_sources(class), words(part)))
     };
-    // What every class has is said once: that it is 0, or that the order does not exist.
-    let first = classes.first().map_or_else(String::new, |order| words(order));
-    let is_alike = first == "0" || first == DOES_NOT_EXIST;
-    match is_alike && classes.iter().all(|order| words(order) == first) {
-        true => first,
-        false => classes.iter().map(cell).collect::<Vec<_>>().join("; "),
+    let parts: Vec<String> = order.parts.iter().filter_map(part).collect();
+    // What every sum has is said once: that it is 0, or that the order does not exist.
+    match parts.is_empty() || whole == "0" || whole == DOES_NOT_EXIST {
+        true => whole,
+        false => format!("{whole} ({})", parts.join("; ")),
     }
 }
 

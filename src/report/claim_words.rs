@@ -16,7 +16,7 @@ use crate::order;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense};
 use crate::text::Untrusted;
-use crate::verdict::{Balance, OrderBalance, Verdict};
+use crate::verdict::{Balance, OrderBalance, TorquePart, Verdict};
 
 /// `true`, `false`, `true only if …`.
 pub fn claim_status(answer: &Answer) -> String {
@@ -52,6 +52,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
         (Finding::Absolute(order, absolute), Statement::Order { subject, .. }) => {
             format!("{} That is {}.", about_order(*subject, order), in_newtons(*subject, absolute))
         }
+        (Finding::Torque(torque), _) => about_torque(torque),
         (Finding::Absolute(order, _), _) => left::force_summary(order),
         (Finding::Orders { surviving, judged, period, first }, _) => {
             orders(surviving, *judged, *period, first.as_deref(), statement)
@@ -68,21 +69,20 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
     }
 }
 
+fn about_torque(torque: &TorquePart) -> String {
+    let order = torque.verdict.order;
+    match torque.exists {
+        true => format!("Order {order} of the torque is {}.", left::torque_part_summary(torque)),
+        false => format!("Order {order} of the torque {DOES_NOT_EXIST}. {WHY_NOT}"),
+    }
+}
+
 fn about_order(subject: Subject, order: &OrderBalance) -> String {
-    let (exists, name) = match subject.quantity {
-        Quantity::Force => (order.exists, "force"),
-        Quantity::Moment => (order.exists, "moment"),
-        Quantity::Torque => (order.torque_exists, "torque"),
-    };
-    if !exists {
+    let is_force = subject.quantity == Quantity::Force;
+    if !order.exists {
+        let name = if is_force { "force" } else { "moment" };
         return format!("Order {} of the {name} {DOES_NOT_EXIST}. {WHY_NOT}", subject.order);
     }
-    if subject.quantity == Quantity::Torque {
-        return order.torque.as_ref().map_or_else(String::new, |torque| {
-            format!("Order {} of the torque is {}.", subject.order, left::torque_summary(order, torque))
-        });
-    }
-    let is_force = subject.quantity == Quantity::Force;
     let balance: &Balance = if is_force { &order.force } else { &order.moment };
     let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {
         Sense::Direct => &balance.direct,
@@ -174,7 +174,7 @@ fn verdict_sense(verdict: &Verdict) -> &'static str {
 fn line(balance: &Balance) -> String {
     use crate::proof::Shape;
     match balance.shape {
-        Shape::Balanced => String::new(),
+        Shape::Balanced | Shape::NotDecided => String::new(),
         Shape::Rotating => format!(", at angle {}", left::bearing(&balance.direct.sum).plain()),
         Shape::CounterRotating => format!(", at angle {}", left::bearing(&balance.reverse.sum).plain()),
         Shape::Planar | Shape::Elliptical => {

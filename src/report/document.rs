@@ -1,59 +1,97 @@
 //! What does `classify --json` hold? Every verdict with its terms and its certificate.
 
 use num_complex::Complex;
+use num_traits::ToPrimitive;
 
 use crate::engine::{self, Engine, Rod};
 use crate::exact::Term;
 use crate::numbers;
+use crate::order::{self, Masses, Sources};
 use crate::proof::{
-    Cylinder, Document, Format, Masses, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, Vector,
-    VerdictClaim,
+    self, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim,
+    TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
-use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
+use crate::verdict::{self, Class, OrderVerdict, Outcome, Theorem, Verdict, Whole};
 
-/// The verdicts on an engine as data: what `verify` reads. Statements on every order stand in it where they are given.
+/// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order stand in it where they
+/// are given.
 pub fn document(
-    layout: &Engine,
-    orders: &[OrderBalance],
+    engine: &Engine,
+    masses: Masses,
+    orders: &[OrderVerdict],
     quantities: &[Quantity],
     every_order: Option<&Theorem>,
 ) -> Document {
-    let of = |order: &OrderBalance| order.class.as_ref().map_or_else(Vec::new, |class| class.cylinders.clone());
-    let verdicts = orders.iter().flat_map(|order| {
-        let verdicts = [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).chain(&order.torque);
-        verdicts.map(move |verdict| verdict_claim(verdict, of(order)))
-    });
-    let shapes =
-        orders.iter().flat_map(|order| [&order.force, &order.moment].map(|balance| shape_claim(balance, of(order))));
-    let mut numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();
-    numbers.dedup();
+    let asked = |quantity: &Quantity| quantities.contains(quantity);
+    let of_order = |order: &OrderVerdict| {
+        Quantity::ALL
+            .into_iter()
+            .filter(asked)
+            .flat_map(|quantity| verdicts(engine, order, quantity))
+            .collect::<Vec<_>>()
+    };
+    let whole = |order: &OrderVerdict| {
+        Quantity::ALL.into_iter().filter(asked).flat_map(|quantity| wholes(order, quantity)).collect::<Vec<_>>()
+    };
+    let shapes = |order: &OrderVerdict| {
+        let both = [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)];
+        both.map(|(quantity, whole)| shape_claim(quantity, order.order, whole))
+    };
     Document {
         format: Format::Classify,
-        title: layout.title().written().to_owned(),
-        masses: Masses::Reciprocating,
-        orders: numbers,
+        title: engine.title().written().to_owned(),
+        masses: masses_claim(masses),
+        orders: orders.iter().map(|order| order.order).collect(),
         quantities: quantities.to_vec(),
         all_orders: every_order.is_some(),
-        reference_plane: layout.reference_plane().clone(),
-        cylinders: layout.cylinders().iter().map(cylinder).collect(),
-        verdicts: verdicts.collect(),
-        shapes: shapes.collect(),
+        reference_plane: engine.reference_plane().clone(),
+        cylinders: engine.cylinders().iter().map(|one| cylinder(engine, one)).collect(),
+        turning_masses: turning_masses(engine, masses),
+        verdicts: orders.iter().flat_map(of_order).collect(),
+        wholes: orders.iter().flat_map(whole).collect(),
+        shapes: orders.iter().flat_map(shapes).collect(),
         theorems: every_order.map(theorem_claims).unwrap_or_default(),
     }
 }
 
-/// The quantities that `classify` judges.
-pub fn quantities(with_torque: bool) -> Vec<Quantity> {
-    [Quantity::Force, Quantity::Moment].into_iter().chain(with_torque.then_some(Quantity::Torque)).collect()
+fn masses_claim(masses: Masses) -> proof::Masses {
+    match masses {
+        Masses::Reciprocating => proof::Masses::Reciprocating,
+        Masses::Rotating => proof::Masses::Rotating,
+        Masses::Counterweights => proof::Masses::Counterweights,
+        Masses::All => proof::Masses::All,
+    }
 }
 
-fn cylinder(cylinder: &engine::Cylinder) -> Cylinder {
+/// Whose masses a document is about.
+pub fn masses_of(claim: proof::Masses) -> Masses {
+    match claim {
+        proof::Masses::Reciprocating => Masses::Reciprocating,
+        proof::Masses::Rotating => Masses::Rotating,
+        proof::Masses::Counterweights => Masses::Counterweights,
+        proof::Masses::All => Masses::All,
+    }
+}
+
+fn turning_masses(engine: &Engine, masses: Masses) -> Vec<TurningMassClaim> {
+    let claim = |mass: &order::TurningMass| TurningMassClaim {
+        name: mass.source.name(engine),
+        order: mass.order,
+        sense: mass.sense,
+        position: mass.position.clone(),
+        angle: mass.angle.turns().clone(),
+        mass_radius: mass.mass_radius.clone(),
+    };
+    Sources::new(engine, masses).turning().iter().map(claim).collect()
+}
+
+fn cylinder(engine: &Engine, cylinder: &engine::Cylinder) -> Cylinder {
     Cylinder {
         name: cylinder.name.clone(),
         throw: cylinder.throw.turns().clone(),
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
-        reciprocating_mass: cylinder.reciprocating_mass.clone(),
+        reciprocating_mass: order::mass_radius(engine, cylinder) / &cylinder.crank_radius,
         crank_radius: cylinder.crank_radius.clone(),
         rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
     }
@@ -69,14 +107,33 @@ pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
     terms.iter().map(|term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() }).collect()
 }
 
-fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
+/// The verdicts on one quantity of an order, by what their sums stand before.
+fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<VerdictClaim> {
+    let claim = |verdict: &Verdict, class: &Option<Class>| verdict_claim(engine, verdict, class.is_some());
+    match quantity {
+        Quantity::Torque => {
+            let parts = order.torque.iter().flat_map(|torque| &torque.parts);
+            parts.map(|part| claim(&part.verdict, &part.class)).collect()
+        }
+        Quantity::Force | Quantity::Moment => {
+            let of_part = |part: &verdict::OrderBalance| {
+                let balance = if quantity == Quantity::Force { &part.force } else { &part.moment };
+                balance.verdicts().map(|verdict| claim(verdict, &part.class))
+            };
+            order.parts.iter().flat_map(of_part).collect()
+        }
+    }
+}
+
+fn verdict_claim(engine: &Engine, verdict: &Verdict, is_part: bool) -> VerdictClaim {
     let vanishes = verdict.vanishes();
     let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&verdict.sum) };
+    let names = || verdict.sources.iter().map(|source| source.name(engine)).collect();
     VerdictClaim {
         quantity: verdict.quantity,
         order: verdict.order,
         sense: verdict.sense,
-        of,
+        of: if is_part { names() } else { Vec::new() },
         vanishes,
         terms: vectors(verdict.sum.terms()),
         modulus: sum.norm(),
@@ -85,14 +142,40 @@ fn verdict_claim(verdict: &Verdict, of: Vec<String>) -> VerdictClaim {
     }
 }
 
-fn shape_claim(balance: &Balance, of: Vec<String>) -> ShapeClaim {
-    ShapeClaim {
-        quantity: balance.direct.quantity,
-        order: balance.direct.order,
-        of,
-        shape: balance.shape,
-        certificate: balance.comparison.clone(),
+/// What is said of one quantity of an order that has several sums; nothing of one that has one.
+fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
+    let claim = |(sense, outcome): (&Option<proof::Sense>, &Outcome)| WholeClaim {
+        quantity,
+        order: order.order,
+        sense: *sense,
+        outcome: outcome_claim(outcome),
+    };
+    let both = [Some(proof::Sense::Direct), Some(proof::Sense::Reverse)];
+    match quantity {
+        Quantity::Torque => {
+            let torque = order.torque.iter().filter(|torque| torque.parts.len() > 1);
+            torque.map(|torque| claim((&None, &torque.outcome))).collect()
+        }
+        _ if order.parts.len() < 2 => Vec::new(),
+        Quantity::Force => both.iter().zip(&order.force.outcomes).map(claim).collect(),
+        Quantity::Moment => both.iter().zip(&order.moment.outcomes).map(claim).collect(),
     }
+}
+
+fn outcome_claim(outcome: &Outcome) -> WholeOutcome {
+    match outcome {
+        Outcome::Zero => WholeOutcome::Zero,
+        Outcome::NotZero => WholeOutcome::NotZero,
+        Outcome::NotZeroByEnclosure { bits } => WholeOutcome::NotZeroByEnclosure { bits: *bits },
+        Outcome::NotDecided { below } => {
+            WholeOutcome::NotDecided { below: below.to_f64().unwrap_or(f64::MAX).next_up() }
+        }
+        Outcome::Open => WholeOutcome::Open,
+    }
+}
+
+fn shape_claim(quantity: Quantity, order: u32, whole: &Whole) -> ShapeClaim {
+    ShapeClaim { quantity, order, shape: whole.shape, evidence: whole.evidence.clone() }
 }
 
 /// The statements as data, with the verdicts that prove them.

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::dialect::Dialect;
 use super::table::Table;
 use crate::engine::Engine;
-use crate::verdict::{Balance, Disturbance, Firmness, OrderBalance, Outcome, firmness};
+use crate::verdict::{Balance, Disturbance, Firmness, FirmnessOutcome, OrderBalance, OrderVerdict, firmness};
 
 /// The section on how firm the zeros are.
 #[derive(Clone, Debug, Serialize)]
@@ -44,11 +44,12 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
 
 impl Section {
     /// One row a zero; `None` where nothing vanishes.
-    pub fn new(dialect: Dialect, layout: &Engine, orders: &[OrderBalance]) -> Option<Self> {
+    pub fn new(dialect: Dialect, layout: &Engine, orders: &[OrderVerdict]) -> Option<Self> {
         let mut header = vec!["Zero"];
         header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
         header.push("Verdict");
-        let balances = orders.iter().flat_map(|order| [("force", &order.force), ("moment", &order.moment)]);
+        let parts = orders.iter().flat_map(|order| &order.parts);
+        let balances = parts.flat_map(|order| [("force", &order.force), ("moment", &order.moment)]);
         let rows: Vec<Vec<String>> =
             balances.filter_map(|(name, balance)| Some(row(name, balance, &firmness(layout, balance)?))).collect();
         let meaning = |disturbance| {
@@ -64,9 +65,9 @@ impl Section {
 
 fn row(name: &str, balance: &Balance, firmness: &Firmness) -> Vec<String> {
     let cell = |disturbance| match firmness.outcome(disturbance) {
-        Outcome::Survives => "yes",
-        Outcome::Breaks => "no",
-        Outcome::DoesNotApply => "–",
+        FirmnessOutcome::Survives => "yes",
+        FirmnessOutcome::Breaks => "no",
+        FirmnessOutcome::DoesNotApply => "–",
     };
     let mut cells = vec![format!("{name}, order {}", balance.direct.order)];
     cells.extend(Disturbance::ALL.map(|disturbance| cell(disturbance).to_owned()));
@@ -91,8 +92,8 @@ pub(super) fn summary(layout: &Engine, order: &OrderBalance) -> String {
 /// What has to stay as it is.
 fn needs(layout: &Engine, firmness: &Firmness) -> Vec<&'static str> {
     let spacing = match (firmness.outcome(Disturbance::SymmetricSpacing), firmness.breaks(Disturbance::AnySpacing)) {
-        (Outcome::Survives, true) => Some("symmetric spacing"),
-        (Outcome::Breaks, _) | (_, true) => Some("this spacing"),
+        (FirmnessOutcome::Survives, true) => Some("symmetric spacing"),
+        (FirmnessOutcome::Breaks, _) | (_, true) => Some("this spacing"),
         _ => None,
     };
     let offset = if has_offset(layout) { "this bank offset" } else { "no bank offset" };

@@ -11,7 +11,7 @@ use super::{left, render};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::file::Entry;
-use crate::verdict::OrderBalance;
+use crate::verdict::OrderVerdict;
 
 /// A file to be written: its name inside the folder, and its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
     if dialect == Dialect::Latex {
         return vec![File { name: "report.tex".into(), text }];
     }
-    let mut drawn = figures(subject.layout, subject.orders);
+    let mut drawn = figures(subject.layout, subject.judged);
     if let Some(Ok(remedy)) = subject.remedy() {
         let figure = remedy_figure(&remedy);
         drawn.extend(figure.map(|(name, figure)| NamedFigure {
@@ -38,7 +38,7 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
             figure,
         }));
     }
-    let torque = torque_verdicts(subject.layout, subject.orders, numbers.as_ref());
+    let torque = torque_verdicts(subject.layout, subject.judged, numbers.as_ref());
     drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
     if let Some(Ok(Numbers { loads, .. })) = &numbers {
         drawn.extend(calculation::figures(subject.layout, loads));
@@ -72,25 +72,29 @@ struct Line {
 }
 
 /// The orders of the index: those that every engine is judged at.
-fn common_orders(engines: &[(Entry, Engine, Vec<OrderBalance>)]) -> Vec<u32> {
-    let judged = |engine: &(Entry, Engine, Vec<OrderBalance>), order: u32| engine.2.iter().any(|o| o.order == order);
+fn common_orders(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> Vec<u32> {
+    let judged = |engine: &(Entry, Engine, Vec<OrderVerdict>), order: u32| engine.2.iter().any(|o| o.order == order);
     let first = engines.first().map_or(&[][..], |(_, _, orders)| orders);
     first.iter().map(|order| order.order).filter(|&order| engines.iter().all(|engine| judged(engine, order))).collect()
 }
 
 /// The index page over the reports of the catalogue: one line an engine, at the orders that all are judged at.
-pub fn index(engines: &[(Entry, Engine, Vec<OrderBalance>)]) -> File {
+pub fn index(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> File {
     let dialect = Dialect::GithubMarkdown;
     let columns = common_orders(engines);
-    let cells = |orders: &[OrderBalance], cell: fn(&OrderBalance) -> String| {
-        orders.iter().filter(|order| columns.contains(&order.order)).map(cell).collect()
+    let cells = |orders: &[OrderVerdict], cell: usize| {
+        orders
+            .iter()
+            .filter(|order| columns.contains(&order.order))
+            .map(|order| left::whole_summary(order)[cell].clone())
+            .collect()
     };
-    let line = |(entry, layout, orders): &(Entry, Engine, Vec<OrderBalance>)| Line {
+    let line = |(entry, layout, orders): &(Entry, Engine, Vec<OrderVerdict>)| Line {
         name: entry.name,
         title: dialect.quoted(layout.title()),
         firing: layout.firing().map_or_else(String::new, intervals),
-        forces: cells(orders, left::force_summary),
-        moments: cells(orders, left::moment_summary),
+        forces: cells(orders, 0),
+        moments: cells(orders, 1),
     };
     let page = Index { orders: columns.clone(), engines: engines.iter().map(line).collect() };
     File { name: "README.md".into(), text: render::index(&page) }

@@ -1,15 +1,17 @@
 //! What is left of an order, and how is it put in a few words?
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
-use crate::order;
-use crate::proof::{Quantity, Shape};
-use crate::verdict::{Balance, Class, OrderBalance, Verdict};
+use crate::order::{self, Factor, MassGroup, Masses};
+use crate::proof::{Quantity, Shape, ShapeEvidence};
+use crate::verdict::{
+    Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, Whole,
+};
 
 /// `|S|` of a verdict.
 pub(super) fn modulus(verdict: &Verdict) -> Amount {
@@ -39,10 +41,11 @@ pub(super) fn shape_name(shape: Shape) -> &'static str {
         Shape::CounterRotating => "counter-rotating",
         Shape::Planar => "planar",
         Shape::Elliptical => "elliptical",
+        Shape::NotDecided => "not decided",
     }
 }
 
-/// The number of an order, and the cylinders that it is about where not all are meant.
+/// The number of an order, and the sources that it is about where not all are meant.
 pub fn order_name(order: &OrderBalance) -> String {
     match &order.class {
         None => order.order.to_string(),
@@ -50,21 +53,103 @@ pub fn order_name(order: &OrderBalance) -> String {
     }
 }
 
-/// `cylinders 1–3, λ = 0.25`.
+/// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
-    let Mechanism::SliderCrank(rod) = &class.mechanism;
-    let offset = match rod.offset.is_zero() {
-        true => String::new(),
-        false => format!(", δ = {}", number(&rod.offset)),
+    let rod = match &class.factor {
+        Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
+            let offset = match rod.offset.is_zero() {
+                true => String::new(),
+                false => format!(", δ = {}", number(&rod.offset)),
+            };
+            format!(", λ = {}{offset}", number(&rod.ratio))
+        }
+        Factor::One | Factor::Open => String::new(),
     };
-    format!("{}, λ = {}{offset}", class_cylinders(class), number(&rod.ratio))
+    format!("{}{rod}", class_sources(class))
 }
 
-/// `cylinders 1–3`.
-pub(super) fn class_cylinders(class: &Class) -> String {
+/// More masses that turn than this are counted, not named.
+const MOST_NAMED: usize = 3;
+
+/// `cylinders 1–3`, `balancer shaft 1`, `6 masses that turn`.
+pub(super) fn class_sources(class: &Class) -> String {
     let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
     let several = if names.len() == 1 { "" } else { "s" };
-    format!("cylinder{several} {}", typeset::names(&names))
+    let cylinders = (!names.is_empty()).then(|| format!("cylinder{several} {}", typeset::names(&names)));
+    let turning = match class.turning.as_slice() {
+        [] => None,
+        named if named.len() <= MOST_NAMED => Some(named.join(", ")),
+        many => Some(format!("{} masses that turn", many.len())),
+    };
+    cylinders.into_iter().chain(turning).collect::<Vec<_>>().join(", ")
+}
+
+/// What is known of an order that several sums make up: `0`, `not 0, elliptical`, `not decided`.
+pub(super) fn whole_words(whole: &Whole) -> String {
+    let nothing_known = whole.outcomes.contains(&Outcome::Open);
+    match whole.shape {
+        Shape::Balanced => "0".to_owned(),
+        Shape::NotDecided if nothing_known => "depends on the rods".to_owned(),
+        Shape::NotDecided if !whole.is_left() => "not decided".to_owned(),
+        Shape::NotDecided => "not 0".to_owned(),
+        shape => format!("not 0, {}", shape_name(shape)),
+    }
+}
+
+/// The force and the moment of a whole order in a few words each.
+pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
+    match order.parts.as_slice() {
+        [only] => [force_summary(only), moment_summary(only)],
+        _ if !order.exists() => [DOES_NOT_EXIST.to_owned(), DOES_NOT_EXIST.to_owned()],
+        _ => [&order.force, &order.moment].map(whole_words),
+    }
+}
+
+/// A sentence on a whole order, how it is known whether it vanishes.
+pub(super) fn whole_sentence(name: &str, order: u32, whole: &Whole) -> String {
+    let why = |outcome: &Outcome| match outcome {
+        Outcome::Zero => "each of its sums is zero".to_owned(),
+        Outcome::NotZero => "one of its sums alone is left, and what that stands before is not zero".to_owned(),
+        Outcome::NotZeroByEnclosure { .. } => {
+            "an enclosure of the whole, each sum times its coefficient, excludes zero".to_owned()
+        }
+        Outcome::NotDecided { below } => {
+            let below = below.to_f64().unwrap_or(f64::INFINITY).next_up();
+            format!("only the coefficients could make it vanish, and it is shorter than {below:.1e}")
+        }
+        Outcome::Open => "the layout says nothing of its rods, on which it depends".to_owned(),
+    };
+    let verb = |outcome: &Outcome| match outcome.vanishes() {
+        Some(true) => "vanishes",
+        Some(false) => "does not vanish",
+        None => "is not decided",
+    };
+    let [direct, reverse] = &whole.outcomes;
+    let outcomes = match (why(direct) == why(reverse), direct.vanishes()) {
+        (true, Some(true)) => "Both vectors vanish: each of their sums is zero.".to_owned(),
+        (true, Some(false)) => format!("Neither vector vanishes: {}.", why(direct)),
+        (true, None) => format!("Neither vector is decided: {}.", why(direct)),
+        (false, _) => format!(
+            "The direct vector {}: {}. The reverse vector {}: {}.",
+            verb(direct),
+            why(direct),
+            verb(reverse),
+            why(reverse)
+        ),
+    };
+    let how = match &whole.evidence {
+        Some(ShapeEvidence::Certificate(_)) => ": the squares of both lengths are compared exactly",
+        Some(ShapeEvidence::Mirror(_)) => {
+            ": each sum of one vector is the mirror image of its partner in the other, so that both are equally long"
+        }
+        Some(ShapeEvidence::Bits(_)) => ": an enclosure shows that their lengths differ",
+        None => "",
+    };
+    let shape = match whole.shape {
+        Shape::Balanced | Shape::NotDecided => String::new(),
+        shape => format!(" What is left is **{}**{how}.", shape_name(shape)),
+    };
+    format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}")
 }
 
 /// The force of an order in a few words: `0`, `= 4, planar`, or that the order does not exist.
@@ -78,13 +163,26 @@ pub fn moment_summary(order: &OrderBalance) -> String {
 }
 
 /// The inertia torque of an order in a few words: `0` or `= 4`.
-pub fn torque_summary(order: &OrderBalance, torque: &Verdict) -> String {
-    if !order.torque_exists {
+pub fn torque_summary(torque: &TorqueVerdict) -> String {
+    match torque.parts.as_slice() {
+        [only] => torque_part_summary(only),
+        _ if !torque.exists() => DOES_NOT_EXIST.to_owned(),
+        _ => match torque.outcome.vanishes() {
+            Some(true) => "0".to_owned(),
+            Some(false) => "not 0".to_owned(),
+            None => "not decided".to_owned(),
+        },
+    }
+}
+
+/// The same of one of its sums.
+pub(super) fn torque_part_summary(part: &TorquePart) -> String {
+    if !part.exists {
         DOES_NOT_EXIST.to_owned()
-    } else if torque.vanishes() {
+    } else if part.verdict.vanishes() {
         "0".to_owned()
     } else {
-        modulus(torque).plain()
+        modulus(&part.verdict).plain()
     }
 }
 
@@ -97,12 +195,43 @@ pub(super) fn summary_prose(order: &OrderBalance) -> [String; 2] {
 pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
                           times the unit of the positions; = exact, ≈ decimal.";
 
-/// Whose masses the verdicts are about, where the layout has others than the reciprocating ones.
-pub fn whose_masses(layout: &Engine) -> Option<&'static str> {
-    (order::groups_of(layout).len() > 1).then_some(
-        "These are the verdicts on the reciprocating masses alone; loads, remedies and bearings reckon with all masses of the layout.",
-    )
+/// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
+pub fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<String> {
+    if let Some(why) = judged.not_as_built {
+        return Some(format!("Verdicts on the reciprocating masses alone: {why}."));
+    }
+    let groups = order::groups_of(engine);
+    (groups.len() > 1).then(|| match judged.masses {
+        Masses::All => format!("As built: {}.", groups.into_iter().map(group_words).collect::<Vec<_>>().join(", ")),
+        masses => format!("Verdicts on {} alone.", masses_words(masses)),
+    })
 }
+
+/// What a group of masses is called.
+fn group_words(group: MassGroup) -> &'static str {
+    match group {
+        MassGroup::Reciprocating => "reciprocating masses",
+        MassGroup::Rotating => "rotating masses of the rods",
+        MassGroup::Crankshaft => "pins and webs",
+        MassGroup::Counterweights => "counterweights",
+        MassGroup::Balancers => "balancer shafts",
+    }
+}
+
+/// The masses that verdicts are about.
+pub(super) fn masses_words(masses: Masses) -> &'static str {
+    match masses {
+        Masses::Reciprocating => "the reciprocating masses",
+        Masses::Rotating => "the rotating masses, without counterweights and shafts,",
+        Masses::Counterweights => "the counterweights",
+        Masses::All => "the engine as it is built",
+    }
+}
+
+/// What a table of verdicts is headed by, where there are two.
+pub const AS_BUILT: &str = "As built";
+/// The same of the other one.
+pub const PISTONS_ALONE: &str = "The pistons alone";
 
 fn force_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
     if order.exists { summary(&order.force, "", set) } else { DOES_NOT_EXIST.to_owned() }
@@ -151,6 +280,7 @@ pub(super) fn sentence(balance: &Balance) -> String {
              largest value {largest}, along the line of angle {}.",
             line_bearing(balance).prose()
         ),
+        Shape::NotDecided => "Whether the vectors are equally long is not decided.".to_owned(),
     }
     .replace("|P", "\\lvert P")
     .replace("}|^2", "}\\rvert^2")

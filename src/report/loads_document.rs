@@ -5,15 +5,20 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::calculation::Numbers;
+use super::document::document;
 use crate::accuracy::Largest;
 use crate::engine::Engine;
-use crate::loads::{Arm, Bound, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
 use crate::numbers;
-use crate::order::MassGroup;
+use crate::order::{self, MassGroup, Masses};
+use crate::proof::{Document, Format, Quantity};
+use crate::verdict;
 
 /// The loads of an engine as data.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoadsDocument {
+    /// Dispatches it among the documents that `verify` reads.
+    format: Format,
     title: String,
     reference_plane: String,
     amplitudes: &'static str,
@@ -35,6 +40,8 @@ pub struct LoadsDocument {
     coefficients_computed: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     auto: Option<AutoEntry>,
+    /// The verdicts on the same masses and orders, with their certificates.
+    evidence: Vec<Document>,
 }
 
 /// What the numbers are counted in.
@@ -215,6 +222,8 @@ pub fn loads_document(layout: &Engine, numbers: &Numbers, needed: Option<&Needed
     };
     let (force, moment) = (loads.force.peak(), loads.moment.peak());
     LoadsDocument {
+        format: Format::Loads,
+        evidence: vec![evidence(layout, loads)],
         title: layout.title().written().to_owned(),
         reference_plane: layout.reference_plane().to_string(),
         amplitudes: "zero-to-peak",
@@ -257,6 +266,35 @@ pub fn loads_document(layout: &Engine, numbers: &Numbers, needed: Option<&Needed
             looked_at: needed.looked_at,
         }),
     }
+}
+
+impl LoadsDocument {
+    /// The same without its proofs, which `verify` then does not take.
+    pub fn without_evidence(self) -> Self {
+        LoadsDocument { evidence: Vec::new(), ..self }
+    }
+}
+
+/// The verdicts that the zeros of these loads are.
+fn evidence(engine: &Engine, loads: &Loads) -> Document {
+    let masses = if order::groups_of(engine).len() > 1 { Masses::All } else { Masses::Reciprocating };
+    let of = |orders: &mut dyn Iterator<Item = u32>, quantities: &[Quantity]| {
+        verdict::classify(engine, &orders.collect::<Vec<_>>(), masses, quantities)
+    };
+    let both = [Quantity::Force, Quantity::Moment];
+    let mut judged = of(&mut loads.orders.iter().map(|order| order.order), &both);
+    let quantities = match &loads.torque {
+        None => both.to_vec(),
+        Some(torque) => {
+            let mut orders: Vec<u32> = judged.iter().map(|order| order.order).collect();
+            orders.extend(torque.orders.iter().map(|order| order.order));
+            orders.sort_unstable();
+            orders.dedup();
+            judged = of(&mut orders.into_iter(), &Quantity::ALL);
+            Quantity::ALL.to_vec()
+        }
+    };
+    document(engine, masses, &judged, &quantities, None)
 }
 
 /// What an effect adds along the direction of the peak, at its angle.

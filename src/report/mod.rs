@@ -52,9 +52,12 @@ pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
 pub use dialect::Dialect;
-pub use document::{document, quantities};
+pub use document::{document, masses_of};
 pub use folder::{File, index, open_report, report};
-pub use left::{LEGEND, force_summary, moment_summary, order_name, torque_summary, whose_masses};
+pub use left::{
+    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, whole_summary,
+    whose_masses,
+};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};

@@ -19,9 +19,12 @@ use super::{argument, firmness, left, tikz, typeset};
 use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
+use crate::order::Masses;
 use crate::proof::Sense;
 use crate::remedy::{self, Refused, Remedy, Wish};
-use crate::verdict::{self, Balance, OrderBalance, Theorem, Verdict};
+use crate::verdict::{
+    self, Balance, Judgement, NoTheorem, OrderBalance, OrderVerdict, Theorem, TorquePart, Verdict, Whole,
+};
 
 /// Everything that the template of a report places.
 #[derive(Clone, Debug, Serialize)]
@@ -31,7 +34,9 @@ pub struct Page {
     objective: Option<String>,
     source: Option<String>,
     headline: Vec<String>,
+    whose: Option<String>,
     summary: Table,
+    pistons: Option<Table>,
     units: String,
     end_view: Drawing,
     side_view: Drawing,
@@ -63,6 +68,8 @@ struct Section {
     force_left: String,
     moment: Vec<Paragraph>,
     moment_left: String,
+    /// After the last sum of an order that has several: what is known of all together.
+    whole: Vec<String>,
 }
 
 /// The inertia torque: its star at each order, with the proofs.
@@ -94,7 +101,7 @@ pub struct Subject<'a> {
     /// The engine.
     pub layout: &'a Engine,
     /// The verdicts on it.
-    pub orders: &'a [OrderBalance],
+    pub judged: &'a Judgement,
     /// The family that it is a member of, judged, where the file gives values to symbols.
     pub family: Option<(&'a Family, &'a [OpenOrder])>,
     /// The choice of the orders, where it was made by an accuracy.
@@ -106,15 +113,14 @@ pub struct Subject<'a> {
 impl Subject<'_> {
     /// The remedy for orders 1 and 2, where the file asks for it.
     pub(super) fn remedy(&self) -> Option<Result<Remedy, Refused>> {
-        let orders = [1, 2].into_iter().filter(|order| self.orders.iter().any(|judged| judged.order == *order));
+        let orders = [1, 2].into_iter().filter(|order| self.judged.orders.iter().any(|judged| judged.order == *order));
         let wish = Wish { orders: orders.collect(), ..Wish::default() };
         self.layout.effects().remedy.then(|| remedy::remedy(self.layout, &wish))
     }
 
     /// The numbers of the engine, where its file gives any.
     pub(super) fn numbers(&self) -> Option<Result<Numbers, Missing>> {
-        let mut orders: Vec<u32> = self.orders.iter().map(|order| order.order).collect();
-        orders.dedup();
+        let orders: Vec<u32> = self.judged.orders.iter().map(|order| order.order).collect();
         calculation::numbers_of(self.layout, &orders, self.needed)
     }
 }
@@ -133,8 +139,44 @@ impl NamedFigure {
     }
 }
 
+/// A sum of an order as a report shows it: with its star and its proofs.
+struct StarOf<'a> {
+    balance: &'a OrderBalance,
+    /// `2`, `2 (cylinders 1–3, λ = 0.25)`, `1, the pistons alone`.
+    title: String,
+    /// The name of its drawing.
+    file: String,
+    /// Of the last sum of an order that has several: the order as a whole.
+    whole: Option<&'a OrderVerdict>,
+}
+
+/// The sums that a report shows: of each order, then of the pistons alone where those differ.
+fn stars(judged: &Judgement) -> Vec<StarOf<'_>> {
+    let mut all = Vec::new();
+    for order in &judged.orders {
+        all.extend(of_order(order, "", ""));
+        let pistons = judged.differing().filter(|pistons| pistons.order == order.order);
+        all.extend(pistons.flat_map(|pistons| of_order(pistons, ", the pistons alone", "-pistons")));
+    }
+    all
+}
+
+fn of_order<'a>(order: &'a OrderVerdict, name: &str, file: &str) -> Vec<StarOf<'a>> {
+    let several = order.parts.len() > 1;
+    let star = |(index, balance): (usize, &'a OrderBalance)| StarOf {
+        balance,
+        title: format!("{}{name}", left::order_name(balance)),
+        file: match several {
+            true => format!("order-{}{file}-class-{}", order.order, index + 1),
+            false => format!("order-{}{file}", order.order),
+        },
+        whole: (several && index + 1 == order.parts.len()).then_some(order),
+    };
+    order.parts.iter().enumerate().map(star).collect()
+}
+
 /// All drawings of a report: the two views, then the stars of each order.
-pub(super) fn figures(layout: &Engine, orders: &[OrderBalance]) -> Vec<NamedFigure> {
+pub(super) fn figures(layout: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
     let named = |name: String, caption: String, figure| NamedFigure { name, caption, figure };
     let mut figures = vec![
         named(
@@ -148,15 +190,13 @@ pub(super) fn figures(layout: &Engine, orders: &[OrderBalance]) -> Vec<NamedFigu
             side_view(layout),
         ),
     ];
-    figures.extend(orders.iter().enumerate().map(|(index, order)| {
+    figures.extend(stars(judged).into_iter().map(|star| {
         let caption = format!(
             "Vector stars of order {}, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant; a vector \
              with a negative arm is drawn turned by 180°.",
-            left::order_name(order)
+            star.title
         );
-        let class = orders[..index].iter().filter(|before| before.order == order.order).count();
-        let class = if order.class.is_some() { format!("-class-{}", class + 1) } else { String::new() };
-        named(format!("order-{}{class}", order.order), caption, star_figure(layout, order))
+        named(star.file, caption, star_figure(layout, star.balance))
     }));
     figures
 }
@@ -164,11 +204,15 @@ pub(super) fn figures(layout: &Engine, orders: &[OrderBalance]) -> Vec<NamedFigu
 impl Page {
     /// Sets a report in a dialect.
     pub fn new(subject: Subject, numbers: Option<&Result<Numbers, Missing>>, dialect: Dialect) -> Self {
-        let Subject { layout, orders, family, needed, accuracy } = subject;
-        let mut drawings = figures(layout, orders).into_iter().map(|figure| drawing(figure, dialect));
+        let Subject { layout, judged, family, needed, accuracy } = subject;
+        let mut drawings = figures(layout, judged).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
-        let theorem = verdict::theorem(layout);
+        let theorem = match verdict::theorem(layout, judged.masses) {
+            // The pistons have a pattern even where a shaft has none.
+            Err(NoTheorem::Shaft(_)) => verdict::theorem(layout, Masses::Reciprocating),
+            other => other,
+        };
         let calculation = numbers.map(|numbers| {
             let loads = numbers.as_ref().map(|numbers| &numbers.loads);
             let figures = loads.map_or_else(|_| Vec::new(), |loads| calculation::figures(layout, loads));
@@ -182,23 +226,28 @@ impl Page {
             title_block: title_block(layout, dialect),
             objective: block.objective.as_ref().map(|objective| dialect.quoted(objective)),
             source: layout.source().map(|source| dialect.quoted(source)),
-            headline: headline(orders, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
-            summary: table::summary(dialect, layout, orders),
+            headline: headlines(judged, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
+            summary: table::summary(dialect, layout, &judged.orders, firmness_of(judged.masses)),
+            whose: left::whose_masses(layout, judged).map(|words| dialect.prose(&words)),
+            pistons: judged
+                .pistons
+                .as_ref()
+                .map(|pistons| table::summary(dialect, layout, pistons, table::Firmness::Shown)),
             units: dialect.prose(&units(layout)),
             end_view,
             side_view,
             cylinders: table::cylinders(dialect, layout),
             firing: firing(layout).iter().map(|line| dialect.prose(line)).collect(),
             firmness: (layout.mechanisms().len() < 2)
-                .then(|| firmness::Section::new(dialect, layout, orders))
+                .then(|| firmness::Section::new(dialect, layout, judged.pistons.as_ref().unwrap_or(&judged.orders)))
                 .flatten(),
             conventions: conventions(layout).iter().map(|line| dialect.prose(line)).collect(),
             force_formula: dialect.display(FORCE),
             phase_formulas: dialect.display(PHASES),
             bank_remark: has_banks.then(|| dialect.prose(BANKS)),
-            orders: orders.iter().map(|order| Section::new(layout, order, dialect, next())).collect(),
+            orders: stars(judged).iter().map(|star| Section::new(layout, star, dialect, next())).collect(),
             open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
-            torque: torque_section(layout, orders, numbers, dialect),
+            torque: torque_section(layout, judged, numbers, dialect),
             every_order: theorem::Section::new(layout, &theorem, dialect),
             calculation,
             remedy: subject.remedy().map(|remedy| match remedy {
@@ -212,44 +261,48 @@ impl Page {
     }
 }
 
-/// The verdicts on the inertia torque, where the file asks for it and the rods are equal: at the orders that it has numbers of, else at
-/// the first and those of force and moment.
+/// The verdicts on the inertia torque, where the file asks for it: at the orders that it has numbers of, else at the first and
+/// those of force and moment; one per mechanism where they differ.
 pub(super) fn torque_verdicts(
     layout: &Engine,
-    orders: &[OrderBalance],
+    judged: &Judgement,
     numbers: Option<&Result<Numbers, Missing>>,
-) -> Vec<Verdict> {
-    if !layout.effects().torque || layout.mechanisms().len() > 1 {
+) -> Vec<TorquePart> {
+    if !layout.effects().torque {
         return Vec::new();
     }
-    let judged = numbers.and_then(|numbers| numbers.as_ref().ok()?.loads.torque.as_ref());
-    let orders: Vec<u32> = match judged {
+    let in_numbers = numbers.and_then(|numbers| numbers.as_ref().ok()?.loads.torque.as_ref());
+    let orders: Vec<u32> = match in_numbers {
         Some(torque) => torque.orders.iter().map(|order| order.order).collect(),
-        None => verdict::torque_orders(&orders.iter().map(|order| order.order).collect::<Vec<_>>()),
+        None => verdict::torque_orders(&judged.orders.iter().map(|order| order.order).collect::<Vec<_>>()),
     };
-    verdict::torque(layout, &orders)
+    verdict::torque(layout, &orders).into_iter().flat_map(|torque| torque.parts).collect()
 }
 
 /// The drawing of the stars of the inertia torque.
-pub(super) fn torque_stars(layout: &Engine, verdicts: &[Verdict]) -> NamedFigure {
+pub(super) fn torque_stars(layout: &Engine, parts: &[TorquePart]) -> NamedFigure {
     NamedFigure {
         name: "torque-stars".into(),
         caption: "Vector stars of the inertia torque, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant.".into(),
-        figure: torque_figure(layout, verdicts),
+        figure: torque_figure(layout, &parts.iter().map(|part| &part.verdict).collect::<Vec<_>>()),
     }
 }
 
 fn torque_section(
     layout: &Engine,
-    orders: &[OrderBalance],
+    judged: &Judgement,
     numbers: Option<&Result<Numbers, Missing>>,
     dialect: Dialect,
 ) -> Option<TorqueSection> {
-    let verdicts = torque_verdicts(layout, orders, numbers);
-    (!verdicts.is_empty()).then(|| TorqueSection {
+    let parts = torque_verdicts(layout, judged, numbers);
+    let paragraph = |part: &TorquePart| {
+        let of = part.class.as_ref().map(|class| format!(" ({})", left::class_sources(class)));
+        Paragraph::named(layout, &part.verdict, "Q", &of.unwrap_or_default(), dialect)
+    };
+    (!parts.is_empty()).then(|| TorqueSection {
         formula: dialect.display(TORQUE),
-        stars: drawing(torque_stars(layout, &verdicts), dialect),
-        orders: verdicts.iter().map(|verdict| Paragraph::new(layout, verdict, "Q", dialect)).collect(),
+        stars: drawing(torque_stars(layout, &parts), dialect),
+        orders: parts.iter().map(paragraph).collect(),
     })
 }
 
@@ -268,15 +321,18 @@ pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
 }
 
 impl Section {
-    fn new(layout: &Engine, order: &OrderBalance, dialect: Dialect, stars: Drawing) -> Self {
-        let part = order.class.as_ref().map(|class| layout.only_with(&class.mechanism));
-        let layout = part.as_ref().unwrap_or(layout);
+    fn new(layout: &Engine, star: &StarOf, dialect: Dialect, stars: Drawing) -> Self {
+        let order = star.balance;
         let paragraphs = |balance: &Balance, symbol: &str| {
-            let paragraph = |verdict: &Verdict| Paragraph::new(layout, verdict, symbol, dialect);
+            let paragraph = |verdict: &Verdict| Paragraph::named(layout, verdict, symbol, "", dialect);
             balance.verdicts().into_iter().map(paragraph).collect()
         };
+        let whole = star.whole.map(|order| {
+            let whole = [("Force", &order.force), ("Moment", &order.moment)];
+            whole.map(|(name, whole)| dialect.prose(&left::whole_sentence(name, order.order, whole))).to_vec()
+        });
         Section {
-            heading: dialect.prose(&format!("Order {}", left::order_name(order))),
+            heading: dialect.prose(&format!("Order {}", star.title)),
             table: table::vector_star(dialect, layout, order),
             stars,
             force: paragraphs(&order.force, "P"),
@@ -289,6 +345,7 @@ impl Section {
                 true => moment_left(layout, order),
                 false => missing(order),
             }),
+            whole: whole.unwrap_or_default(),
         }
     }
 }
@@ -311,13 +368,15 @@ fn moment_left(layout: &Engine, order: &OrderBalance) -> String {
 }
 
 impl Paragraph {
-    fn new(layout: &Engine, verdict: &Verdict, symbol: &str, dialect: Dialect) -> Self {
+    /// `of` says whose sum it is, where that needs saying.
+    fn named(layout: &Engine, verdict: &Verdict, symbol: &str, of: &str, dialect: Dialect) -> Self {
         let sense = match verdict.sense {
             Some(Sense::Direct) => "+",
             Some(Sense::Reverse) => "-",
             None => "",
         };
-        let name = verdict.sense.map_or_else(|| format!("order {}", verdict.order), |sense| sense.name().to_owned());
+        let name =
+            verdict.sense.map_or_else(|| format!("order {}{of}", verdict.order), |sense| sense.name().to_owned());
         let symbol = match verdict.sense {
             Some(_) => format!("{symbol}_{{{}}}^{{{sense}}}", verdict.order),
             None => format!("{symbol}_{{{}}}", verdict.order),
@@ -361,43 +420,62 @@ pub(super) fn capital(word: &str) -> String {
 }
 
 /// What a designer reads first: which orders are balanced, which are left, and which of all orders is the first left.
-fn headline(orders: &[OrderBalance], theorem: Option<&Theorem>) -> Vec<String> {
-    let by_class = orders.iter().any(|order| order.class.is_some());
+fn headlines(judged: &Judgement, theorem: Option<&Theorem>) -> Vec<String> {
+    let named = |name: &str, orders: &[OrderVerdict]| format!("**{name}.** {}", headline(orders).join(" "));
+    let lines: Vec<String> = match &judged.pistons {
+        None => headline(&judged.orders),
+        Some(pistons) => vec![named(left::AS_BUILT, &judged.orders), named(left::PISTONS_ALONE, pistons)],
+    };
     let mut missing: Vec<String> =
-        orders.iter().filter(|order| !order.exists).map(|order| order.order.to_string()).collect();
+        judged.orders.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
     missing.dedup();
-    let orders: Vec<&OrderBalance> = orders.iter().filter(|order| order.exists).collect();
     let missing = (!missing.is_empty()).then(|| {
         let verb = if missing.len() == 1 { DOES_NOT_EXIST } else { "do not exist" };
         format!("{} of force and moment {verb}. {WHY_NOT}", capital(&plural(&missing)))
     });
-    let line = |name: &str, balance: fn(&OrderBalance) -> &Balance| {
-        let is_left = |order: u32| orders.iter().any(|other| other.order == order && !balance(other).is_balanced());
-        let list = |left: bool| {
-            let mut orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
-            orders.dedup();
-            orders
-                .into_iter()
-                .filter(|&order| is_left(order) == left)
-                .map(|order| order.to_string())
-                .collect::<Vec<_>>()
+    let survivors = theorem.map(|theorem| match theorem.masses == judged.masses {
+        true => first_survivors(theorem),
+        false => format!("Of the pistons alone: {}", first_survivors(theorem)),
+    });
+    lines.into_iter().chain(missing).chain(survivors).collect()
+}
+
+/// Where force and moment vanish, are left, and are not decided.
+fn headline(orders: &[OrderVerdict]) -> Vec<String> {
+    let orders: Vec<&OrderVerdict> = orders.iter().filter(|order| order.exists()).collect();
+    let line = |name: &str, whole: fn(&OrderVerdict) -> &Whole| {
+        let list = |is_meant: &dyn Fn(&Whole) -> bool| -> Vec<String> {
+            orders.iter().filter(|order| is_meant(whole(order))).map(|order| order.order.to_string()).collect()
         };
-        match (list(false).as_slice(), list(true).as_slice()) {
-            (all, []) => format!("The {name} vanishes at every order judged: {}.", all.join(", ")),
-            (zero, rest) if by_class => format!(
-                "The {name} vanishes, class by class of equal rods, at {}; at {} only the coefficients of the classes could make it cancel, which the numbers tell.",
-                if zero.is_empty() { "no order".to_owned() } else { plural(zero) },
-                plural(rest)
-            ),
-            ([], none) => format!("The {name} vanishes at none of the orders judged: {}.", none.join(", ")),
+        let zero = list(&Whole::is_balanced);
+        let left = list(&Whole::is_left);
+        let open = list(&|whole| !whole.is_balanced() && !whole.is_left());
+        let words = match (zero.as_slice(), left.as_slice()) {
+            (all, []) if open.is_empty() => format!("The {name} vanishes at every order judged: {}.", all.join(", ")),
+            ([], none) if open.is_empty() => {
+                format!("The {name} vanishes at none of the orders judged: {}.", none.join(", "))
+            }
+            ([], []) => String::new(),
+            ([], rest) => format!("The {name} does not vanish at {}.", plural(rest)),
+            (zero, []) => format!("The {name} vanishes at {}.", plural(zero)),
             (zero, rest) => format!("The {name} vanishes at {}, and not at {}.", plural(zero), plural(rest)),
-        }
+        };
+        let open =
+            (!open.is_empty()).then(|| format!("Whether the {name} vanishes at {} is not decided.", plural(&open)));
+        [words].into_iter().filter(|words| !words.is_empty()).chain(open).collect::<Vec<_>>().join(" ")
     };
-    let judged = match orders.is_empty() {
+    match orders.is_empty() {
         true => Vec::new(),
         false => vec![line("force", |order| &order.force), line("moment", |order| &order.moment)],
-    };
-    judged.into_iter().chain(missing).chain(theorem.map(first_survivors)).collect()
+    }
+}
+
+/// Firmness is that of the pistons' zeros.
+fn firmness_of(masses: Masses) -> table::Firmness {
+    match masses {
+        Masses::Reciprocating => table::Firmness::Shown,
+        Masses::Rotating | Masses::Counterweights | Masses::All => table::Firmness::NotShown,
+    }
 }
 
 fn plural(orders: &[String]) -> String {
@@ -411,11 +489,10 @@ fn units(layout: &Engine) -> String {
         crate::engine::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
     };
     let mass = mass.replace("c_k", "$c_k$");
-    let whose = left::whose_masses(layout).map_or_else(String::new, |words| format!(" {words}"));
     format!(
         "The number is the largest value through a revolution, $\\tfrac12(\\lvert P^{{+}}\\rvert + \\lvert P^{{-}}\\rvert)$: \
          forces in units of {mass}, moments in the same {arm}. **0** is exact and proved; = stands before exact numbers, ≈ before \
-         decimals. A couple is the same about every plane; a moment is taken about the reference plane.{whose}"
+         decimals. A couple is the same about every plane; a moment is taken about the reference plane."
     )
 }
 

@@ -11,6 +11,7 @@ use super::typeset;
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
+use crate::order::Source;
 use crate::proof::{Certificate, Polygon, Quantity};
 use crate::verdict::{Balance, OrderBalance, Verdict};
 
@@ -30,8 +31,8 @@ pub(super) struct Star {
 pub(super) struct Ray {
     /// The direction.
     pub angle: Turn,
-    /// Cylinders by index with the lengths of their vectors.
-    pub members: Vec<(usize, BigRational)>,
+    /// Sources with the lengths of their vectors.
+    pub members: Vec<(Source, BigRational)>,
 }
 
 impl Ray {
@@ -40,20 +41,29 @@ impl Ray {
         self.members.iter().map(|(_, length)| length).sum()
     }
 
-    /// The names of the cylinders.
-    pub fn names(&self, layout: &Engine) -> String {
-        let names: Vec<&str> = self.members.iter().map(|(index, _)| layout.cylinders()[*index].name.as_str()).collect();
-        typeset::names(&names)
+    /// What the sources are called: cylinders by their names, then what turns.
+    pub fn names(&self, engine: &Engine) -> String {
+        source_names(engine, self.members.iter().map(|(source, _)| *source))
     }
+}
+
+/// What sources are called: cylinders by their names, then what turns.
+pub(super) fn source_names(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
+    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
+    let pistons: Vec<String> = pistons.into_iter().map(|source| source.name(engine)).collect();
+    let cylinders = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());
+    let turning = others.into_iter().map(|source| source.name(engine));
+    (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning).collect::<Vec<_>>().join(", ")
 }
 
 impl Star {
     /// The star of a verdict.
     pub fn new(verdict: &Verdict) -> Self {
-        let mut by_angle: BTreeMap<Turn, Vec<(usize, BigRational)>> = BTreeMap::new();
-        for (index, term) in verdict.sum.terms().iter().enumerate().filter(|(_, term)| !term.weight.is_zero()) {
+        let mut by_angle: BTreeMap<Turn, Vec<(Source, BigRational)>> = BTreeMap::new();
+        let terms = verdict.sources.iter().zip(verdict.sum.terms());
+        for (source, term) in terms.filter(|(_, term)| !term.weight.is_zero()) {
             let angle = if term.weight.is_negative() { term.angle.opposite() } else { term.angle.clone() };
-            by_angle.entry(angle).or_default().push((index, term.weight.abs()));
+            by_angle.entry(angle).or_default().push((*source, term.weight.abs()));
         }
         let rays: Vec<Ray> = by_angle.into_iter().map(|(angle, members)| Ray { angle, members }).collect();
         let drawn = rays.iter().map(|ray| Term { angle: ray.angle.clone(), weight: ray.total() });
@@ -101,7 +111,7 @@ pub(super) fn star_figure(layout: &Engine, order: &OrderBalance) -> Figure {
 }
 
 /// The stars of the inertia torque, two beside each other, the first above.
-pub(super) fn torque_figure(layout: &Engine, verdicts: &[Verdict]) -> Figure {
+pub(super) fn torque_figure(layout: &Engine, verdicts: &[&Verdict]) -> Figure {
     let rows = verdicts.len().div_ceil(2);
     let mut figure = Figure::new(2.0 * PANEL.0, rows as f64 * PANEL.1);
     for (index, verdict) in verdicts.iter().enumerate() {

@@ -8,9 +8,9 @@ use super::firmness;
 use super::left;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit};
-use crate::order;
+use crate::order::{self, Source, TurningMass};
 use crate::proof::Sense;
-use crate::verdict::{OrderBalance, Theorem, Verdict};
+use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
 
 /// A table: every row has as many cells as the header.
 #[derive(Clone, Debug, Serialize)]
@@ -63,18 +63,36 @@ fn size(width: usize) -> &'static str {
     }
 }
 
-/// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros are.
-pub(super) fn summary(dialect: Dialect, layout: &Engine, orders: &[OrderBalance]) -> Table {
+/// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros of the pistons are.
+///
+/// An order of several sums has a row for the whole, and one for each.
+pub(super) fn summary(dialect: Dialect, layout: &Engine, orders: &[OrderVerdict], with_firmness: Firmness) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
-    let firm = |order: &OrderBalance| match order.class {
-        None => firmness::summary(layout, order),
-        Some(_) => "–".to_owned(),
+    let row = |name: String, [force, moment]: [String; 2], firm: String| {
+        let firm = (with_firmness == Firmness::Shown).then_some(firm);
+        [name, bold(force), bold(moment)].into_iter().chain(firm).collect::<Vec<_>>()
     };
-    let row = |order: &OrderBalance| {
-        let [force, moment] = left::summary_prose(order);
-        vec![left::order_name(order), bold(force), bold(moment), firm(order)]
+    let part = |part: &OrderBalance| {
+        let firm = if part.class.is_none() { firmness::summary(layout, part) } else { "–".to_owned() };
+        row(left::order_name(part), left::summary_prose(part), firm)
     };
-    Table::new(dialect, &["Order", "Force", "Moment", "How firm"], orders.iter().map(row).collect())
+    let rows = orders.iter().flat_map(|order| {
+        let whole = || row(order.order.to_string(), left::whole_summary(order), "–".to_owned());
+        let whole = (order.parts.len() > 1).then(whole);
+        whole.into_iter().chain(order.parts.iter().map(part))
+    });
+    let mut header = vec!["Order", "Force", "Moment"];
+    header.extend((with_firmness == Firmness::Shown).then_some("How firm"));
+    Table::new(dialect, &header, rows.collect())
+}
+
+/// Whether a summary says how firm the zeros are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Firmness {
+    /// It has a column of its own.
+    Shown,
+    /// The verdicts are not on the pistons alone.
+    NotShown,
 }
 
 /// One row a cylinder: throw, bank, position, and mass where they differ from 1.
@@ -137,12 +155,14 @@ type Parts<'a> = [(i64, &'a BigRational); 2];
 fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
     let k = i64::from(order.order);
     let has_banks = layout.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
-    let with_mass = !layout.has_unit_masses();
+    let pistons_alone = order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(is_piston));
+    let with_mass = !(layout.has_unit_masses() && pistons_alone);
     let arm = format!("Arm z{}", position_unit(layout));
-    let mut header = vec!["Cylinder".to_owned(), "Throw β".into()];
+    let first = if pistons_alone { "Cylinder" } else { "Source" };
+    let mut header = vec![first.to_owned(), "Throw β".into()];
     header.extend(has_banks.then(|| "Bank α".into()));
     header.push(arm);
-    header.extend(with_mass.then(|| "Mass m".into()));
+    header.extend(with_mass.then(|| "Weight m r".into()));
     header.push(format!("Direct phase {}", phase_formula(k, Sense::Direct, has_banks)));
     header.push(format!("Reverse phase {}", phase_formula(k, Sense::Reverse, has_banks)));
     let row = |cylinder: &Cylinder| {
@@ -150,15 +170,31 @@ fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
         let mut cells = vec![cylinder.name.clone(), typeset::angle(&cylinder.throw)];
         cells.extend(has_banks.then(|| typeset::degrees(&bank)));
         cells.push(typeset::number(&layout.arm(cylinder)));
-        cells.extend(with_mass.then(|| typeset::number(&cylinder.reciprocating_mass)));
+        cells.extend(with_mass.then(|| typeset::number(&order::mass_radius(layout, cylinder))));
         let throw = cylinder.throw.degrees();
         cells.extend([Sense::Direct, Sense::Reverse].map(|sense| phase(&parts(order.order, sense, &throw, &bank))));
         cells
     };
-    // In a class of equal rods the other cylinders have no part.
-    let is_meant =
-        |cylinder: &&Cylinder| order.class.as_ref().is_none_or(|class| class.cylinders.contains(&cylinder.name));
-    let mut rows: Vec<Vec<String>> = layout.cylinders().iter().filter(is_meant).map(row).collect();
+    // What turns adds to one of the two sums, at the angle of its weight.
+    let turning = |mass: &TurningMass| {
+        let angle = |sense| if mass.sense == sense { typeset::angle(&mass.angle) } else { "–".to_owned() };
+        let mut cells = vec![mass.source.name(layout), String::new()];
+        cells.extend(has_banks.then(String::new));
+        cells.push(typeset::number(&(&mass.position - layout.reference_plane())));
+        cells.extend(with_mass.then(|| typeset::number(&mass.weight())));
+        cells.extend([Sense::Direct, Sense::Reverse].map(angle));
+        cells
+    };
+    let mut sources: Vec<Source> =
+        [&order.force.direct, &order.force.reverse].map(|verdict| verdict.sources.clone()).concat();
+    sources.sort_unstable();
+    sources.dedup();
+    let masses = order::turning_masses(layout);
+    let cells = |source: &Source| match source {
+        Source::Piston(index) => Some(row(&layout.cylinders()[*index])),
+        other => masses.iter().find(|mass| mass.source == *other).map(turning),
+    };
+    let mut rows: Vec<Vec<String>> = sources.iter().filter_map(cells).collect();
     let blank = header.len() - 3;
     for (name, balance) in [("Σ force", &order.force), ("Σ moment", &order.moment)] {
         let mut add = |name: &str, cell: fn(&Verdict) -> String| {
@@ -171,6 +207,10 @@ fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
         }
     }
     (header, rows)
+}
+
+fn is_piston(source: &Source) -> bool {
+    matches!(source, Source::Piston(_))
 }
 
 fn length_cell(verdict: &Verdict) -> String {

@@ -6,6 +6,7 @@ use super::dialect::Dialect;
 use super::left;
 use super::table::{self, Table};
 use crate::engine::Engine;
+use crate::order::{self, Masses};
 use crate::proof::Survivors;
 use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 
@@ -36,10 +37,23 @@ impl Section {
         let statements = [("force", &theorem.force), ("moment", &theorem.moment)];
         let rows = theorem.force.direct.len();
         Section {
-            statements: statements.map(|(name, every)| dialect.prose(&statement(name, every))).to_vec(),
+            statements: statements
+                .map(|(name, every)| dialect.prose(&format!("{}{}", statement(name, every), whose(layout, theorem))))
+                .to_vec(),
             why: dialect.prose(&why(layout, theorem)),
             table: (rows <= MOST_ROWS).then(|| table::period(dialect, theorem)),
         }
+    }
+}
+
+/// Whose masses it is about, where the engine has others than pistons.
+fn whose(engine: &Engine, theorem: &Theorem) -> String {
+    let has_others = order::groups_of(engine).len() > 1;
+    match theorem.masses {
+        Masses::Reciprocating if has_others => " This is about the pistons alone.".to_owned(),
+        Masses::All if has_others => " This is about the engine as it is built.".to_owned(),
+        Masses::Reciprocating | Masses::All => String::new(),
+        masses => format!(" This is about {} alone.", left::masses_words(masses)),
     }
 }
 

@@ -120,7 +120,7 @@ pub(super) fn judge_with(
     geometry: &Geometry,
     motions: &mut Motions,
 ) -> Result<Point, Missing> {
-    loads::comparable(layout)?;
+    order::comparable(layout)?;
     loads::are_orders(orders)?;
     let whole = Whole::new(layout);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);

@@ -10,7 +10,7 @@ use num_traits::{Signed, Zero};
 use super::{Balance, Verdict};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term};
-use crate::order;
+use crate::order::{self, Source};
 use crate::proof::Quantity;
 
 /// What is changed on the engine.
@@ -41,7 +41,7 @@ impl Disturbance {
 
 /// What becomes of a zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum FirmnessOutcome {
     /// It stays zero, however large the disturbance.
     Survives,
     /// It is zero no longer, but for special values of the disturbance.
@@ -53,18 +53,18 @@ pub enum Outcome {
 /// What becomes of one zero under every disturbance.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Firmness {
-    outcomes: [Outcome; 5],
+    outcomes: [FirmnessOutcome; 5],
 }
 
 impl Firmness {
     /// What becomes of the zero under this disturbance.
-    pub fn outcome(&self, disturbance: Disturbance) -> Outcome {
+    pub fn outcome(&self, disturbance: Disturbance) -> FirmnessOutcome {
         self.outcomes[disturbance as usize]
     }
 
     /// Whether the zero breaks under this disturbance.
     pub fn breaks(&self, disturbance: Disturbance) -> bool {
-        self.outcome(disturbance) == Outcome::Breaks
+        self.outcome(disturbance) == FirmnessOutcome::Breaks
     }
 
     /// Whether only masses that differ from cylinder to cylinder can break the zero.
@@ -73,17 +73,19 @@ impl Firmness {
     }
 }
 
-/// How firm the zero of a balance is; `None` where something is left.
+/// How firm the zero of a balance is; `None` where something is left, and where it is not about the pistons of all cylinders.
 pub fn firmness(layout: &Engine, balance: &Balance) -> Option<Firmness> {
     let outcome = |disturbance| {
         let coefficients = balance.verdicts().map(|verdict| coefficients(layout, verdict, disturbance));
         match coefficients.into_iter().collect::<Option<Vec<_>>>() {
-            None => Outcome::DoesNotApply,
-            Some(sums) if sums.iter().flatten().all(PhasorSum::vanishes) => Outcome::Survives,
-            Some(_) => Outcome::Breaks,
+            None => FirmnessOutcome::DoesNotApply,
+            Some(sums) if sums.iter().flatten().all(PhasorSum::vanishes) => FirmnessOutcome::Survives,
+            Some(_) => FirmnessOutcome::Breaks,
         }
     };
-    balance.is_balanced().then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
+    let pistons = (0..layout.cylinders().len()).map(Source::Piston);
+    let of_pistons = balance.verdicts().into_iter().all(|verdict| verdict.sources.iter().copied().eq(pistons.clone()));
+    (of_pistons && balance.is_balanced()).then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
 }
 
 /// The coefficient of every symbol of a disturbance; `None` where it does not apply.

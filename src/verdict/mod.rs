@@ -1,123 +1,86 @@
 //! How does the engine balance? For each order a verdict with its evidence, and the shape of what is left.
 
+mod balance;
 mod firmness;
+mod judgement;
 mod reason;
 mod theorem;
+mod whole;
 
-pub use firmness::{Disturbance, Firmness, Outcome, firmness};
+pub use balance::{Balance, Class, Verdict};
+pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
+pub use judgement::Judgement;
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
+pub use whole::{Outcome, Whole};
 
-use crate::engine::{Engine, Mechanism};
-use crate::exact::PhasorSum;
-use crate::order;
-use crate::proof::{Certificate, Quantity, Sense, Shape};
+use crate::engine::Engine;
+use crate::order::{Coefficients, Group, Masses, Sources};
+use crate::proof::{Quantity, ShapeEvidence};
+use whole::Part;
 
-/// Whether one phasor sum of the engine vanishes, with the evidence.
+/// The verdicts on one order: the whole of it, and the sums that it is made of.
 #[derive(Clone, Debug)]
-pub struct Verdict {
-    /// Force, moment or torque.
-    pub quantity: Quantity,
+pub struct OrderVerdict {
     /// The order k.
     pub order: u32,
-    /// Direct or reverse; none for the torque.
-    pub sense: Option<Sense>,
-    /// The sum, one term a cylinder.
-    pub sum: PhasorSum,
-    /// The evidence.
-    pub certificate: Certificate,
+    /// Whose masses it is about.
+    pub masses: Masses,
+    /// Force and moment by what their sums stand before: one where all sources have it in common.
+    pub parts: Vec<OrderBalance>,
+    /// The shaking force.
+    pub force: Whole,
+    /// The moment about the reference plane; a free couple where the force of this order vanishes.
+    pub moment: Whole,
+    /// The inertia torque, where it was asked for.
+    pub torque: Option<TorqueVerdict>,
 }
 
-impl Verdict {
-    fn new(layout: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
-        Verdict::of(quantity, order, sense, order::star(layout, quantity, order, sense))
-    }
-
-    fn of(quantity: Quantity, order: u32, sense: Option<Sense>, sum: PhasorSum) -> Self {
-        let certificate = sum.certificate();
-        Verdict { quantity, order, sense, sum, certificate }
-    }
-
-    /// Whether the sum is zero.
-    pub fn vanishes(&self) -> bool {
-        self.certificate.claims_zero()
-    }
-}
-
-/// The two vectors of one order of the force or the moment, and what their sum traces.
-#[derive(Clone, Debug)]
-pub struct Balance {
-    /// The vector that turns with the crank.
-    pub direct: Verdict,
-    /// The vector that turns against it.
-    pub reverse: Verdict,
-    /// What is left.
-    pub shape: Shape,
-    /// Where neither vanishes: whether `|direct|² − |reverse|²` does.
-    pub comparison: Option<Certificate>,
-}
-
-impl Balance {
-    fn new(layout: &Engine, quantity: Quantity, order: u32) -> Self {
-        let sum = |sense| order::star(layout, quantity, order, Some(sense));
-        Balance::of(quantity, order, sum(Sense::Direct), sum(Sense::Reverse))
-    }
-
-    /// Judges any two sums as the vectors of one order: those of other masses than the reciprocating ones.
-    pub fn of(quantity: Quantity, order: u32, direct: PhasorSum, reverse: PhasorSum) -> Self {
-        let direct = Verdict::of(quantity, order, Some(Sense::Direct), direct);
-        let reverse = Verdict::of(quantity, order, Some(Sense::Reverse), reverse);
-        let (shape, comparison) = match (direct.vanishes(), reverse.vanishes()) {
-            (true, true) => (Shape::Balanced, None),
-            (false, true) => (Shape::Rotating, None),
-            (true, false) => (Shape::CounterRotating, None),
-            (false, false) => {
-                let difference = direct.sum.squared_modulus().minus(&reverse.sum.squared_modulus());
-                let certificate = PhasorSum::new(difference.collected()).certificate();
-                let shape = if certificate.claims_zero() { Shape::Planar } else { Shape::Elliptical };
-                (shape, Some(certificate))
-            }
-        };
-        Balance { direct, reverse, shape, comparison }
-    }
-
-    /// Whether both vectors vanish.
-    pub fn is_balanced(&self) -> bool {
-        self.shape == Shape::Balanced
-    }
-
-    /// Both verdicts, direct first.
-    pub fn verdicts(&self) -> [&Verdict; 2] {
-        [&self.direct, &self.reverse]
-    }
-}
-
-/// Cylinders with equal rods: only they have the coefficient c_k in common, so that their sum is judged by itself.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Class {
-    /// What moves their pistons.
-    pub mechanism: Mechanism,
-    /// The names of the cylinders.
-    pub cylinders: Vec<String>,
-}
-
-/// All verdicts on one order.
+/// Force and moment of sources whose terms stand before one number.
 #[derive(Clone, Debug)]
 pub struct OrderBalance {
     /// The order k.
     pub order: u32,
-    /// Whether some of these pistons have the order; else its force and moment are 0 whatever the sums are.
+    /// Whether the number is not zero; else force and moment are 0 whatever the sums are.
     pub exists: bool,
-    /// The same of the torque.
-    pub torque_exists: bool,
-    /// Which cylinders it is about, where the engine has rods that differ; none where it is about all.
+    /// Which sources it is about; none where it is about all.
     pub class: Option<Class>,
     /// The shaking force.
     pub force: Balance,
-    /// The moment about the reference plane; a free couple where the force of this order vanishes.
+    /// The moment about the reference plane.
     pub moment: Balance,
-    /// The inertia torque, where it was asked for.
-    pub torque: Option<Verdict>,
+}
+
+/// The inertia torque of one order.
+#[derive(Clone, Debug)]
+pub struct TorqueVerdict {
+    /// The sums by what they stand before, and whether that is not zero.
+    pub parts: Vec<TorquePart>,
+    /// Whether it vanishes.
+    pub outcome: Outcome,
+}
+
+/// The inertia torque of the cylinders that one mechanism moves.
+#[derive(Clone, Debug)]
+pub struct TorquePart {
+    /// Whether its coefficient is not zero.
+    pub exists: bool,
+    /// Which cylinders it is about; none where it is about all.
+    pub class: Option<Class>,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+impl OrderVerdict {
+    /// Whether some source has the order; else its force and moment are 0 whatever the sums are.
+    pub fn exists(&self) -> bool {
+        self.parts.iter().any(|part| part.exists)
+    }
+
+    /// Whether the moment is the same about every plane: the force of this order vanishes.
+    pub fn moment_is_couple(&self) -> bool {
+        !self.exists() || self.force.is_balanced()
+    }
 }
 
 impl OrderBalance {
@@ -127,28 +90,89 @@ impl OrderBalance {
     }
 }
 
-/// Judges the given orders of an engine; the inertia torque only where it is asked for. There is no order 0: it gets no verdict.
+impl TorqueVerdict {
+    /// Whether some cylinder has the order.
+    pub fn exists(&self) -> bool {
+        self.parts.iter().any(|part| part.exists)
+    }
+}
+
+/// Judges the given orders of an engine, force and moment, and the inertia torque where it is among the quantities. There is
+/// no order 0: it gets no verdict.
 ///
-/// Where rods differ, each class of equal ones is judged by itself: the sum of an order vanishes, whatever the
-/// coefficients, where each class does. All centric cranks have `c_1 = 1` in common.
-pub fn classify(layout: &Engine, orders: &[u32], with_torque: bool) -> Vec<OrderBalance> {
-    let rods = layout.mechanisms();
-    let judge = |layout: &Engine, order: u32, class: Option<Class>| OrderBalance {
+/// Terms that stand before one number are one sum; it is judged by itself, and all sums of an order together.
+pub fn classify(engine: &Engine, orders: &[u32], masses: Masses, quantities: &[Quantity]) -> Vec<OrderVerdict> {
+    let sources = Sources::new(engine, masses);
+    let known = Coefficients::default();
+    let with_torque = quantities.contains(&Quantity::Torque);
+    judged(orders).map(|order| of_order(&sources, order, with_torque, &known)).collect()
+}
+
+fn of_order(sources: &Sources, order: u32, with_torque: bool, known: &Coefficients) -> OrderVerdict {
+    let groups = sources.groups(Quantity::Force, order);
+    let class = |group: &Group| (groups.len() > 1).then(|| Class::new(sources, group));
+    let part = |group: &Group| OrderBalance {
         order,
-        exists: has_order(layout, class.as_ref(), Quantity::Force, order),
-        torque_exists: has_order(layout, class.as_ref(), Quantity::Torque, order),
-        class,
-        force: Balance::new(layout, Quantity::Force, order),
-        moment: Balance::new(layout, Quantity::Moment, order),
-        torque: with_torque.then(|| Verdict::new(layout, Quantity::Torque, order, None)),
+        exists: group.exists,
+        class: class(group),
+        force: Balance::new(sources, group, Quantity::Force, order),
+        moment: Balance::new(sources, group, Quantity::Moment, order),
     };
-    let by_class = |order: u32| match rods.as_slice() {
-        rods if rods.len() > 1 && (order > 1 || layout.has_offset() || with_torque) => {
-            rods.iter().map(|rod| judge(&layout.only_with(rod), order, Some(Class::new(layout, rod)))).collect()
+    let parts: Vec<OrderBalance> = groups.iter().map(part).collect();
+    let whole = |balance: fn(&OrderBalance) -> &Balance| match parts.as_slice() {
+        [only] => of_one(balance(only)),
+        several => {
+            let of_sense = |sense: usize| -> Vec<Part> {
+                let pairs = groups.iter().zip(several);
+                let part = |(group, part)| Part::new(group, balance(part).verdicts()[sense]);
+                pairs.map(part).collect()
+            };
+            Whole::new([&of_sense(0), &of_sense(1)], order, known)
         }
-        _ => vec![judge(layout, order, None)],
     };
-    judged(orders).flat_map(by_class).collect()
+    OrderVerdict {
+        order,
+        masses: sources.masses(),
+        force: whole(|part| &part.force),
+        moment: whole(|part| &part.moment),
+        torque: with_torque.then(|| torque_of(sources, order, known)),
+        parts,
+    }
+}
+
+impl<'a> Part<'a> {
+    fn new(group: &'a Group, verdict: &'a Verdict) -> Self {
+        Part { factor: &group.factor, exists: group.exists, verdict }
+    }
+}
+
+/// The whole of one sum is that sum.
+fn of_one(balance: &Balance) -> Whole {
+    let outcome = |verdict: &Verdict| if verdict.vanishes() { Outcome::Zero } else { Outcome::NotZero };
+    Whole {
+        outcomes: balance.verdicts().map(outcome),
+        shape: balance.shape,
+        evidence: balance.comparison.clone().map(ShapeEvidence::Certificate),
+    }
+}
+
+fn torque_of(sources: &Sources, order: u32, known: &Coefficients) -> TorqueVerdict {
+    let groups = sources.groups(Quantity::Torque, order);
+    let part = |group: &Group| TorquePart {
+        exists: group.exists,
+        class: (groups.len() > 1).then(|| Class::new(sources, group)),
+        verdict: Verdict::new(sources, group, Quantity::Torque, order, None),
+    };
+    let parts: Vec<TorquePart> = groups.iter().map(part).collect();
+    let outcome = match parts.as_slice() {
+        [only] if only.verdict.vanishes() => Outcome::Zero,
+        [_] => Outcome::NotZero,
+        several => {
+            let pairs = groups.iter().zip(several).map(|(group, part)| Part::new(group, &part.verdict));
+            whole::outcome(&pairs.collect::<Vec<_>>(), order, known)
+        }
+    };
+    TorqueVerdict { parts, outcome }
 }
 
 /// The orders that the inertia torque is judged at: the first four, and those of force and moment.
@@ -159,26 +183,14 @@ pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
     all
 }
 
-/// Judges the inertia torque of an engine with equal rods at these orders; 0 is no order and is not judged.
-pub fn torque(layout: &Engine, orders: &[u32]) -> Vec<Verdict> {
-    judged(orders).map(|order| Verdict::new(layout, Quantity::Torque, order, None)).collect()
-}
-
-fn has_order(layout: &Engine, class: Option<&Class>, quantity: Quantity, order: u32) -> bool {
-    match class {
-        Some(class) => class.mechanism.has_order(quantity, order),
-        None => layout.pistons_have_order(quantity, order),
-    }
+/// Judges the inertia torque of an engine at these orders; 0 is no order and is not judged.
+pub fn torque(engine: &Engine, orders: &[u32]) -> Vec<TorqueVerdict> {
+    let sources = Sources::new(engine, Masses::Reciprocating);
+    let known = Coefficients::default();
+    judged(orders).map(|order| torque_of(&sources, order, &known)).collect()
 }
 
 /// The numbers of a list that are orders.
 fn judged(orders: &[u32]) -> impl Iterator<Item = u32> {
     orders.iter().copied().filter(|order| *order > 0)
-}
-
-impl Class {
-    fn new(layout: &Engine, mechanism: &Mechanism) -> Self {
-        let of = layout.cylinders().iter().filter(|cylinder| cylinder.mechanism.as_ref() == Some(mechanism));
-        Class { mechanism: mechanism.clone(), cylinders: of.map(|cylinder| cylinder.name.clone()).collect() }
-    }
 }

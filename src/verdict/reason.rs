@@ -5,6 +5,7 @@ use num_traits::Zero;
 use super::Verdict;
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
+use crate::order::Source;
 use crate::proof::{Certificate, Quantity};
 
 /// The plainest reason for a verdict.
@@ -39,9 +40,7 @@ pub fn reason(layout: &Engine, verdict: &Verdict) -> Reason {
     let no_weight = verdict.sum.terms().iter().all(|term| term.weight.is_zero());
     match (&verdict.certificate, collected.as_slice()) {
         (Certificate::Polygons { .. }, _) if no_weight => Reason::NoWeight,
-        (Certificate::Polygons { .. }, _) if verdict.quantity == Quantity::Moment && has_mirror(layout) => {
-            Reason::Mirror
-        }
+        (Certificate::Polygons { .. }, _) if is_moment_of_pistons(verdict) && has_mirror(layout) => Reason::Mirror,
         (Certificate::Polygons { .. }, []) => Reason::Cancels,
         (Certificate::Polygons { .. }, _) if opposed_partners(&verdict.sum).is_some() => Reason::OpposedPairs,
         (Certificate::Polygons { .. }, terms) => match fold(terms) {
@@ -95,6 +94,11 @@ pub fn opposed_partners(sum: &PhasorSum) -> Option<Vec<(usize, usize)>> {
 fn cancel(a: &Term, b: &Term) -> bool {
     let turn = &a.angle - &b.angle;
     (turn == Turn::zero() && a.weight == -&b.weight) || (turn == Turn::fraction(1, 2) && a.weight == b.weight)
+}
+
+/// Whether a mirror plane of the cylinders is one of all that the sum is about.
+fn is_moment_of_pistons(verdict: &Verdict) -> bool {
+    verdict.quantity == Quantity::Moment && verdict.sources.iter().all(|source| matches!(source, Source::Piston(_)))
 }
 
 fn has_mirror(layout: &Engine) -> bool {

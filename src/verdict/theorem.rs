@@ -11,6 +11,7 @@ use num_traits::ToPrimitive;
 
 use super::{Balance, Verdict};
 use crate::engine::Engine;
+use crate::order::{Masses, Sources};
 use crate::proof::{Quantity, Sense, Survivors};
 
 /// Longer periods are not judged.
@@ -19,6 +20,8 @@ pub const LONGEST_PERIOD: u32 = 720;
 /// The statements on every order of the force and the moment, with the verdicts that prove them.
 #[derive(Clone, Debug)]
 pub struct Theorem {
+    /// Whose masses they are about.
+    pub masses: Masses,
     /// The sums of order k depend on k only modulo this even number.
     pub period: u32,
     /// The shaking force.
@@ -47,6 +50,8 @@ pub enum NoTheorem {
     Offset,
     /// The rods differ, so that the cylinders have no coefficient in common.
     RodsDiffer,
+    /// A balancer shaft turns at this order, beside pistons that have another coefficient.
+    Shaft(u32),
 }
 
 impl fmt::Display for NoTheorem {
@@ -59,6 +64,10 @@ impl fmt::Display for NoTheorem {
                 "with a pin offset every order exists, and the statement is about order 1 and the even ones",
             ),
             NoTheorem::RodsDiffer => f.write_str("the rods differ, so that no order is a single sum"),
+            NoTheorem::Shaft(order) => write!(
+                f,
+                "a balancer shaft turns at order {order}, which the pattern of the cylinders does not know; judge the reciprocating masses alone"
+            ),
         }
     }
 }
@@ -71,32 +80,39 @@ pub fn period(layout: &Engine) -> BigInt {
     angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
 }
 
-/// Judges one period of orders.
+/// Judges one period of orders of these masses.
 ///
 /// # Errors
-/// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, and where the engine is not one of equal
-/// centric cranks.
-pub fn theorem(layout: &Engine) -> Result<Theorem, NoTheorem> {
-    if layout.mechanisms().len() > 1 {
+/// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, where the engine is not one of equal centric
+/// cranks, and where a shaft turns faster than the crank.
+pub fn theorem(engine: &Engine, masses: Masses) -> Result<Theorem, NoTheorem> {
+    if engine.mechanisms().len() > 1 {
         return Err(NoTheorem::RodsDiffer);
     }
-    if layout.has_offset() {
+    if engine.has_offset() {
         return Err(NoTheorem::Offset);
     }
-    let period = period(layout);
+    let sources = Sources::new(engine, masses);
+    if let Some(mass) = sources.turning().iter().find(|mass| mass.order > 1) {
+        return Err(NoTheorem::Shaft(mass.order));
+    }
+    let period = period(engine);
     let short = period.to_u32().filter(|&period| period <= LONGEST_PERIOD);
     let period = short.ok_or(NoTheorem::PeriodTooLong(period))?;
-    let judge = |quantity| EveryOrder::new(layout, quantity, period);
-    Ok(Theorem { period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
+    let judge = |quantity| EveryOrder::new(&sources, quantity, period);
+    Ok(Theorem { masses, period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
 }
 
 impl EveryOrder {
-    fn new(layout: &Engine, quantity: Quantity, period: u32) -> Self {
+    fn new(sources: &Sources, quantity: Quantity, period: u32) -> Self {
+        // Equal centric cranks have one coefficient in every order, and what turns with them has that of order 1.
+        let group = |order| sources.groups(quantity, order).swap_remove(0);
         let orders = || std::iter::once(1).chain((2..=period).step_by(2));
-        let judge = |sense| orders().map(|order| Verdict::new(layout, quantity, order, Some(sense))).collect();
+        let judge =
+            |sense| orders().map(|order| Verdict::new(sources, &group(order), quantity, order, Some(sense))).collect();
         let mut every = EveryOrder { direct: judge(Sense::Direct), reverse: judge(Sense::Reverse), first: None };
         let first = every.survivals().into_iter().find(|(_, survives)| *survives);
-        every.first = first.map(|(order, _)| Balance::new(layout, quantity, order));
+        every.first = first.map(|(order, _)| Balance::new(sources, &group(order), quantity, order));
         every
     }
 

@@ -2,7 +2,9 @@
 use crankstar::engine::{Engine, throws};
 use crankstar::file::{find, parse};
 use crankstar::loads::{Loads, Missing, Outcome, loads};
-use crankstar::order::MassGroup;
+use crankstar::order::{MassGroup, NotComparable};
+use crankstar::proof::Quantity;
+use crankstar::verdict::Judgement;
 use num_rational::BigRational;
 
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
@@ -225,15 +227,18 @@ fn what_cannot_be_compared_is_missing() {
         let layout = read(&format!("inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\n{mechanism}\n{weight}"));
         loads(&layout, &[1]).err()
     };
-    assert_eq!(missing(""), Some(Missing::Masses));
-    assert_eq!(missing("reciprocating_mass = 1"), Some(Missing::CrankRadius));
+    assert_eq!(missing(""), Some(Missing::NotComparable(NotComparable::Masses)));
+    assert_eq!(missing("reciprocating_mass = 1"), Some(Missing::NotComparable(NotComparable::CrankRadius)));
     assert_eq!(missing("reciprocating_mass = 1\ncrank_radius = 0.05"), None);
 }
 
 #[test]
 fn the_page_of_an_engine_with_masses_that_turn_says_whose_masses_its_verdicts_are_about() {
     let bare = read("[inline]\nthrows = [0]\n[mechanism]\nrod_ratio = 0.25\n");
-    assert_eq!(crankstar::report::whose_masses(&bare), None);
-    let built = read(I3);
-    assert!(crankstar::report::whose_masses(&built).is_some_and(|words| words.contains("reciprocating masses alone")));
+    let whose = |engine: &Engine| {
+        let judged = Judgement::new(engine, &[1, 2], &[Quantity::Force, Quantity::Moment]);
+        crankstar::report::whose_masses(engine, &judged)
+    };
+    assert_eq!(whose(&bare), None);
+    assert!(whose(&read(I3)).is_some_and(|words| words.starts_with("As built: reciprocating masses, ")));
 }

@@ -2,13 +2,15 @@
 
 use crankstar::file;
 use crankstar::proof::{LARGEST_DOCUMENT, Reason, Unreadable, read_document};
-use crankstar::{report, verdict};
+
 use serde_json::{Value, json};
+
+use crate::support::verdicts::{document, judged};
 
 fn genuine() -> Value {
     let layout = file::parse("engine", "vee = { bank_angle = 60, throws = [0, 180] }").expect("a layout");
-    let orders = verdict::classify(&layout, &[1, 2], false);
-    serde_json::to_value(report::document(&layout, &orders, &report::quantities(false), None)).expect("JSON")
+    let orders = judged(&layout, &[1, 2], false);
+    serde_json::to_value(document(&layout, &orders, false, None)).expect("JSON")
 }
 
 fn error(text: &str) -> String {
@@ -91,7 +93,7 @@ fn one_verdict(throws: &[String], vanishes: bool, certificate: Value) -> Value {
     let terms: Vec<Value> = throws.iter().map(|throw| json!({ "angle": throw, "weight": "1" })).collect();
     let cylinders: Vec<Value> = throws.iter().enumerate().map(cylinder).collect();
     json!({ "format": "crankstar classify 2", "title": "", "masses": "reciprocating", "orders": [1], "quantities": ["force"],
-        "all_orders": false, "reference_plane": "0", "cylinders": cylinders, "shapes": [], "theorems": [],
+        "all_orders": false, "reference_plane": "0", "cylinders": cylinders, "turning_masses": [], "wholes": [], "shapes": [], "theorems": [],
         "verdicts": [{ "quantity": "force", "order": 1, "sense": "direct", "vanishes": vanishes, "terms": terms,
             "modulus": 1.0, "angle_deg": 1.0, "certificate": certificate }] })
 }

@@ -2,12 +2,13 @@
 
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
-use crankstar::proof::{AnyDocument, Checked, read_document};
+use crankstar::proof::{AnyDocument, Checked, Masses, TurningMassClaim, read_document};
 use crankstar::remedy::{Wish, remedy};
-use crankstar::{family, report, verdict};
+use crankstar::{family, order, report};
 
 use crate::support::dice::Dice;
-use crate::support::every_form;
+use crate::support::verdicts::{self, judged, theorem};
+use crate::support::{every_form, whole_documents};
 
 /// Engines of each kind of document; more where `CRANKSTAR_DOCUMENTS` says so.
 fn count() -> usize {
@@ -45,12 +46,44 @@ fn every_document_of_verdicts_verifies_with_and_without_torque_and_every_order()
     for (index, (text, layout)) in known(1).enumerate() {
         let torque = index % 2 == 0;
         let orders = [&[1, 2][..], &[1, 2, 3, 4, 6], &[5], &[2, 12]][index % 4];
-        let every = if index % 5 == 0 { verdict::theorem(&layout).ok() } else { None };
-        let balances = verdict::classify(&layout, orders, torque);
-        let document = report::document(&layout, &balances, &report::quantities(torque), every.as_ref());
+        let every = if index % 5 == 0 { theorem(&layout).ok() } else { None };
+        let balances = judged(&layout, orders, torque);
+        let document = verdicts::document(&layout, &balances, torque, every.as_ref());
         let (read, checked) = verified(&document, &text);
         assert_eq!(checked.theorems, if every.is_some() { 4 } else { 0 });
         assert_eq!(read, AnyDocument::Classify(document));
+    }
+}
+
+/// With the masses of the layout that turn, and by a producer of its own.
+#[test]
+fn every_document_on_all_masses_verifies() {
+    let mut several = 0;
+    for (index, (text, layout)) in known(4).enumerate() {
+        let torque = index % 2 == 0;
+        let orders = [&[1, 2][..], &[1, 2, 3, 4, 6], &[5], &[2, 12]][index % 4];
+        let mut document = verdicts::document(&layout, &[], torque, None);
+        document.orders = orders.to_vec();
+        document.masses = [Masses::All, Masses::Reciprocating, Masses::Rotating][index % 3];
+        if document.masses != Masses::Reciprocating {
+            let masses = order::turning_masses(&layout).into_iter().enumerate();
+            document.turning_masses = masses.map(|(index, mass)| turning_mass(index, mass)).collect();
+        }
+        whole_documents::fill(&mut document);
+        let (_, checked) = verified(&document, &text);
+        several += checked.wholes;
+    }
+    assert!(several > count(), "{several}");
+}
+
+fn turning_mass(index: usize, mass: order::TurningMass) -> TurningMassClaim {
+    TurningMassClaim {
+        name: format!("mass {index}"),
+        order: mass.order,
+        sense: mass.sense,
+        position: mass.position,
+        angle: mass.angle.turns().clone(),
+        mass_radius: mass.mass_radius,
     }
 }
 

@@ -7,23 +7,24 @@ use crankstar::file::{catalogue, find, parse};
 use crankstar::order;
 use crankstar::proof::Quantity::{self, Force, Moment};
 use crankstar::verdict::Disturbance::{self, AnySpacing, BankMasses, BankOffset, CylinderMasses, SymmetricSpacing};
-use crankstar::verdict::Outcome::{self, Breaks, DoesNotApply, Survives};
-use crankstar::verdict::{Balance, Reason, classify, firmness, opposed_partners, reason};
+use crankstar::verdict::FirmnessOutcome::{self, Breaks, DoesNotApply, Survives};
+use crankstar::verdict::{Balance, Reason, firmness, opposed_partners, reason};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use crate::support::dice::Dice;
+use crate::support::verdicts::pistons;
 
 fn engine(name: &str) -> Engine {
     find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
 }
 
 fn balance(layout: &Engine, quantity: Quantity, order: u32) -> Balance {
-    let order = classify(layout, &[order], false).remove(0);
+    let order = pistons(layout, &[order]).remove(0);
     if quantity == Force { order.force } else { order.moment }
 }
 
-fn outcome(layout: &Engine, quantity: Quantity, order: u32, disturbance: Disturbance) -> Outcome {
+fn outcome(layout: &Engine, quantity: Quantity, order: u32, disturbance: Disturbance) -> FirmnessOutcome {
     firmness(layout, &balance(layout, quantity, order)).expect("a zero").outcome(disturbance)
 }
 
@@ -115,7 +116,7 @@ fn disturbed(layout: &Engine, disturbance: Disturbance, dice: &mut Dice) -> Engi
 /// Disturbs every zero of an engine at random and compares with what is said of it; returns how many outcomes it met.
 fn check(layout: &Engine, dice: &mut Dice) -> [usize; 3] {
     let mut met = [0; 3];
-    for order in classify(layout, layout.orders(), false) {
+    for order in pistons(layout, layout.orders()) {
         for balance in [&order.force, &order.moment] {
             let Some(firmness) = firmness(layout, balance) else { continue };
             for disturbance in Disturbance::ALL {

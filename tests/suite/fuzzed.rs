@@ -10,10 +10,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support::dice::Dice;
+use crate::support::verdicts::{self, judged, theorem};
 use crankstar::file::{self, Layout};
 use crankstar::remedy::{self, Wish};
 use crankstar::search::{Options, search};
-use crankstar::{family, report, verdict};
+use crankstar::{family, report};
 
 /// Changed inputs of each target.
 const CHANGED: u64 = 600;
@@ -153,9 +154,9 @@ fn any_value_of_the_command_line_is_taken_or_refused() {
 fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
     let engine = |name: &str| file::find(name).expect("an engine").engine().expect("a layout");
     let twin = engine("V2-60");
-    let theorem = verdict::theorem(&twin).expect("a theorem");
-    let orders = verdict::classify(&twin, &[1, 2], true);
-    let verdicts = report::document(&twin, &orders, &report::quantities(true), Some(&theorem));
+    let theorem = theorem(&twin).expect("a theorem");
+    let orders = judged(&twin, &[1, 2], true);
+    let verdicts = verdicts::document(&twin, &orders, true, Some(&theorem));
     assert_golden("document", "verdicts.json", &json(&verdicts));
     let Ok(Layout::Open(family)) = file::parse_layout("v.toml", OPEN) else { panic!("a family") };
     assert_golden("document", "family.json", &json(&report::open_document(&family, &family::classify(&family, &[2]))));

@@ -8,15 +8,17 @@ use crankstar::numbers::evaluate;
 use crankstar::proof::Quantity::{self, Force, Moment};
 use crankstar::proof::Shape::{self, Balanced, CounterRotating, Planar, Rotating};
 use crankstar::text::Untrusted;
-use crankstar::verdict::{Balance, classify};
+use crankstar::verdict::Balance;
 use num_rational::BigRational;
+
+use crate::support::verdicts::pistons;
 
 fn engine(name: &str) -> Engine {
     find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
 }
 
 fn balance(layout: &Engine, quantity: Quantity, order: u32) -> Balance {
-    let order = classify(layout, &[order], false).remove(0);
+    let order = pistons(layout, &[order]).remove(0);
     match quantity {
         Force => order.force,
         _ => order.moment,
@@ -155,7 +157,7 @@ fn what_is_known_to_vanish_vanishes() {
 #[test]
 fn in_line_six_has_only_forces_whose_order_is_a_multiple_of_6() {
     let orders: Vec<u32> = [1].into_iter().chain((2..=60).step_by(2)).collect();
-    for order in classify(&engine("I6"), &orders, false) {
+    for order in pistons(&engine("I6"), &orders) {
         assert_eq!(order.force.is_balanced(), order.order % 6 != 0, "order {}", order.order);
         assert!(order.moment.is_balanced(), "order {}", order.order);
     }

@@ -6,13 +6,14 @@ use std::path::Path;
 use std::{env, fs};
 
 use crate::support::hard::{Ask, CASES, Case};
+use crate::support::verdicts::{judged, pistons};
 use crate::support::written::vectors;
 use crankstar::engine::{Draft, Engine, ReferencePlane};
 use crankstar::file::{self, parse_number};
 use crankstar::loads::{self, Outcome};
 use crankstar::motion::SliderCrank;
 use crankstar::proof::{Shape, check_certificate};
-use crankstar::verdict::{self, OrderBalance};
+use crankstar::verdict::OrderVerdict;
 use num_rational::BigRational;
 use num_traits::{Pow, Signed, ToPrimitive, Zero};
 
@@ -258,9 +259,10 @@ const ORDERS: [u32; 5] = [1, 2, 3, 4, 6];
 
 /// Shapes of force and moment and the torque's verdict, order by order; every certificate is checked.
 fn verdicts(layout: &Engine) -> Vec<(Shape, Shape, bool)> {
-    let judged = verdict::classify(layout, &ORDERS, true);
-    let outcome = |order: OrderBalance| {
-        let torque = order.torque.expect("a torque");
+    let judged = judged(layout, &ORDERS, true);
+    let outcome = |verdict: OrderVerdict| {
+        let torque = verdict.torque.expect("a torque").parts.remove(0).verdict;
+        let order = verdict.parts.into_iter().next().expect("a sum");
         let all = order.force.verdicts().into_iter().chain(order.moment.verdicts()).chain([&torque]);
         for verdict in all {
             let checked = check_certificate(&vectors(&verdict.sum), verdict.vanishes(), &verdict.certificate);
@@ -321,12 +323,12 @@ fn verdicts_do_not_change_with_weights_of_thirty_digits_or_angles_over_primes_of
 #[test]
 fn a_couple_is_the_same_about_a_plane_a_kilometre_away() {
     for name in ENGINES {
-        let near = verdict::classify(&hostile(name, |_| ()), &ORDERS, false);
+        let near = pistons(&hostile(name, |_| ()), &ORDERS);
         let far = hostile(name, |layout| {
             layout.reference_plane = ReferencePlane::Named(BigRational::from_integer(1000.into()))
         });
         verdicts(&far);
-        let far = verdict::classify(&far, &ORDERS, false);
+        let far = pistons(&far, &ORDERS);
         for (near, far) in near.iter().zip(&far) {
             assert_eq!(near.force.shape, far.force.shape, "{name}, order {}", near.order);
             if near.moment_is_couple() {
@@ -359,7 +361,7 @@ fn loads_vanish_where_the_verdicts_say_so_whatever_the_rod_the_mass_and_the_spee
             let mechanism =
                 format!("mechanism = {{ crank_radius = 0.05, rod_ratio = \"{ratio}\", reciprocating_mass = {mass} }}");
             let layout = file::parse(name, &format!("speed = \"{speed}\"\n{mechanism}\n{text}")).expect("it reads");
-            let plain = verdict::classify(&layout, &ORDERS, false);
+            let plain = pistons(&layout, &ORDERS);
             let loads = loads::loads(&layout, &ORDERS).expect("numbers");
             for (verdict, loads) in plain.iter().zip(&loads.orders) {
                 let swings = [(&verdict.force, &loads.force), (&verdict.moment, &loads.moment)];

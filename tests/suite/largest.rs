@@ -13,6 +13,8 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
+use crate::support::verdicts::{judged, pistons};
+
 fn engine(text: &str) -> Engine {
     file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
@@ -247,7 +249,7 @@ fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() 
             .any(|of| of.order == 3 && !of.force.vanishes())
     );
     let centric = engine(&text(""));
-    let judged = verdict::classify(&centric, &[3], false);
+    let judged = pistons(&centric, &[3]);
     assert_eq!(
         [report::force_summary(&judged[0]), report::moment_summary(&judged[0])],
         ["does not exist", "does not exist"]
@@ -269,7 +271,7 @@ fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() 
 fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
     let layout =
         engine(&format!("speed = 6000\neffects = [\"torque\"]\n[inline]\nthrows = [0, 120, 240]\n{MECHANISM}"));
-    assert!(verdict::classify(&layout, &[0], true).is_empty() && verdict::torque(&layout, &[0]).is_empty());
+    assert!(judged(&layout, &[0], true).is_empty() && verdict::torque(&layout, &[0]).is_empty());
     assert_eq!(loads(&layout, &[0]).err(), Some(Missing::Order(0)));
     assert_eq!(loads(&layout, &[1001]).err(), Some(Missing::Order(1001)));
     let rows = report::loads_rows(&layout, &loads(&layout, &[1]).expect("numbers")).rows;

@@ -3,12 +3,14 @@ use crankstar::engine::{Cylinder, Engine};
 use crankstar::exact::Turn;
 use crankstar::file::{catalogue, parse};
 use crankstar::proof::{Quantity, Sense};
-use crankstar::verdict::{Verdict, classify};
+use crankstar::verdict::{Balance, Verdict};
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
+
+use crate::support::verdicts::judged;
 
 /// An engine, or an error with something to show.
 fn read(text: &str) {
@@ -150,9 +152,10 @@ proptest! {
     #[test]
     fn exact_verdicts_agree_with_decimals(text in prop_oneof![general(), regular()]) {
         let layout = parse("layout.toml", &text).unwrap();
-        for order in classify(&layout, &[1, 2, 3, 4, 6, 12], true) {
-            let verdicts = order.force.verdicts().into_iter().chain(order.moment.verdicts()).chain(&order.torque);
-            for verdict in verdicts {
+        for order in judged(&layout, &[1, 2, 3, 4, 6, 12], true) {
+            let torque = order.torque.iter().flat_map(|torque| &torque.parts).map(|part| &part.verdict);
+            let parts = order.parts.iter().flat_map(|part| [&part.force, &part.moment]).flat_map(Balance::verdicts);
+            for verdict in parts.chain(torque) {
                 let size = in_decimals(&layout, verdict).norm();
                 let (quantity, order) = (verdict.quantity, verdict.order);
                 let clear_cut = size > 1e-6 || !text.contains(LARGE_DENOMINATOR);

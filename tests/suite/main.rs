@@ -49,6 +49,7 @@ mod sweep;
 mod theorems;
 mod theory;
 mod thesis;
+mod whole_cheats;
 
 mod support {
     pub mod decimals;
@@ -62,6 +63,8 @@ mod support {
     pub mod plain_search;
     pub mod program;
     pub mod stiffness;
+    pub mod verdicts;
     pub mod whole_degrees;
+    pub mod whole_documents;
     pub mod written;
 }

@@ -10,11 +10,13 @@ use std::path::Path;
 use std::{env, fs};
 
 use crate::support::dice::Dice;
+use crate::support::verdicts::{self, judged};
 use crate::support::{engines, oracle};
 use crankstar::engine::{Cylinder, Engine};
 use crankstar::file::{Layout, parse_layout};
+use crankstar::order::Source;
 use crankstar::proof::{self, Document, OpenDocument, Quantity, Sense, Shape};
-use crankstar::verdict::{Balance, OrderBalance, Verdict, classify};
+use crankstar::verdict::{Balance, OrderVerdict, Verdict};
 use crankstar::{family, report};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -95,17 +97,22 @@ fn difference(direct: &Terms, reverse: &Terms) -> Terms {
 
 impl Tally {
     fn judge(&mut self, oracle: &mut Oracle, layout: &Engine, text: &str) {
-        let orders = classify(layout, &ORDERS, true);
-        for order in &orders {
-            let is_meant = |cylinder: &&Cylinder| match &order.class {
-                Some(class) => class.cylinders.contains(&cylinder.name),
-                None => true,
+        let orders = judged(layout, &ORDERS, true);
+        let of = |verdict: &Verdict| -> Vec<&Cylinder> {
+            let cylinder = |source: &Source| match source {
+                Source::Piston(index) => &layout.cylinders()[*index],
+                _ => panic!("only pistons were asked for"),
             };
-            let of: Vec<&Cylinder> = layout.cylinders().iter().filter(is_meant).collect();
-            self.shape(oracle, layout, &of, &order.force, text);
-            self.shape(oracle, layout, &of, &order.moment, text);
-            let torque = order.torque.as_ref().expect("a torque was asked for");
-            self.verdict(oracle, &terms(layout, &of, torque), torque, text);
+            verdict.sources.iter().map(cylinder).collect()
+        };
+        for order in &orders {
+            for part in &order.parts {
+                self.shape(oracle, layout, &of(&part.force.direct), &part.force, text);
+                self.shape(oracle, layout, &of(&part.moment.direct), &part.moment, text);
+            }
+            for part in &order.torque.as_ref().expect("a torque was asked for").parts {
+                self.verdict(oracle, &terms(layout, &of(&part.verdict), &part.verdict), &part.verdict, text);
+            }
         }
         self.verify(layout, &orders, text);
     }
@@ -139,9 +146,8 @@ impl Tally {
     }
 
     /// The document as `verify` reads it: from its text.
-    fn verify(&mut self, layout: &Engine, orders: &[OrderBalance], text: &str) {
-        let json = serde_json::to_string(&report::document(layout, orders, &report::quantities(true), None))
-            .expect("a document");
+    fn verify(&mut self, layout: &Engine, orders: &[OrderVerdict], text: &str) {
+        let json = serde_json::to_string(&verdicts::document(layout, orders, true, None)).expect("a document");
         let document: Document = serde_json::from_str(&json).expect("the same document");
         self.count(proof::check_document(&document), text);
     }

@@ -9,23 +9,33 @@ use std::{env, fs};
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Entry, Layout};
+use crankstar::proof::Quantity;
 use crankstar::report::{self, Dialect};
-use crankstar::verdict::{self, OrderBalance};
+use crankstar::verdict::{Judgement, OrderVerdict};
+
+use crate::support::verdicts;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
 }
 
-fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderBalance>) {
-    let orders = verdict::classify(&layout, layout.orders(), false);
+fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderVerdict>) {
+    let orders = verdicts::judged(&layout, layout.orders(), false);
     (entry, layout, orders)
 }
 
+fn judgement(engine: &Engine) -> Judgement {
+    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment])
+}
+
 /// The files of an engine's folder, by name.
-fn written(layout: &Engine, orders: &[OrderBalance]) -> BTreeMap<String, String> {
+fn written(layout: &Engine) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
     let files = dialects.into_iter().flat_map(|dialect| {
-        report::report(report::Subject { layout, orders, family: None, needed: None, accuracy: None }, dialect)
+        report::report(
+            report::Subject { layout, judged: &judgement(layout), family: None, needed: None, accuracy: None },
+            dialect,
+        )
     });
     files.map(|file| (file.name, file.text)).collect()
 }
@@ -68,8 +78,7 @@ fn compare_family(prefix: &str) {
     let family: Vec<_> = engines.into_iter().filter(|(entry, _)| entry.name.starts_with(prefix)).collect();
     assert!(!family.is_empty(), "no engine is called {prefix}…");
     for (entry, layout) in family {
-        let (entry, layout, orders) = judged(entry, layout);
-        compare(&folder().join(entry.name), &written(&layout, &orders));
+        compare(&folder().join(entry.name), &written(&layout));
     }
 }
 
@@ -116,10 +125,10 @@ fn compare_layouts(below: &str) {
             let written = match file::parse_layout("layout.toml", &layout).expect("it reads") {
                 Layout::Known(engine, open) => {
                     let open = open.map(|open| (family::classify(&open, engine.orders()), open));
-                    let orders = verdict::classify(&engine, engine.orders(), false);
+                    let judged = judgement(&engine);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
                     report::report(
-                        report::Subject { layout: &engine, orders: &orders, family, needed: None, accuracy: None },
+                        report::Subject { layout: &engine, judged: &judged, family, needed: None, accuracy: None },
                         dialect,
                     )
                 }
@@ -175,8 +184,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
 #[test]
 fn no_report_holds_a_path_a_date_or_a_version() {
     for (entry, layout) in file::catalogue().expect("the catalogue reads") {
-        let (_, layout, orders) = judged(entry, layout);
-        for (name, text) in written(&layout, &orders) {
+        for (name, text) in written(&layout) {
             let unwanted =
                 [env!("CARGO_MANIFEST_DIR"), concat!("crankstar ", env!("CARGO_PKG_VERSION")), "/home/", "/root/"];
             assert!(unwanted.iter().all(|word| !text.contains(word)), "{}/{name}", entry.name);

@@ -9,8 +9,10 @@ use crankstar::proof::{
     Certificate, Document, Fault, Quantity, RodClaim, RodStatement, Sense, Survivors, check_document,
 };
 use crankstar::report::{self, Dialect};
-use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
+use crankstar::verdict::{self, EveryOrder, Judgement, LONGEST_PERIOD, NoTheorem, Theorem};
 use num_rational::BigRational;
+
+use crate::support::verdicts::{self, judged, theorem};
 
 fn named(name: &str) -> Engine {
     file::find(name).expect("a name of the catalogue").engine().expect("it reads")
@@ -21,7 +23,7 @@ fn written(form: &str) -> Engine {
 }
 
 fn proved(layout: &Engine) -> Theorem {
-    verdict::theorem(layout).expect("a short period")
+    theorem(layout).expect("a short period")
 }
 
 fn survivors(order_one: bool, modulus: u32, residues: &[u32]) -> Survivors {
@@ -33,8 +35,8 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
 }
 
 fn text(layout: &Engine, dialect: Dialect) -> String {
-    let orders = verdict::classify(layout, layout.orders(), false);
-    report::report(report::Subject { layout, orders: &orders, family: None, needed: None, accuracy: None }, dialect)
+    let judged = Judgement::new(layout, layout.orders(), &verdicts::quantities(false));
+    report::report(report::Subject { layout, judged: &judged, family: None, needed: None, accuracy: None }, dialect)
         .remove(0)
         .text
 }
@@ -191,14 +193,14 @@ fn a_period_too_long_is_named() {
     let longest = written("[inline]\nthrows = [0, 0.5]");
     assert_eq!((proved(&longest).period, LONGEST_PERIOD), (720, 720));
     let longer = written("[inline]\nthrows = ['360/361']");
-    let reason = verdict::theorem(&longer).expect_err("a long period");
+    let reason = theorem(&longer).expect_err("a long period");
     assert_eq!(reason.to_string(), "the pattern repeats only after 722 orders; at most 720 are judged");
     let line = "No statement is made on every order at once: the pattern repeats only after 722 orders, and at most 720 are \
                 judged one by one.";
     says(&longer, &[line]);
     assert!(!text(&longer, Dialect::Latex).contains("The first order that survives"));
     let huge = written(&format!("[inline]\nthrows = ['360/1{}7']", "0".repeat(40)));
-    let NoTheorem::PeriodTooLong(period) = verdict::theorem(&huge).expect_err("a long period") else {
+    let NoTheorem::PeriodTooLong(period) = theorem(&huge).expect_err("a long period") else {
         panic!("another reason");
     };
     assert_eq!(period.to_string().len(), 42);
@@ -209,8 +211,8 @@ fn a_period_too_long_is_named() {
 
 /// The verdicts on order 1 with the theorems: force direct, reverse, moment direct, reverse.
 fn document(layout: &Engine) -> Document {
-    let orders = verdict::classify(layout, &[1], false);
-    report::document(layout, &orders, &report::quantities(false), Some(&proved(layout)))
+    let orders = judged(layout, &[1], false);
+    verdicts::document(layout, &orders, false, Some(&proved(layout)))
 }
 
 #[test]

@@ -5,6 +5,8 @@ use super::super::{brief, left, typeset};
 use super::{ORDERS, REMEDIED};
 use crate::engine::{Cycle, Engine, LengthUnit};
 use crate::file::LayoutError;
+use crate::order::Masses;
+use crate::proof::Quantity;
 use crate::proof::Shape;
 use crate::remedy::{self, Wish};
 use crate::search::{Best, FoundStar};
@@ -98,15 +100,16 @@ impl EngineRow {
             ties,
             firing: brief::firing(layout.firing()),
             firing_order: layout.firing().map(names).unwrap_or_default(),
-            orders: verdict::classify(layout, &ORDERS, false)
+            orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
                 .iter()
+                .flat_map(|judged| &judged.parts)
                 .map(|judged| Order {
                     order: judged.order,
                     force: Left::new(&judged.force),
                     moment: Left::new(&judged.moment),
                 })
                 .collect(),
-            first_left: brief::first_left(&verdict::theorem(layout)),
+            first_left: brief::first_left(&verdict::theorem(layout, Masses::Reciprocating)),
             remedy: brief::remedy(&remedy::remedy(layout, &wish)),
             unit: layout.length_unit(),
         }

@@ -3,20 +3,25 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::super::{brief, left};
+use super::super::{brief, document, left};
 use super::rows::decimal;
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
-use crate::verdict::{Balance, OrderBalance};
+use crate::proof::{Document, Format, Quantity};
+use crate::verdict::{Balance, OrderBalance, OrderVerdict, Whole};
 
 /// Engines side by side, as data.
 #[derive(Clone, Debug, Serialize)]
 pub struct CompareDocument {
+    /// Dispatches it among the documents that `verify` reads.
+    format: Format,
     orders: Vec<u32>,
     amplitudes: &'static str,
     notes: Vec<String>,
     engines: Vec<EngineEntry>,
+    /// The verdicts on each engine, with their certificates.
+    evidence: Vec<Document>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -42,24 +47,34 @@ struct Firing {
     intervals_deg: Vec<f64>,
 }
 
+/// An order of an engine as it is built.
 #[derive(Clone, Debug, Serialize)]
 struct Order {
     order: u32,
-    /// Names of the cylinders that it is about, where not all.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cylinders: Option<Vec<String>>,
-    /// Whether c_k is not zero: centric cranks have order 1 and the even ones.
+    /// Whether some mass has the order: centric cranks have order 1 and the even ones.
     exists: bool,
     force: Amount,
     moment: Amount,
     moment_is_couple: bool,
+    /// Its sums, where what they stand before differs.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parts: Vec<Part>,
+}
+
+/// One sum of an order.
+#[derive(Clone, Debug, Serialize)]
+struct Part {
+    of: String,
+    exists: bool,
+    force: Amount,
+    moment: Amount,
 }
 
 #[derive(Clone, Debug, Serialize)]
 struct Amount {
     shape: &'static str,
-    /// In m r ω² c_k, moments times the unit of the positions; 0 is exact.
-    largest: f64,
+    /// In m r ω² c_k, moments times the unit of the positions; 0 is exact; null where several sums make up the order.
+    largest: Option<f64>,
     exact: Option<String>,
 }
 
@@ -78,13 +93,27 @@ struct Worst {
     unit: &'static str,
 }
 
+impl CompareDocument {
+    /// The same without its proofs, which `verify` then does not take.
+    pub fn without_evidence(self) -> Self {
+        CompareDocument { evidence: Vec::new(), ..self }
+    }
+}
+
 /// The comparison as data.
 pub fn compare_document(engines: &[Compared]) -> CompareDocument {
+    let quantities = [Quantity::Force, Quantity::Moment];
+    let evidence = |engine: &Compared| {
+        let judged = &engine.judged;
+        document::document(engine.layout, judged.masses, &judged.orders, &quantities, None)
+    };
     CompareDocument {
+        format: Format::Compare,
         orders: orders_of(engines),
         amplitudes: "zero-to-peak",
         notes: super::compare_lines(engines),
         engines: engines.iter().map(engine).collect(),
+        evidence: engines.iter().map(evidence).collect(),
     }
 }
 
@@ -104,7 +133,7 @@ fn engine(engine: &Compared) -> EngineEntry {
             LengthUnit::Spacing => "spacing",
         },
         firing,
-        orders: engine.orders.iter().map(order).collect(),
+        orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
         remedy: brief::remedy(&engine.remedy),
@@ -113,21 +142,33 @@ fn engine(engine: &Compared) -> EngineEntry {
     }
 }
 
-fn order(order: &OrderBalance) -> Order {
+fn order(order: &OrderVerdict) -> Order {
+    let part = |part: &OrderBalance| {
+        let of = part.class.as_ref().map(left::class_sources)?;
+        Some(Part { of, exists: part.exists, force: amount(&part.force), moment: amount(&part.moment) })
+    };
+    let whole = |whole: &Whole, balance: fn(&OrderBalance) -> &Balance| match order.parts.as_slice() {
+        [only] => amount(balance(only)),
+        _ => Amount {
+            shape: left::shape_name(whole.shape),
+            largest: whole.is_balanced().then_some(0.0),
+            exact: whole.is_balanced().then(|| "0".to_owned()),
+        },
+    };
     Order {
         order: order.order,
-        exists: order.exists,
-        cylinders: order.class.as_ref().map(|class| class.cylinders.clone()),
-        force: amount(&order.force),
-        moment: amount(&order.moment),
+        exists: order.exists(),
+        force: whole(&order.force, |part| &part.force),
+        moment: whole(&order.moment, |part| &part.moment),
         moment_is_couple: order.moment_is_couple(),
+        parts: order.parts.iter().filter_map(part).collect(),
     }
 }
 
 fn amount(balance: &Balance) -> Amount {
     let largest = left::largest(balance);
     let exact = largest.exact.as_ref().map(ToString::to_string);
-    Amount { shape: left::shape_name(balance.shape), largest: largest.decimal, exact }
+    Amount { shape: left::shape_name(balance.shape), largest: Some(largest.decimal), exact }
 }
 
 fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {

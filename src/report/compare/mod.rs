@@ -11,9 +11,10 @@ pub use rows::{compare_lines, compare_rows};
 use super::brief;
 use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
+use crate::proof::Quantity;
 use crate::remedy::{self, Refused, Remedy, Wish};
 use crate::text::Untrusted;
-use crate::verdict::{self, NoTheorem, OrderBalance, Theorem};
+use crate::verdict::{self, Judgement, NoTheorem, OrderVerdict, Theorem};
 
 /// An engine of a comparison, judged.
 #[derive(Clone, Debug)]
@@ -23,7 +24,7 @@ pub struct Compared<'a> {
     /// The engine.
     pub layout: &'a Engine,
     /// The verdicts, rising by order; several an order where rods differ.
-    pub orders: Vec<OrderBalance>,
+    pub judged: Judgement,
     /// The statements on every order.
     pub theorem: Result<Theorem, NoTheorem>,
     /// What takes away the orders that are compared.
@@ -37,21 +38,27 @@ pub struct Compared<'a> {
 impl<'a> Compared<'a> {
     /// Judges an engine at these orders.
     pub fn new(name: Untrusted, layout: &'a Engine, orders: &[u32]) -> Self {
+        let judged = Judgement::new(layout, orders, &[Quantity::Force, Quantity::Moment]);
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Compared {
             name,
             layout,
-            orders: verdict::classify(layout, orders, false),
-            theorem: verdict::theorem(layout),
+            theorem: verdict::theorem(layout, judged.masses),
+            judged,
             remedy: remedy::remedy(layout, &wish),
             loads: loads::loads(layout, orders),
             bearings: loads::bearing_loads(layout, orders, Method::Continuous),
         }
     }
 
-    /// The verdicts on one order: one, or one a class of equal rods.
-    fn at(&self, order: u32) -> Vec<&OrderBalance> {
-        self.orders.iter().filter(|judged| judged.order == order).collect()
+    /// The verdicts on one order.
+    fn at(&self, order: u32) -> Option<&OrderVerdict> {
+        self.judged.orders.iter().find(|judged| judged.order == order)
+    }
+
+    /// The verdicts on one order of the pistons alone, where masses that turn have a part in it besides.
+    fn pistons_at(&self, order: u32) -> Option<&OrderVerdict> {
+        self.judged.differing().find(|judged| judged.order == order)
     }
 
     /// Whether force and moment come out in N and N·m.
@@ -67,7 +74,8 @@ impl<'a> Compared<'a> {
 
 /// The orders that are compared, rising.
 fn orders_of(engines: &[Compared]) -> Vec<u32> {
-    let mut orders: Vec<u32> = engines.iter().flat_map(|engine| &engine.orders).map(|order| order.order).collect();
+    let mut orders: Vec<u32> =
+        engines.iter().flat_map(|engine| &engine.judged.orders).map(|order| order.order).collect();
     orders.sort_unstable();
     orders.dedup();
     orders

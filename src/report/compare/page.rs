@@ -54,9 +54,10 @@ pub fn compare_page(engines: &[Compared]) -> Vec<File> {
 fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<'a>> {
     let name = move |judged: &OrderBalance| match &judged.class {
         None => engine.name.escaped(Format::Plain),
-        Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), left::class_cylinders(class)),
+        Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), left::class_sources(class)),
     };
-    engine.at(order).into_iter().map(move |judged| Column { name: name(judged), layout: engine.layout, order: judged })
+    let parts = engine.at(order).into_iter().flat_map(|judged| &judged.parts);
+    parts.map(move |judged| Column { name: name(judged), layout: engine.layout, order: judged })
 }
 
 fn caption(order: u32) -> String {

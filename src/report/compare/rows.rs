@@ -10,7 +10,7 @@ use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
 use crate::loads::{Missing, OrderLoads};
 use crate::proof::Quantity;
 use crate::text::Format;
-use crate::verdict::OrderBalance;
+use crate::verdict::OrderVerdict;
 
 /// The table: a column an engine, a row each thing that is compared; cells in plain text.
 pub fn compare_rows(engines: &[Compared]) -> Rows {
@@ -25,8 +25,16 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     add("Firing".to_owned(), &|engine| engine.firing());
     let orders = orders_of(engines);
     for &order in &orders {
-        add(format!("Force {order}"), &|engine| words(engine, order, left::force_summary));
-        add(format!("Moment {order}"), &|engine| words(engine, order, left::moment_summary));
+        for (name, quantity) in [("Force", Quantity::Force), ("Moment", Quantity::Moment)] {
+            let words =
+                |judged: Option<&OrderVerdict>| judged.map_or_else(String::new, |judged| brief::cell(judged, quantity));
+            add(format!("{name} {order}"), &|engine| words(engine.at(order)));
+            if engines.iter().any(|engine| engine.pistons_at(order).is_some()) {
+                add(format!("{name} {order}, pistons alone"), &|engine| {
+                    words(engine.pistons_at(order).or(engine.at(order)))
+                });
+            }
+        }
     }
     let first = |engine: &Compared| brief::first_left(&engine.theorem);
     add("First force left".to_owned(), &|engine| first(engine)[0].clone());
@@ -43,11 +51,6 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
         add("Worst main bearing".to_owned(), &worst_bearing);
     }
     Rows { header, rows }
-}
-
-/// What is left of an order.
-fn words(engine: &Compared, order: u32, summary: fn(&OrderBalance) -> String) -> String {
-    brief::by_class(&engine.at(order), summary)
 }
 
 fn speed(engine: &Compared) -> String {
@@ -78,15 +81,15 @@ fn worst_bearing(engine: &Compared) -> String {
 pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
     let mut lines = vec![left::LEGEND.to_owned()];
     lines.push(format!("m, r, ω and c_k are those of each engine. {}", positions(engines)));
-    lines.push("First left: the lowest of all orders that exist. Verdicts are on the reciprocating masses; remedies, newtons and bearings on all masses that a layout names.".to_owned());
+    lines.push("First left: the lowest of all orders that exist. All is about the engines as they are built, with all masses that a layout names; where masses that turn have a part in an order, the pistons alone stand below it.".to_owned());
     lines.push(brief::REMEDIES.to_owned());
-    if engines.iter().any(|engine| engine.orders.iter().any(|order| order.class.is_some())) {
+    if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
         lines.push(
-            "Where rods differ, cylinders with equal rods are judged by themselves: only they have c_k in common."
+            "Where rods differ, or a shaft turns at an order of the pistons, the whole of it is judged, and each of its sums by itself: only equal rods have c_k in common."
                 .to_owned(),
         );
     }
-    if engines.iter().any(|engine| engine.orders.iter().any(|order| !order.exists)) {
+    if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| !order.exists())) {
         lines.push(WHY_NOT.to_owned());
     }
     let with: Vec<String> = engines.iter().filter(|e| e.has_newtons()).map(|e| e.name.escaped(Format::Plain)).collect();

@@ -1,0 +1,54 @@
+//! `--masses`: whose masses are the verdicts about?
+
+use crankstar::engine::Engine;
+use crankstar::order;
+use crankstar::proof::Quantity;
+use crankstar::verdict::Judgement;
+
+use super::failure::Failure;
+
+/// The argument; without it, all masses that the layout file has.
+#[derive(clap::Args)]
+pub struct Masses {
+    /// Whose masses the verdicts are about [default: all that the layout file has]
+    #[arg(long, value_enum, value_name = "WHICH")]
+    masses: Option<Which>,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Which {
+    /// Pistons, pins, and the reciprocating part of the rods
+    Reciprocating,
+    /// What turns with the crankpins: the rotating part of the rods, pins and webs; no counterweights
+    Rotating,
+    /// The counterweights
+    Counterweights,
+    /// The engine as it is built, with counterweights and balancer shafts
+    All,
+}
+
+impl From<Which> for order::Masses {
+    fn from(which: Which) -> Self {
+        match which {
+            Which::Reciprocating => order::Masses::Reciprocating,
+            Which::Rotating => order::Masses::Rotating,
+            Which::Counterweights => order::Masses::Counterweights,
+            Which::All => order::Masses::All,
+        }
+    }
+}
+
+impl Masses {
+    /// Whether some masses were asked for.
+    pub fn are_given(&self) -> bool {
+        self.masses.is_some()
+    }
+
+    /// Judges an engine at these orders.
+    pub fn judge(&self, engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Result<Judgement, Failure> {
+        match self.masses {
+            None => Ok(Judgement::new(engine, orders, quantities)),
+            Some(which) => Judgement::of(engine, orders, which.into(), quantities).map_err(Failure::new),
+        }
+    }
+}

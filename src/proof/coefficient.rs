@@ -1,0 +1,61 @@
+//! What does the term of a cylinder stand before, and is that zero?
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use serde::{Deserialize, Serialize};
+
+use super::engine::{RodClaim, RodStatement};
+
+/// What stands before a sum.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub enum Coefficient {
+    /// 1.
+    One,
+    /// The one that all rods have, where none is named.
+    Common,
+    /// That of this rod: c_k of the force, t_k of the torque.
+    Rod(RodClaim),
+}
+
+/// The number that a cylinder's term is multiplied by.
+#[derive(Clone, Debug)]
+pub(super) struct Factor {
+    pub coefficient: Coefficient,
+    /// Whether the coefficient is zero: the motion of the rod has no such order.
+    pub is_zero: bool,
+    /// 1, or −1.
+    pub sign: BigRational,
+}
+
+impl Factor {
+    /// In the force. Centric rods have `c_1 = 1` and no other odd order; with the offset's sign the coefficients of odd
+    /// orders above 1 change theirs.
+    pub fn of_force(rod: &RodStatement, order: u32) -> Self {
+        let is_odd = order % 2 == 1;
+        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, sign: BigRational::one() };
+        match rod {
+            RodStatement::Unknown if order == 1 => plain(Coefficient::One, false),
+            RodStatement::Unknown => plain(Coefficient::Common, is_odd),
+            RodStatement::Known(rod) if order == 1 && rod.offset.is_zero() => plain(Coefficient::One, false),
+            RodStatement::Known(rod) if order == 1 => plain(Coefficient::Rod(rod.clone()), false),
+            RodStatement::Known(rod) => {
+                let one = BigRational::one();
+                Factor {
+                    coefficient: Coefficient::Rod(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() }),
+                    is_zero: rod.ratio.is_zero() || (rod.offset.is_zero() && is_odd),
+                    sign: if rod.offset.is_negative() && is_odd { -one } else { one },
+                }
+            }
+        }
+    }
+
+    /// In the inertia torque, where only an infinitely long rod lacks orders: it has the second and no other.
+    pub fn of_torque(rod: &RodStatement, order: u32) -> Self {
+        let (coefficient, is_zero) = match rod {
+            RodStatement::Unknown => (Coefficient::Common, false),
+            RodStatement::Known(rod) => (Coefficient::Rod(rod.clone()), rod.ratio.is_zero() && order != 2),
+        };
+        Factor { coefficient, is_zero, sign: BigRational::one() }
+    }
+}

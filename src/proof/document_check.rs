@@ -1,0 +1,178 @@
+//! Does all that a document of verdicts says hold together?
+
+use super::audit::{Audit, Fault};
+use super::checked::Checked;
+use super::document::Document;
+use super::engine::{Masses, Quantity, Sense, check_asked, check_names};
+use super::judged::{Judged, JudgedGroup};
+use super::reading::Format;
+use super::rod::Motion;
+use super::shape::check_shape;
+use super::theorem::check_theorem;
+use super::verdict::{Subject, check_verdict};
+use super::whole_sum::check_whole;
+
+/// Checks that a document holds: that the verdicts asked for are all there and no other, that their terms are those of
+/// its engine, that every certificate proves what it claims, and that the decimals fit.
+///
+/// # Errors
+/// The first entry that does not hold.
+pub fn check_document(document: &Document) -> Result<Checked, Fault> {
+    let audit = Audit::new();
+    judge(document, &audit)?;
+    Ok(Checked::classify(document, audit.counts()))
+}
+
+/// The same, with what is proved of each order.
+pub(super) fn judge(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fault> {
+    check_head(document)?;
+    let mut judged = check_verdicts(document, audit)?;
+    let motion = Motion::new(audit);
+    check_wholes(document, &mut judged, &motion)?;
+    check_shapes(document, &judged, &motion)?;
+    check_theorems(document, audit)?;
+    Ok(judged)
+}
+
+fn check_head(document: &Document) -> Result<(), Fault> {
+    if document.format != Format::Classify {
+        return Err(Fault::new("format", "verdicts are in `crankstar classify 2`"));
+    }
+    check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
+    check_turning_masses(document)?;
+    check_asked(&document.orders, &document.quantities)?;
+    document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })
+}
+
+fn check_turning_masses(document: &Document) -> Result<(), Fault> {
+    if document.masses == Masses::Reciprocating && !document.turning_masses.is_empty() {
+        return Err(Fault::new(
+            "turning_masses",
+            "the verdicts are about the reciprocating masses, so none stands here",
+        ));
+    }
+    let mut names: Vec<&str> = document.cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
+    names.sort_unstable();
+    let mut turning: Vec<&str> = document.turning_masses.iter().map(|mass| mass.name.as_str()).collect();
+    turning.sort_unstable();
+    let twice = turning.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]);
+    let taken = turning.iter().copied().find(|name| names.binary_search(name).is_ok());
+    if let Some(name) = twice.or(taken) {
+        return Err(Fault::new("turning_masses", format!("another mass or a cylinder is called {name} too")));
+    }
+    match document.turning_masses.iter().position(|mass| mass.order == 0) {
+        Some(index) => Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on")),
+        None => Ok(()),
+    }
+}
+
+/// Checks each verdict; returns the sums of each order and quantity, with whether they are zero.
+fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fault> {
+    let mut found = document.verdicts.iter().enumerate();
+    let mut judged = Vec::new();
+    for &order in &document.orders {
+        for &quantity in &document.quantities {
+            let sources = (document.cylinders.len() + document.turning_masses.len()) as u64;
+            audit.spend(sources).map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
+            let groups = document.groups(quantity, order);
+            let is_alone = groups.len() == 1;
+            let mut sums = Vec::new();
+            for group in groups {
+                let mut of_group = Vec::new();
+                for &sense in quantity.senses() {
+                    let terms = document.terms(&group, quantity, order, sense);
+                    let of = terms.iter().filter(|_| !is_alone).map(|(name, _)| name.clone()).collect();
+                    let subject = Subject { quantity, order, sense, of };
+                    let Some((index, verdict)) = found.next() else {
+                        let place = format!("verdicts[{}] {}", document.verdicts.len(), subject.place());
+                        return Err(Fault::new(place, "this verdict is missing"));
+                    };
+                    let place = format!("verdicts[{index}] {}", subject.place());
+                    if verdict.subject() != subject {
+                        let found = verdict.subject().place();
+                        return Err(Fault::new(place, format!("here stands a verdict on {found}")));
+                    }
+                    let sum = check_verdict(verdict, &terms, audit).map_err(|reason| Fault { place, reason })?;
+                    of_group.push((sum, verdict.vanishes));
+                }
+                sums.push(JudgedGroup { coefficient: group.coefficient, is_zero: group.is_zero, sums: of_group });
+            }
+            judged.push(Judged { quantity, order, groups: sums, wholes: Vec::new() });
+        }
+    }
+    match found.next() {
+        None => Ok(judged),
+        Some((index, more)) => {
+            let place = format!("verdicts[{index}] {}", more.subject().place());
+            Err(Fault::new(place, "this verdict was not asked for, or stands here again"))
+        }
+    }
+}
+
+/// Where an order has several sums, each sense has a statement on the whole; a single sum is the whole.
+fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>) -> Result<(), Fault> {
+    let mut claims = document.wholes.iter().enumerate();
+    for one in judged {
+        if let [only] = &one.groups[..] {
+            one.wholes = only.sums.iter().map(|(_, vanishes)| Some(*vanishes)).collect();
+            continue;
+        }
+        for (place, &sense) in one.quantity.senses().iter().enumerate() {
+            let about = Subject { quantity: one.quantity, order: one.order, sense, of: Vec::new() }.place();
+            let Some((index, claim)) = claims.next() else {
+                let place = format!("wholes[{}] {about}", document.wholes.len());
+                return Err(Fault::new(place, "this statement is missing"));
+            };
+            let at = format!("wholes[{index}] {about}");
+            if (claim.quantity, claim.order, claim.sense) != (one.quantity, one.order, sense) {
+                return Err(Fault::new(at, "another statement stands here"));
+            }
+            let vanishes = check_whole(claim, one, place, motion).map_err(|reason| Fault { place: at, reason })?;
+            one.wholes.push(vanishes);
+        }
+    }
+    match claims.next() {
+        None => Ok(()),
+        Some(_) => Err(Fault::new("wholes", "there are more than orders with several sums have")),
+    }
+}
+
+/// Each order of force and moment has a shape, in the order of the verdicts.
+fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> Result<(), Fault> {
+    let mut claims = document.shapes.iter();
+    for (index, one) in judged.iter().filter(|one| one.quantity != Quantity::Torque).enumerate() {
+        let about = Subject { quantity: one.quantity, order: one.order, sense: None, of: Vec::new() };
+        let place = format!("shapes[{index}] {}", about.place());
+        let Some(claim) = claims.next() else { return Err(Fault::new(place, "this shape is missing")) };
+        if (claim.quantity, claim.order) != (one.quantity, one.order) {
+            return Err(Fault::new(place, "another shape stands here"));
+        }
+        check_shape(claim, one, motion).map_err(|reason| Fault { place, reason })?;
+    }
+    match claims.next() {
+        None => Ok(()),
+        Some(_) => Err(Fault::new("shapes", "there are more than the verdicts have")),
+    }
+}
+
+/// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none.
+fn check_theorems(document: &Document, audit: &Audit) -> Result<(), Fault> {
+    let about = |quantity: &Quantity| match quantity {
+        Quantity::Force | Quantity::Moment => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),
+        Quantity::Torque => Vec::new(),
+    };
+    let asked = document.quantities.iter().filter(|_| document.all_orders).flat_map(about);
+    let mut claims = document.theorems.iter();
+    for (index, (quantity, sense)) in asked.enumerate() {
+        let place = format!("theorems[{index}] ({}, {})", quantity.name(), sense.name());
+        let Some(claim) = claims.next() else { return Err(Fault::new(place, "this theorem is missing")) };
+        if (claim.quantity, claim.sense) != (quantity, sense) {
+            return Err(Fault::new(place, "another theorem stands here"));
+        }
+        check_theorem(document, claim, audit).map_err(|reason| Fault { place, reason })?;
+    }
+    match claims.next() {
+        None => Ok(()),
+        Some(_) => Err(Fault::new("theorems", "there are more than were asked for")),
+    }
+}

@@ -1,0 +1,41 @@
+//! What is proved of one order: its sums, one for each coefficient, and so whether the whole is zero?
+
+use super::coefficient::Coefficient;
+use super::collected::Collected;
+use super::engine::{Quantity, Sense};
+
+/// The sums before one coefficient, one for each sense of the quantity, each proved to be zero or not.
+pub(super) struct JudgedGroup {
+    pub coefficient: Coefficient,
+    /// Whether the coefficient is zero.
+    pub is_zero: bool,
+    pub sums: Vec<(Collected, bool)>,
+}
+
+/// An order of a quantity.
+pub(super) struct Judged {
+    pub quantity: Quantity,
+    pub order: u32,
+    pub groups: Vec<JudgedGroup>,
+    /// For each sense whether the whole is zero; none where that is not decided. Of a single sum that stands before zero
+    /// it says what the sum is.
+    pub wholes: Vec<Option<bool>>,
+}
+
+impl Judged {
+    /// What counts in a sense: the sums that are not zero, before coefficients that are not.
+    pub fn left(&self, sense: usize) -> Vec<&JudgedGroup> {
+        self.groups.iter().filter(|group| !group.is_zero && !group.sums[sense].1).collect()
+    }
+
+    /// The place of a sense among those of the quantity.
+    pub fn place(&self, sense: Option<Sense>) -> Option<usize> {
+        self.quantity.senses().iter().position(|one| *one == sense)
+    }
+
+    /// Whether the order is zero in a sense, the coefficients counted too.
+    pub fn vanishes(&self, sense: usize) -> Option<bool> {
+        let no_order = self.groups.iter().all(|group| group.is_zero);
+        if no_order { Some(true) } else { self.wholes[sense] }
+    }
+}

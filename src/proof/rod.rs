@@ -1,0 +1,273 @@
+//! Which number does the motion of a rod put before an order? Enclosed by the mean over points of a turn.
+//!
+//! With `φ = ψ − 90°` and `y = λ cos φ − δ` the root `f = √(1 − y²)` is even in φ, so that
+//! `c_k = [k=1] + (−i)^k · 2k²/λ · mean(f cos kφ)` (theory, section 2). The square of the velocity,
+//! `(s'/r)² = (cos φ − y sin φ/f)²`, has an even and an odd part, and `T/(m r²ω²) = −½ d/dψ (s'/r)²` makes
+//! `t_k = k (−i)^{k+1} (mean(even · cos kφ) − i mean(odd · sin kφ))`.
+//!
+//! What N points miss: a function that is at most M in size where `|Im φ| ≤ η` has harmonics of at most `M q^{−|m|}`, `q = e^η`,
+//! and the mean over N points adds those of `k + N, k − N, k + 2N, …` to that of k: at most `4 M q^{−(N−k)}` where
+//! `q^N ≥ 2`. There `|cos φ| ≤ cosh η`, so that `|y| ≤ λ cosh η + |δ|`.
+//!
+//! - For f it is enough that this is at most 1: the radicand keeps to the right half plane, and `|f|² ≤ 2`.
+//! - For the velocity let it be at most `s < 1`: `|f|² ≥ 1 − s²`, and `(1 + s/|f|)² ≤ 2/(1 − s²)` bounds
+//!   `(s'/r)²` by `2 q²/(1 − s²)`.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive};
+
+use super::audit::Audit;
+use super::ball::{Ball, Complex};
+use super::coefficient::Coefficient;
+use super::engine::{Quantity, RodClaim};
+use super::refusal::Refusal;
+
+/// Bits of q behind the point.
+const Q_BITS: u32 = 64;
+/// Bits of its logarithm behind the point.
+const LOG_BITS: u32 = 40;
+/// Bits that are computed beyond those that are answered for.
+const GUARD: u64 = 32;
+/// More bits are not computed.
+const MOST_BITS: u64 = 8192;
+/// A wider strip than to this q makes the bound of the velocity large and saves nothing.
+const WIDEST: u32 = 256;
+
+/// The coefficients that one check came across.
+pub(super) struct Motion<'a> {
+    audit: &'a Audit,
+    known: RefCell<BTreeMap<(RodClaim, u32, bool, u32), Complex>>,
+}
+
+impl<'a> Motion<'a> {
+    pub fn new(audit: &'a Audit) -> Self {
+        Motion { audit, known: RefCell::default() }
+    }
+
+    pub fn audit(&self) -> &'a Audit {
+        self.audit
+    }
+
+    /// The coefficient of an order, in units of `2^−bits`; that of rods which are not named is not known.
+    pub fn coefficient(
+        &self,
+        coefficient: &Coefficient,
+        quantity: Quantity,
+        order: u32,
+        bits: u32,
+    ) -> Result<Option<Complex>, Refusal> {
+        let rod = match coefficient {
+            Coefficient::One => return Ok(Some(one(bits))),
+            Coefficient::Common => return Ok(None),
+            Coefficient::Rod(rod) => rod,
+        };
+        let is_torque = quantity == Quantity::Torque;
+        let key = (rod.clone(), order, is_torque, bits);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(Some(known.clone()));
+        }
+        let found = match is_torque {
+            true => torque(rod, order, bits, self.audit),
+            false => force(rod, order, bits, self.audit),
+        }?;
+        self.known.borrow_mut().insert(key, found.clone());
+        Ok(Some(found))
+    }
+}
+
+/// Bounds of the real and of the imaginary part of a rod's c_k, or of its t_k for the torque, to about so many bits behind
+/// the point: what an enclosure of a whole order reckons with.
+///
+/// # Errors
+/// Where that would take too many points.
+pub fn coefficient_bounds(
+    rod: &RodClaim,
+    quantity: Quantity,
+    order: u32,
+    bits: u32,
+) -> Result<[[BigRational; 2]; 2], Refusal> {
+    let audit = Audit::new();
+    let number = match quantity {
+        Quantity::Force | Quantity::Moment => force(rod, order, bits, &audit),
+        Quantity::Torque => torque(rod, order, bits, &audit),
+    }?;
+    let bounds = |Ball { middle, doubt }: &Ball| {
+        [middle - doubt, middle + doubt].map(|bound| BigRational::new(bound, BigInt::one() << bits))
+    };
+    Ok([bounds(&number.re), bounds(&number.im)])
+}
+
+/// How many bits below 1 the bound of a coefficient stands.
+pub(super) fn smallness(coefficient: &Coefficient, quantity: Quantity, order: u32) -> Result<u64, Refusal> {
+    match coefficient {
+        Coefficient::Rod(rod) if rod.ratio.is_positive() => {
+            let strip = if quantity == Quantity::Torque { Strip::of_velocity(rod) } else { Strip::of_root(rod) };
+            Ok(strip?.decay(order))
+        }
+        Coefficient::Rod(_) | Coefficient::One | Coefficient::Common => Ok(0),
+    }
+}
+
+fn one(bits: u32) -> Complex {
+    Complex { re: Ball::exact(BigInt::one() << bits), im: Ball::exact(BigInt::from(0)) }
+}
+
+/// c_k.
+fn force(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex, Refusal> {
+    let (unit, k) = (BigRational::one(), BigInt::from(order));
+    let harmonic = if rod.ratio.is_positive() {
+        let strip = Strip::of_root(rod)?;
+        let factor = BigRational::from_integer(&k * &k * 2) / &rod.ratio;
+        let fine = finer(bits, &factor)?;
+        let root = |cos: &Ball, _: &Ball| {
+            let y = cos.scaled(&rod.ratio).minus(&Ball::rational(&rod.offset, fine));
+            let root = Ball::exact(BigInt::one() << fine).minus(&y.times(&y, fine)).root(fine)?;
+            Some([root, Ball::exact(0.into())])
+        };
+        let [even, _] = strip.harmonic(order, fine, audit, root)?;
+        even.scaled(&factor).rounded(fine - bits)
+    } else {
+        // The infinitely long rod keeps its slope δ/√(1−δ²), in order 1 alone.
+        let root = Ball::rational(&(&unit - &rod.offset * &rod.offset), bits).root(bits);
+        let slope = root.and_then(|root| Ball::rational(&rod.offset, bits).over(&root, bits));
+        match order {
+            1 => slope.ok_or(Refusal::TooManySteps)?,
+            _ => Ball::exact(0.into()),
+        }
+    };
+    let rod = Complex { re: harmonic, im: Ball::exact(0.into()) }.turned_back(order);
+    Ok(if order == 1 { rod.plus(&one(bits)) } else { rod })
+}
+
+/// t_k.
+fn torque(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex, Refusal> {
+    let strip = Strip::of_velocity(rod)?;
+    let k = BigRational::from_integer(order.into());
+    let fine = finer(bits, &(&k * BigRational::from_integer(strip.most.clone())))?;
+    let square = |cos: &Ball, sin: &Ball| {
+        let y = cos.scaled(&rod.ratio).minus(&Ball::rational(&rod.offset, fine));
+        let root = Ball::exact(BigInt::one() << fine).minus(&y.times(&y, fine)).root(fine)?;
+        let swing = y.times(sin, fine).over(&root, fine)?;
+        let even = cos.times(cos, fine).plus(&swing.times(&swing, fine));
+        let odd = cos.times(&swing, fine).scaled(&BigRational::from_integer((-2).into()));
+        Some([even, odd])
+    };
+    let [even, odd] = strip.harmonic(order, fine, audit, square)?;
+    let part = |ball: &Ball| ball.scaled(&k).rounded(fine - bits);
+    Ok(Complex { re: part(&even), im: part(&odd).negated() }.turned_back(order.wrapping_add(1)))
+}
+
+/// The bits that a factor of this size takes from those that are asked for.
+fn finer(bits: u32, factor: &BigRational) -> Result<u32, Refusal> {
+    let fine = u64::from(bits) + GUARD + factor.ceil().to_integer().bits();
+    u32::try_from(fine).ok().filter(|_| fine <= MOST_BITS).ok_or(Refusal::TooManySteps)
+}
+
+/// A strip about the real axis, and how large the function is there.
+struct Strip {
+    /// log₂ q or less, in units of `2^−LOG_BITS`.
+    log: u64,
+    /// M.
+    most: BigInt,
+}
+
+impl Strip {
+    /// Of the root: `λ cosh η + |δ| ≤ 1`.
+    fn of_root(rod: &RodClaim) -> Result<Self, Refusal> {
+        let cosh = (BigRational::one() - rod.offset.abs()) / &rod.ratio;
+        Ok(Strip { log: logarithm(&widest(&cosh))?, most: 2.into() })
+    }
+
+    /// Of the velocity: `λ cosh η + |δ| ≤ s`, half-way between the most on the axis and 1.
+    fn of_velocity(rod: &RodClaim) -> Result<Self, Refusal> {
+        let one = BigRational::one();
+        let s = (&one + &rod.ratio + rod.offset.abs()) / BigRational::from_integer(2.into());
+        let cap = BigInt::from(WIDEST) << Q_BITS;
+        let q = match rod.ratio.is_positive() {
+            true => widest(&((&s - rod.offset.abs()) / &rod.ratio)).min(cap),
+            false => cap,
+        };
+        let exact = BigRational::new(q.clone(), BigInt::one() << Q_BITS);
+        let most = &exact * &exact * BigRational::from_integer(2.into()) / (&one - &s * &s);
+        Ok(Strip { log: logarithm(&q)?, most: most.ceil().to_integer() })
+    }
+
+    /// `log₂ q^k`, or a little less.
+    fn decay(&self, order: u32) -> u64 {
+        let bits = (u128::from(order) * u128::from(self.log)) >> LOG_BITS;
+        u64::try_from(bits).unwrap_or(u64::MAX)
+    }
+
+    /// The means of the even part times `cos kφ` and of the odd part times `sin kφ`, in units of `2^−bits`.
+    fn harmonic(
+        &self,
+        order: u32,
+        bits: u32,
+        audit: &Audit,
+        value: impl Fn(&Ball, &Ball) -> Option<[Ball; 2]>,
+    ) -> Result<[Ball; 2], Refusal> {
+        let beyond = (u64::from(bits) << LOG_BITS).div_ceil(self.log);
+        // Even, so that each point but two has its mirror image.
+        let half = (u64::from(order) + beyond).div_ceil(2);
+        let (count, circle) = (2 * half, audit.circle(bits));
+        let words = u64::from(bits / 64 + 1);
+        audit.spend((half + 1).saturating_mul(circle.steps() + words * words / 2 + 4))?;
+        let place = |j: u64| circle.cos_sin(&BigRational::new(j.into(), count.into()));
+        let ball = |middle: &BigInt| Ball { middle: middle.clone(), doubt: 2.into() };
+        let table: Vec<[Ball; 2]> = (0..=half).map(place).map(|(cos, sin)| [ball(&cos), ball(&sin)]).collect();
+        let mut sums = [Ball::exact(0.into()), Ball::exact(0.into())];
+        let share = |points: u64| BigRational::new(points.into(), count.into());
+        let (once, twice) = (share(1), share(2));
+        for (j, [cos, sin]) in (0..=half).zip(&table) {
+            let parts = value(cos, sin).ok_or(Refusal::TooManySteps)?;
+            let [cos, sin] = multiple(&table, u64::from(order), j, count)?;
+            let share = if j == 0 || j == half { &once } else { &twice };
+            for ((sum, part), wave) in sums.iter_mut().zip(&parts).zip([cos, sin]) {
+                *sum = sum.plus(&part.times(&wave, bits).scaled(share));
+            }
+        }
+        let missed = &self.most * 4;
+        Ok(sums.map(|sum| Ball { doubt: sum.doubt + &missed, ..sum }))
+    }
+}
+
+/// Cosine and sine of k times the j-th angle of so many, from those of the first half.
+fn multiple(table: &[[Ball; 2]], k: u64, j: u64, count: u64) -> Result<[Ball; 2], Refusal> {
+    let at = u128::from(k) * u128::from(j) % u128::from(count);
+    let at = at.to_usize().ok_or(Refusal::TooManySteps)?;
+    let Some(place) = table.get(at) else {
+        let mirrored = count.to_usize().and_then(|count| table.get(count - at)).ok_or(Refusal::TooManySteps)?;
+        return Ok([mirrored[0].clone(), mirrored[1].negated()]);
+    };
+    Ok(place.clone())
+}
+
+/// q with `(q + 1/q)/2 = cosh`, or a little less, in units of `2^−Q_BITS`.
+fn widest(cosh: &BigRational) -> BigInt {
+    let floor = |number: BigRational| number.floor().to_integer();
+    let scaled = |number: &BigRational, bits: u32| floor(number * BigRational::from_integer(BigInt::one() << bits));
+    let square = cosh * cosh - BigRational::one();
+    scaled(cosh, Q_BITS) + scaled(&square, 2 * Q_BITS).sqrt()
+}
+
+/// log₂ of a number above 1 in units of `2^−Q_BITS`, or a little less: it is squared, and halved where it passes 2.
+fn logarithm(number: &BigInt) -> Result<u64, Refusal> {
+    let mantissa_bits = 63;
+    let length = number.bits();
+    let whole = length.checked_sub(u64::from(Q_BITS) + 1).ok_or(Refusal::TooManySteps)?;
+    let mantissa: BigInt = number >> (length - mantissa_bits);
+    let mut mantissa = mantissa.to_u128().ok_or(Refusal::TooManySteps)?;
+    let mut log = whole;
+    for _ in 0..LOG_BITS {
+        let square = mantissa * mantissa;
+        let is_above_two = square >> (2 * mantissa_bits - 1) == 1;
+        log = 2 * log + u64::from(is_above_two);
+        mantissa = square >> (mantissa_bits - u64::from(!is_above_two));
+    }
+    // Where the rod all but reaches over the shaft no number of points is enough.
+    if log == 0 { Err(Refusal::TooManySteps) } else { Ok(log) }
+}

@@ -1,0 +1,110 @@
+//! Does one phasor sum vanish, and what do the two sums of an order trace together?
+
+use crate::exact::PhasorSum;
+use crate::order::{Factor, Group, Source, Sources};
+use crate::proof::{Certificate, Quantity, Sense, Shape};
+
+/// Whether one phasor sum of the engine vanishes, with the evidence.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// Force, moment or torque.
+    pub quantity: Quantity,
+    /// The order k.
+    pub order: u32,
+    /// Direct or reverse; none for the torque.
+    pub sense: Option<Sense>,
+    /// Whose terms they are.
+    pub sources: Vec<Source>,
+    /// The sum, one term per source.
+    pub sum: PhasorSum,
+    /// The evidence.
+    pub certificate: Certificate,
+}
+
+impl Verdict {
+    /// Judges the sum of one group of sources.
+    pub(super) fn new(sources: &Sources, group: &Group, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
+        let (sources, sum) = sources.sum(group, quantity, order, sense);
+        let certificate = sum.certificate();
+        Verdict { quantity, order, sense, sources, sum, certificate }
+    }
+
+    /// Whether the sum is zero.
+    pub fn vanishes(&self) -> bool {
+        self.certificate.claims_zero()
+    }
+}
+
+/// The two vectors of one order of the force or the moment, and what their sum traces.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// The vector that turns with the crank.
+    pub direct: Verdict,
+    /// The vector that turns against it.
+    pub reverse: Verdict,
+    /// What is left.
+    pub shape: Shape,
+    /// Where neither vanishes: whether `|direct|² − |reverse|²` does.
+    pub comparison: Option<Certificate>,
+}
+
+impl Balance {
+    pub(super) fn new(sources: &Sources, group: &Group, quantity: Quantity, order: u32) -> Self {
+        let judge = |sense| Verdict::new(sources, group, quantity, order, Some(sense));
+        let (direct, reverse) = (judge(Sense::Direct), judge(Sense::Reverse));
+        let (shape, comparison) = match (direct.vanishes(), reverse.vanishes()) {
+            (true, true) => (Shape::Balanced, None),
+            (false, true) => (Shape::Rotating, None),
+            (true, false) => (Shape::CounterRotating, None),
+            (false, false) => {
+                let (shape, certificate) = compared(&direct.sum, &reverse.sum);
+                (shape, Some(certificate))
+            }
+        };
+        Balance { direct, reverse, shape, comparison }
+    }
+
+    /// Whether both vectors vanish.
+    pub fn is_balanced(&self) -> bool {
+        self.shape == Shape::Balanced
+    }
+
+    /// Both verdicts, direct first.
+    pub fn verdicts(&self) -> [&Verdict; 2] {
+        [&self.direct, &self.reverse]
+    }
+}
+
+/// Planar or elliptical: whether two sums that stand before equally large numbers are equally long, with the evidence.
+pub(super) fn compared(direct: &PhasorSum, reverse: &PhasorSum) -> (Shape, Certificate) {
+    let difference = direct.squared_modulus().minus(&reverse.squared_modulus());
+    let certificate = PhasorSum::new(difference.collected()).certificate();
+    (if certificate.claims_zero() { Shape::Planar } else { Shape::Elliptical }, certificate)
+}
+
+/// Sources of an order whose terms stand before one number, where an engine has several such numbers in the order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Class {
+    /// The number.
+    pub factor: Factor,
+    /// The sources.
+    pub sources: Vec<Source>,
+    /// What the cylinders among them are called.
+    pub cylinders: Vec<String>,
+    /// What the others are called.
+    pub turning: Vec<String>,
+}
+
+impl Class {
+    pub(super) fn new(sources: &Sources, group: &Group) -> Self {
+        let (pistons, others): (Vec<Source>, Vec<Source>) =
+            group.sources.iter().partition(|source| matches!(source, Source::Piston(_)));
+        let names = |of: Vec<Source>| of.into_iter().map(|source| source.name(sources.engine())).collect();
+        Class {
+            factor: group.factor.clone(),
+            sources: group.sources.clone(),
+            cylinders: names(pistons),
+            turning: names(others),
+        }
+    }
+}

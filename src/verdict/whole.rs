@@ -1,0 +1,178 @@
+//! Does an order vanish in which several mechanisms have a part? Its sums, each before a number of its own, are judged together.
+//!
+//! The whole is zero where each sum is. Where one alone is left it is not, since its number is not zero. Where several are left
+//! only their numbers could make them cancel: an enclosure proves that they do not, or tells how short the rest is.
+
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::balance::{Verdict, compared};
+use crate::exact::PhasorSum;
+use crate::motion::Enclosure;
+use crate::numbers;
+use crate::order::{Coefficients, Factor};
+use crate::proof::{Certificate, MirrorClaim, Shape, ShapeEvidence};
+
+/// Bits behind the point of the sums that an enclosure is made from.
+const BITS: u32 = 192;
+/// What the checker is told to enclose with: more than the coefficients here are known to.
+const CLAIMED_BITS: u32 = 128;
+
+/// Whether a vector vanishes that is made of several sums.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Zero, proved: each of its sums is.
+    Zero,
+    /// Not zero, proved: one sum is left, and what it stands before is not zero.
+    NotZero,
+    /// Not zero, proved by an enclosure of the whole.
+    NotZeroByEnclosure {
+        /// How many bits the checker is to enclose it with.
+        bits: u32,
+    },
+    /// Only what the sums stand before could make them cancel, and they do so to this length, in the unit of the vector.
+    NotDecided {
+        /// The vector is not longer than this.
+        below: BigRational,
+    },
+    /// It depends on the rods, of which nothing is known.
+    Open,
+}
+
+impl Outcome {
+    /// Whether it is zero: none where that is not decided.
+    pub fn vanishes(&self) -> Option<bool> {
+        match self {
+            Outcome::Zero => Some(true),
+            Outcome::NotZero | Outcome::NotZeroByEnclosure { .. } => Some(false),
+            Outcome::NotDecided { .. } | Outcome::Open => None,
+        }
+    }
+}
+
+/// A sum with what it stands before, and whether that is other than zero.
+#[derive(Clone, Copy)]
+pub(super) struct Part<'a> {
+    pub factor: &'a Factor,
+    pub exists: bool,
+    pub verdict: &'a Verdict,
+}
+
+/// An order of the force or the moment, all its sums together.
+#[derive(Clone, Debug)]
+pub struct Whole {
+    /// Whether the vectors vanish, direct first.
+    pub outcomes: [Outcome; 2],
+    /// What is left.
+    pub shape: Shape,
+    /// The evidence that tells planar from elliptical, where neither vanishes.
+    pub evidence: Option<ShapeEvidence>,
+}
+
+impl Whole {
+    /// Judges both vectors, whose parts stand in the same order.
+    pub(super) fn new([direct, reverse]: [&[Part]; 2], order: u32, known: &Coefficients) -> Self {
+        let outcomes = [outcome(direct, order, known), outcome(reverse, order, known)];
+        let (shape, evidence) = match outcomes.each_ref().map(Outcome::vanishes) {
+            [Some(true), Some(true)] => (Shape::Balanced, None),
+            [Some(false), Some(true)] => (Shape::Rotating, None),
+            [Some(true), Some(false)] => (Shape::CounterRotating, None),
+            [None, _] | [_, None] => (Shape::NotDecided, None),
+            [Some(false), Some(false)] => match line_or_ellipse([direct, reverse], order, known) {
+                Some((shape, evidence)) => (shape, Some(evidence)),
+                None => (Shape::NotDecided, None),
+            },
+        };
+        Whole { outcomes, shape, evidence }
+    }
+
+    /// Whether both vectors are proved to vanish.
+    pub fn is_balanced(&self) -> bool {
+        self.shape == Shape::Balanced
+    }
+
+    /// Whether some vector is proved not to vanish.
+    pub fn is_left(&self) -> bool {
+        self.outcomes.iter().any(|outcome| outcome.vanishes() == Some(false))
+    }
+}
+
+/// The parts that are not zero.
+fn left<'a>(parts: &[Part<'a>]) -> Vec<Part<'a>> {
+    parts.iter().copied().filter(|part| part.exists && !part.verdict.vanishes()).collect()
+}
+
+/// Whether a vector of these parts vanishes.
+pub(super) fn outcome(parts: &[Part], order: u32, known: &Coefficients) -> Outcome {
+    let left = left(parts);
+    match left.as_slice() {
+        [] => Outcome::Zero,
+        [_] => Outcome::NotZero,
+        _ => match enclosed(&left, order, known) {
+            None => Outcome::Open,
+            Some(sum) if !sum.iter().all(Enclosure::contains_zero) => {
+                Outcome::NotZeroByEnclosure { bits: CLAIMED_BITS }
+            }
+            Some([re, im]) => Outcome::NotDecided { below: largest(&re) + largest(&im) },
+        },
+    }
+}
+
+/// `Σ coefficient · sum`, real and imaginary part; none where a coefficient is not known.
+fn enclosed(parts: &[Part], order: u32, known: &Coefficients) -> Option<[Enclosure; 2]> {
+    let minus = BigRational::from_integer((-1).into());
+    let mut total = [Enclosure::zero(), Enclosure::zero()];
+    for part in parts {
+        let c = known.in_sense(part.factor, order, part.verdict.sense)?;
+        let [(re_low, re_high), (im_low, im_high)] = numbers::enclose(&part.verdict.sum, BITS);
+        let (re, im) = (Enclosure { low: re_low, high: re_high }, Enclosure { low: im_low, high: im_high });
+        total[0] = total[0].plus(&c.re.product(&re)).plus(&c.im.product(&im).times(&minus));
+        total[1] = total[1].plus(&c.re.product(&im)).plus(&c.im.product(&re));
+    }
+    Some(total)
+}
+
+/// No number of an enclosure is larger.
+fn largest(part: &Enclosure) -> BigRational {
+    part.low.abs().max(part.high.abs())
+}
+
+/// Whether two vectors that do not vanish are equally long, if that can be proved.
+fn line_or_ellipse(
+    [direct, reverse]: [&[Part]; 2],
+    order: u32,
+    known: &Coefficients,
+) -> Option<(Shape, ShapeEvidence)> {
+    let (of_direct, of_reverse) = (left(direct), left(reverse));
+    if let ([one], [other]) = (of_direct.as_slice(), of_reverse.as_slice())
+        && one.factor == other.factor
+    {
+        let (shape, certificate) = compared(&one.verdict.sum, &other.verdict.sum);
+        return Some((shape, ShapeEvidence::Certificate(certificate)));
+    }
+    for sign in [1, -1] {
+        if let Some(certificates) = mirrored(direct, reverse, sign) {
+            return Some((Shape::Planar, ShapeEvidence::Mirror(MirrorClaim { sign, certificates })));
+        }
+    }
+    let square = |parts: &[Part]| {
+        let [re, im] = enclosed(parts, order, known)?;
+        Some(re.product(&re).plus(&im.product(&im)))
+    };
+    let minus = BigRational::from_integer((-1).into());
+    let difference = square(&of_direct)?.plus(&square(&of_reverse)?.times(&minus));
+    (!difference.contains_zero()).then_some((Shape::Elliptical, ShapeEvidence::Bits(CLAIMED_BITS)))
+}
+
+/// Evidence that each direct sum is the mirror image of the reverse one in direction 0 (1) or across it (−1).
+fn mirrored(direct: &[Part], reverse: &[Part], sign: i8) -> Option<Vec<Certificate>> {
+    let by = BigRational::from_integer((-i64::from(sign)).into());
+    let pairs = direct.iter().zip(reverse).filter(|(part, _)| part.exists);
+    let certificate = |(one, other): (&Part, &Part)| {
+        let image = other.verdict.sum.conjugate().scaled(&by);
+        let rest = PhasorSum::new(one.verdict.sum.plus(&image).collected());
+        let certificate = rest.certificate();
+        certificate.claims_zero().then_some(certificate)
+    };
+    pairs.map(certificate).collect()
+}

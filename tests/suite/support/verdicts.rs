@@ -1,0 +1,28 @@
+//! The verdicts on the pistons of an engine, as most tests want them.
+
+use crankstar::engine::Engine;
+use crankstar::order::Masses;
+use crankstar::proof::{Document, Quantity};
+use crankstar::verdict::{self, OrderBalance, OrderVerdict, Theorem};
+
+pub fn quantities(torque: bool) -> Vec<Quantity> {
+    Quantity::ALL.into_iter().filter(|quantity| torque || *quantity != Quantity::Torque).collect()
+}
+
+/// One verdict per order.
+pub fn judged(engine: &Engine, orders: &[u32], torque: bool) -> Vec<OrderVerdict> {
+    verdict::classify(engine, orders, Masses::Reciprocating, &quantities(torque))
+}
+
+/// The sums of each order.
+pub fn pistons(engine: &Engine, orders: &[u32]) -> Vec<OrderBalance> {
+    judged(engine, orders, false).into_iter().flat_map(|order| order.parts).collect()
+}
+
+pub fn theorem(engine: &Engine) -> Result<Theorem, verdict::NoTheorem> {
+    verdict::theorem(engine, Masses::Reciprocating)
+}
+
+pub fn document(engine: &Engine, orders: &[OrderVerdict], torque: bool, every: Option<&Theorem>) -> Document {
+    crankstar::report::document(engine, Masses::Reciprocating, orders, &quantities(torque), every)
+}
