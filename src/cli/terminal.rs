@@ -2,7 +2,7 @@
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
-use crankstar::engine::{Engine, Family, WHY_NOT};
+use crankstar::engine::{Engine, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::loads::{BearingLoads, Needed};
 use crankstar::remedy::Remedy;
@@ -21,9 +21,11 @@ pub fn summary(engine: &Engine, judged: &Judgement) -> String {
     };
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());
-    let why = if judged.orders.iter().any(missing) { format!("{WHY_NOT}\n") } else { String::new() };
+    let why =
+        if judged.orders.iter().any(missing) { format!("{}\n", report::why_not(judged.masses)) } else { String::new() };
+    let unit = report::turning_unit(judged).map_or_else(String::new, |words| format!("{words}\n"));
     let whose = report::whose_masses(engine, judged).map_or_else(String::new, |words| format!("{words}\n"));
-    format!("{}\n{tables}{}\n{why}{whose}", engine.title().escaped(Format::Plain), report::LEGEND)
+    format!("{}\n{tables}{}\n{unit}{why}{whose}", engine.title().escaped(Format::Plain), report::LEGEND)
 }
 
 /// A row per order, and one for each of its sums where there are several.

@@ -1,7 +1,6 @@
 //! How long is a rotating vector, where does it point, and is it zero?
 
 use num_complex::Complex;
-use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::exact::PhasorSum;
@@ -65,28 +64,18 @@ impl Vector {
     }
 }
 
-/// Bits behind the point of the sums that an enclosure is made from.
-const BITS: u32 = 192;
-
 fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Vector {
-    let mut total = [Enclosure::zero(), Enclosure::zero()];
-    for (c, sum) in pairs {
-        let [(re_low, re_high), (im_low, im_high)] = numbers::enclose(sum, BITS);
-        let (re, im) = (Enclosure { low: re_low, high: re_high }, Enclosure { low: im_low, high: im_high });
-        let minus = BigRational::from_integer((-1).into());
-        total[0] = total[0].plus(&c.re.product(&re)).plus(&c.im.product(&im).times(&minus));
-        total[1] = total[1].plus(&c.re.product(&im)).plus(&c.im.product(&re));
-    }
-    let reach = |part: &Enclosure| {
-        let reach = if -&part.low > part.high { -part.low.clone() } else { part.high.clone() };
-        reach.to_f64().unwrap_or(f64::INFINITY)
+    let total = numbers::enclose_weighted(pairs.iter().map(|(coefficient, sum)| (coefficient.clone(), *sum)));
+    let largest = |part: &Enclosure| {
+        let largest = if -&part.low > part.high { -part.low.clone() } else { part.high.clone() };
+        largest.to_f64().unwrap_or(f64::INFINITY)
     };
     let width = |part: &Enclosure| part.width().to_f64().unwrap_or(f64::INFINITY);
     let [re, im] = &total;
     let (outcome, doubt) = match excludes_zero(&total) {
         true => (Outcome::NotZero, width(re).hypot(width(im)).next_up()),
         false => {
-            let below = reach(re).hypot(reach(im)).next_up();
+            let below = largest(re).hypot(largest(im)).next_up();
             (Outcome::Undecided { below }, 2.0 * below)
         }
     };

@@ -16,6 +16,7 @@ mod quadratic;
 mod radicals;
 mod star;
 mod trace;
+mod weighted;
 mod written;
 
 pub use budget::Budget;
@@ -25,3 +26,4 @@ pub use evaluate::{degrees, direction, enclose, evaluate};
 pub use form::{Form, Root};
 pub use radicals::{as_sum, number, square_as_sum};
 pub use trace::mean_of_conjugates;
+pub use weighted::enclose_weighted;

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
-use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism};
+use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
@@ -226,6 +226,22 @@ pub(super) fn masses_words(masses: Masses) -> &'static str {
         Masses::Counterweights => "the counterweights",
         Masses::All => "the engine as it is built",
     }
+}
+
+/// Why an order does not exist, of the masses that verdicts are about.
+pub fn why_not(masses: Masses) -> &'static str {
+    match masses {
+        Masses::Reciprocating | Masses::All => WHY_NOT,
+        Masses::Rotating | Masses::Counterweights => "What turns with the crank has order 1 and no other.",
+    }
+}
+
+/// In what masses that turn are counted, where they are a sum of their own beside the pistons.
+pub fn turning_unit(judged: &Judgement) -> Option<&'static str> {
+    let parts = judged.orders.iter().flat_map(|order| &order.parts);
+    let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
+    let mut apart = parts.filter(|part| is_apart(part));
+    apart.next().map(|_| "A sum of masses that turn is in m r ω², without c_k.")
 }
 
 /// What a table of verdicts is headed by, where there are two.

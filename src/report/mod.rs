@@ -55,8 +55,8 @@ pub use dialect::Dialect;
 pub use document::{document, masses_of};
 pub use folder::{File, index, open_report, report};
 pub use left::{
-    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, whole_summary,
-    whose_masses,
+    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
+    whole_summary, whose_masses, why_not,
 };
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;

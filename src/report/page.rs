@@ -228,7 +228,11 @@ impl Page {
             source: layout.source().map(|source| dialect.quoted(source)),
             headline: headlines(judged, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
             summary: table::summary(dialect, layout, &judged.orders, firmness_of(judged.masses)),
-            whose: left::whose_masses(layout, judged).map(|words| dialect.prose(&words)),
+            whose: left::whose_masses(layout, judged)
+                .map(|words| {
+                    [words.as_str()].into_iter().chain(left::turning_unit(judged)).collect::<Vec<_>>().join(" ")
+                })
+                .map(|words| dialect.prose(&words)),
             pistons: judged
                 .pistons
                 .as_ref()
@@ -431,7 +435,7 @@ fn headlines(judged: &Judgement, theorem: Option<&Theorem>) -> Vec<String> {
     missing.dedup();
     let missing = (!missing.is_empty()).then(|| {
         let verb = if missing.len() == 1 { DOES_NOT_EXIST } else { "do not exist" };
-        format!("{} of force and moment {verb}. {WHY_NOT}", capital(&plural(&missing)))
+        format!("{} of force and moment {verb}. {}", capital(&plural(&missing)), left::why_not(judged.masses))
     });
     let survivors = theorem.map(|theorem| match theorem.masses == judged.masses {
         true => first_survivors(theorem),

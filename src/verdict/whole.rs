@@ -13,8 +13,6 @@ use crate::numbers;
 use crate::order::{Coefficients, Factor};
 use crate::proof::{Certificate, MirrorClaim, Shape, ShapeEvidence};
 
-/// Bits behind the point of the sums that an enclosure is made from.
-const BITS: u32 = 192;
 /// What the checker is told to enclose with: more than the coefficients here are known to.
 const CLAIMED_BITS: u32 = 128;
 
@@ -120,16 +118,9 @@ pub(super) fn outcome(parts: &[Part], order: u32, known: &Coefficients) -> Outco
 
 /// `Σ coefficient · sum`, real and imaginary part; none where a coefficient is not known.
 fn enclosed(parts: &[Part], order: u32, known: &Coefficients) -> Option<[Enclosure; 2]> {
-    let minus = BigRational::from_integer((-1).into());
-    let mut total = [Enclosure::zero(), Enclosure::zero()];
-    for part in parts {
-        let c = known.in_sense(part.factor, order, part.verdict.sense)?;
-        let [(re_low, re_high), (im_low, im_high)] = numbers::enclose(&part.verdict.sum, BITS);
-        let (re, im) = (Enclosure { low: re_low, high: re_high }, Enclosure { low: im_low, high: im_high });
-        total[0] = total[0].plus(&c.re.product(&re)).plus(&c.im.product(&im).times(&minus));
-        total[1] = total[1].plus(&c.re.product(&im)).plus(&c.im.product(&re));
-    }
-    Some(total)
+    let pair = |part: &Part<'_>| known.in_sense(part.factor, order, part.verdict.sense);
+    let coefficients = parts.iter().map(pair).collect::<Option<Vec<_>>>()?;
+    Some(numbers::enclose_weighted(coefficients.into_iter().zip(parts.iter().map(|part| &part.verdict.sum))))
 }
 
 /// No number of an enclosure is larger.
