@@ -25,9 +25,10 @@ fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     let judged = Judgement::new(layout, layout.orders(), &[Quantity::Force, Quantity::Moment]);
-    for file in
-        report::report(report::Subject { layout, judged: &judged, family: None, needed: None, accuracy: None }, dialect)
-    {
+    for file in report::report(
+        report::Subject { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
+        dialect,
+    ) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     folder

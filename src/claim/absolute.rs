@@ -32,18 +32,18 @@ pub struct Numbers {
 
 impl Numbers {
     /// What a layout file says itself, where all rods are alike and without offset.
-    fn of(layout: &Engine) -> Option<Self> {
-        let mechanism = layout.dimensions();
+    fn of(engine: &Engine) -> Option<Self> {
+        let mechanism = engine.dimensions();
         mechanism.mass.as_ref()?;
-        let rod = layout.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+        let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
         let crank_radius = mechanism.crank_radius.clone()?;
-        layout.rods().all(|other| other == rod).then_some(())?;
+        engine.rods().all(|other| other == rod).then_some(())?;
         Some(Numbers {
-            reciprocating_mass: unit_mass(layout),
+            reciprocating_mass: unit_mass(engine),
             rod_length: &crank_radius / &rod.ratio,
             crank_radius,
             speed: mechanism.speed.clone()?,
-            spacing: layout.positions_given().then(|| BigRational::from_integer(1.into())),
+            spacing: engine.positions_given().then(|| BigRational::from_integer(1.into())),
         })
     }
 }
@@ -61,7 +61,7 @@ pub struct Absolute {
 
 /// Answers a claim in newtons or newton-metres.
 pub(super) fn answer(
-    layout: &Engine,
+    engine: &Engine,
     subject: Subject,
     order: &OrderBalance,
     value: &Value,
@@ -75,7 +75,7 @@ pub(super) fn answer(
         Some(Sense::Reverse) => balance.reverse.vanishes(),
     };
     let claims_nothing = value.form.as_rational().is_some_and(|claimed| claimed.is_zero());
-    let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(layout)) else {
+    let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(engine)) else {
         return Answer::nothing("a value in N or N·m needs the table numbers");
     };
     let empty = crate::exact::PhasorSum::new(Vec::new());
@@ -85,7 +85,7 @@ pub(super) fn answer(
         Some(Sense::Reverse) => [&balance.reverse.sum, &empty],
     };
     let star = half_of_lengths(sums).1;
-    let arm = match (subject.quantity, layout.length_unit(), &numbers.spacing) {
+    let arm = match (subject.quantity, engine.length_unit(), &numbers.spacing) {
         (Quantity::Moment, LengthUnit::Spacing, None) => return Answer::nothing("a value in N·m needs the spacing"),
         (Quantity::Moment, LengthUnit::Spacing, Some(spacing)) => float(spacing),
         _ => 1.0,

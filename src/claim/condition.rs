@@ -15,17 +15,17 @@ const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
 /// Conditions of a vanishing moment: only about this plane where the force is left, only without a bank offset where
 /// one would not cancel.
-pub(super) fn of_vanishing(layout: &Engine, order: &OrderBalance, senses: &[Sense]) -> Vec<Condition> {
+pub(super) fn of_vanishing(engine: &Engine, order: &OrderBalance, senses: &[Sense]) -> Vec<Condition> {
     let force_is_left = senses.iter().any(|sense| !of(&order.force, *sense).vanishes());
-    let plane = force_is_left.then(|| Condition::AboutPlane(layout.reference_plane().clone()));
-    let offset = (takes_offset(layout)
-        && senses.iter().any(|sense| !offset_sum(layout, order.order, *sense).vanishes()))
+    let plane = force_is_left.then(|| Condition::AboutPlane(engine.reference_plane().clone()));
+    let offset = (takes_offset(engine)
+        && senses.iter().any(|sense| !offset_sum(engine, order.order, *sense).vanishes()))
     .then_some(Condition::NoBankOffset);
     plane.into_iter().chain(offset).collect()
 }
 
 /// The plane about which a moment vanishes that does not about the layout's: `C = z P` for each vector.
-pub(super) fn plane_of_vanishing(layout: &Engine, order: &OrderBalance, senses: &[Sense]) -> Option<BigRational> {
+pub(super) fn plane_of_vanishing(engine: &Engine, order: &OrderBalance, senses: &[Sense]) -> Option<BigRational> {
     let vectors = |sense: &Sense| (of(&order.force, *sense).sum.clone(), of(&order.moment, *sense).sum.clone());
     let (force, moment) = senses.iter().map(vectors).find(|(force, _)| !force.vanishes())?;
     // C P̄ = z |P|²: for a rational z both closed forms are multiples of each other.
@@ -33,7 +33,7 @@ pub(super) fn plane_of_vanishing(layout: &Engine, order: &OrderBalance, senses: 
         (numbers::real(&moment.times(&force.conjugate()))?, numbers::real(&force.squared_modulus())?);
     let arm = product.terms().first()?.1.clone() / square.terms().first()?.1.clone();
     let fits = |(force, moment): (PhasorSum, PhasorSum)| moment.minus(&force.scaled(&arm)).vanishes();
-    senses.iter().map(vectors).all(fits).then(|| layout.reference_plane() + &arm)
+    senses.iter().map(vectors).all(fits).then(|| engine.reference_plane() + &arm)
 }
 
 fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdict {
@@ -44,16 +44,16 @@ fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdi
 }
 
 /// Whether the layout is a vee whose cylinders stand pin by pin in one plane, so that an offset is a change.
-fn takes_offset(layout: &Engine) -> bool {
-    let partner = |a: &Cylinder| layout.cylinders().iter().any(|b| b.bank != a.bank && b.position == a.position);
-    matches!(layout.form(), Form::Vee | Form::Flat) && layout.cylinders().iter().all(partner)
+fn takes_offset(engine: &Engine) -> bool {
+    let partner = |a: &Cylinder| engine.cylinders().iter().any(|b| b.bank != a.bank && b.position == a.position);
+    matches!(engine.form(), Form::Vee | Form::Flat) && engine.cylinders().iter().all(partner)
 }
 
 /// What an offset of the banks adds to the moment: the force of one bank less that of the other.
-fn offset_sum(layout: &Engine, order: u32, sense: Sense) -> PhasorSum {
-    let first: Option<&Turn> = layout.cylinders().first().map(|cylinder| &cylinder.bank);
-    let force = order::star(layout, Quantity::Force, order, Some(sense));
-    let signed = layout.cylinders().iter().zip(force.terms()).map(|(cylinder, term)| Term {
+fn offset_sum(engine: &Engine, order: u32, sense: Sense) -> PhasorSum {
+    let first: Option<&Turn> = engine.cylinders().first().map(|cylinder| &cylinder.bank);
+    let force = order::star(engine, Quantity::Force, order, Some(sense));
+    let signed = engine.cylinders().iter().zip(force.terms()).map(|(cylinder, term)| Term {
         angle: term.angle.clone(),
         weight: if Some(&cylinder.bank) == first { term.weight.clone() } else { BigRational::zero() - &term.weight },
     });

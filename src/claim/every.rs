@@ -14,20 +14,20 @@ use crate::verdict::{self, Balance, OrderBalance};
 const LONGEST_PERIOD: u32 = 2000;
 
 /// Answers a claim that orders vanish. Without pin offset the orders that exist are 1 and the even ones.
-pub(super) fn answer(layout: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
+pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
     if quantities.contains(&Quantity::Torque) {
         return Answer::nothing("the inertia torque is judged order by order: claim one order of it at a time");
     }
-    if layout.has_offset() && !matches!(orders, Orders::Listed(_)) {
+    if engine.has_offset() && !matches!(orders, Orders::Listed(_)) {
         return Answer::nothing("with a pin offset every order exists: name the orders");
     }
-    let (judged, period) = match (orders, period(layout)) {
+    let (judged, period) = match (orders, period(engine)) {
         (Orders::Listed(list), _) => (list.clone(), None),
         (_, None) => return Answer::nothing("the phases repeat only after more than 2000 orders"),
         (Orders::Every, Some(period)) => ([1].into_iter().chain((2..=period).step_by(2)).collect(), Some(period)),
         (Orders::Higher, Some(period)) => ((2..=period).step_by(2).collect(), Some(period)),
     };
-    let balances: Vec<OrderBalance> = judged.iter().filter_map(|order| masses::pistons(layout, *order)).collect();
+    let balances: Vec<OrderBalance> = judged.iter().filter_map(|order| masses::pistons(engine, *order)).collect();
     let (vanishing, surviving): (Vec<&OrderBalance>, Vec<&OrderBalance>) =
         balances.iter().partition(|order| asked(order, quantities).all(Balance::is_balanced));
     // A couple that is free of the reference plane is the plainest counterexample.
@@ -38,7 +38,7 @@ pub(super) fn answer(layout: &Engine, orders: &Orders, quantities: &[Quantity]) 
             let with_moment = quantities.contains(&Quantity::Moment);
             let mut conditions = Vec::new();
             for order in vanishing.iter().filter(|_| with_moment) {
-                conditions.extend(of_vanishing(layout, order, &senses(None)));
+                conditions.extend(of_vanishing(engine, order, &senses(None)));
             }
             let mut once = Vec::new();
             conditions.into_iter().for_each(|condition| {
@@ -67,6 +67,6 @@ fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Quantity]) -> impl Iterat
 }
 
 /// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.
-fn period(layout: &Engine) -> Option<u32> {
-    verdict::period(layout).to_u32().filter(|period| *period <= LONGEST_PERIOD)
+fn period(engine: &Engine) -> Option<u32> {
+    verdict::period(engine).to_u32().filter(|period| *period <= LONGEST_PERIOD)
 }

@@ -7,13 +7,13 @@ use crate::engine::Engine;
 use crate::exact::Turn;
 
 /// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
-pub(super) fn answer(layout: &Engine, claimed: bool) -> Answer {
-    let (status, intervals) = match layout.firing() {
+pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
+    let (status, intervals) = match engine.firing() {
         Some(firing) => {
             let status = if firing.is_even() == claimed { Status::True } else { Status::False };
             (status, Some(firing.intervals()))
         }
-        None => match (can_fire_evenly(layout), claimed) {
+        None => match (can_fire_evenly(engine), claimed) {
             (true, true) => (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None),
             (true, false) => {
                 return Answer::nothing("the layout names no firing order, and its throws allow an even one");
@@ -26,10 +26,10 @@ pub(super) fn answer(layout: &Engine, claimed: bool) -> Answer {
 
 /// A four-stroke engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those
 /// of the firing angles 2j/n turns.
-fn can_fire_evenly(layout: &Engine) -> bool {
-    let Some(first) = layout.cylinders().first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
+fn can_fire_evenly(engine: &Engine) -> bool {
+    let Some(first) = engine.cylinders().first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
     let mut centres: Vec<Turn> =
-        layout.cylinders().iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
+        engine.cylinders().iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
     let count = centres.len();
     let mut even: Vec<Turn> = (0..count).map(|j| Turn::new(BigRational::new((2 * j).into(), count.into()))).collect();
     centres.sort();

@@ -13,8 +13,8 @@ use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
 
 /// Answers the claim that no order leaves a free moment.
-pub(super) fn answer(layout: &Engine) -> Answer {
-    let about_the_plane = every::answer(layout, &Orders::Every, &[Quantity::Moment]);
+pub(super) fn answer(engine: &Engine) -> Answer {
+    let about_the_plane = every::answer(engine, &Orders::Every, &[Quantity::Moment]);
     let Answer { status, finding, mut evidence } = about_the_plane;
     match (status, finding) {
         (Status::TrueOnlyIf { conditions, met }, finding) => {
@@ -24,7 +24,7 @@ pub(super) fn answer(layout: &Engine) -> Answer {
             Answer { status, finding, evidence }
         }
         (Status::False, Finding::Orders { surviving, judged, period, .. }) => {
-            let orders = surviving.iter().filter_map(|order| masses::pistons(layout, *order));
+            let orders = surviving.iter().filter_map(|order| masses::pistons(engine, *order));
             let mut free = Vec::new();
             for order in orders {
                 match of_one_force(&order) {

@@ -51,8 +51,8 @@ fn balance(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, 
 }
 
 /// Answers a claim about the crankshaft's mass.
-pub(super) fn crankshaft(layout: &Engine, value: &Value) -> Answer {
-    let Some(mass) = layout.crankshaft_mass() else {
+pub(super) fn crankshaft(engine: &Engine, value: &Value) -> Answer {
+    let Some(mass) = engine.crankshaft_mass() else {
         return Answer::nothing("the mass of the crankshaft needs the masses and the crank radius");
     };
     let Some(claimed) = value.form.as_rational() else { return Answer::nothing("a mass is a rational number") };
@@ -69,8 +69,8 @@ pub(super) fn crankshaft(layout: &Engine, value: &Value) -> Answer {
 
 /// Answers a claim about which main bearings feel the most: each of them more than any that is not named. Whether those
 /// named feel alike is not claimed.
-pub(super) fn worst_bearings(layout: &Engine, claimed: &[usize]) -> Answer {
-    of_bearings(layout, |loads| {
+pub(super) fn worst_bearings(engine: &Engine, claimed: &[usize]) -> Answer {
+    of_bearings(engine, |loads| {
         if let Some(none) = claimed.iter().find(|number| **number > loads.bearings.len()) {
             return Err(format!("there is no main bearing {none}"));
         }
@@ -84,8 +84,8 @@ pub(super) fn worst_bearings(layout: &Engine, claimed: &[usize]) -> Answer {
 }
 
 /// Answers a claim about that force: decimals, which are compared within the tolerance or the digits given.
-pub(super) fn bearing_load(layout: &Engine, value: &Value) -> Answer {
-    of_bearings(layout, |loads| {
+pub(super) fn bearing_load(engine: &Engine, value: &Value) -> Answer {
+    of_bearings(engine, |loads| {
         let peak = loads.worst.first().map_or(0.0, |index| loads.bearings[*index].peak.value);
         let peak = match (&loads.scale, value.unit) {
             (Some(scale), Some(_)) => peak * scale.force(),
@@ -108,8 +108,8 @@ pub(super) fn bearing_load(layout: &Engine, value: &Value) -> Answer {
 }
 
 /// Solves the main bearings at the orders of the layout file, and judges.
-fn of_bearings(layout: &Engine, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
-    let loads = loads::bearing_loads(layout, &loads::usual_orders(layout), Method::Continuous);
+fn of_bearings(engine: &Engine, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
+    let loads = loads::bearing_loads(engine, &loads::usual_orders(engine), Method::Continuous);
     match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
         Err(reason) => Answer::nothing(&reason),
         Ok((status, loads)) => Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() },

@@ -38,7 +38,7 @@ pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
-pub fn answer(layout: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
+pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
     let of_orders = match statement {
         Statement::Order { .. } | Statement::Vanish { .. } | Statement::NoFreeMoment => true,
         Statement::CanBalance(_)
@@ -47,17 +47,17 @@ pub fn answer(layout: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         | Statement::WorstBearings(_)
         | Statement::FiresEvenly { .. } => false,
     };
-    if of_orders && layout.mechanisms().len() > 1 {
+    if of_orders && engine.mechanisms().len() > 1 {
         return Answer::nothing("the rods of the engine differ, so that no order is a single sum");
     }
     match statement {
-        Statement::NoFreeMoment => free::answer(layout),
-        Statement::CanBalance(possible) => possible::answer(layout, possible),
-        Statement::Order { subject, predicate } => order::answer(layout, *subject, predicate, numbers),
-        Statement::Vanish { orders, quantities } => every::answer(layout, orders, quantities),
-        Statement::CrankshaftMass(mass) => masses::crankshaft(layout, mass),
-        Statement::BearingLoad(value) => masses::bearing_load(layout, value),
-        Statement::WorstBearings(numbers) => masses::worst_bearings(layout, numbers),
-        Statement::FiresEvenly { evenly } => firing::answer(layout, *evenly),
+        Statement::NoFreeMoment => free::answer(engine),
+        Statement::CanBalance(possible) => possible::answer(engine, possible),
+        Statement::Order { subject, predicate } => order::answer(engine, *subject, predicate, numbers),
+        Statement::Vanish { orders, quantities } => every::answer(engine, orders, quantities),
+        Statement::CrankshaftMass(mass) => masses::crankshaft(engine, mass),
+        Statement::BearingLoad(value) => masses::bearing_load(engine, value),
+        Statement::WorstBearings(numbers) => masses::worst_bearings(engine, numbers),
+        Statement::FiresEvenly { evenly } => firing::answer(engine, *evenly),
     }
 }

@@ -49,11 +49,11 @@ impl<'a> Vectors<'a> {
 }
 
 /// Answers a claim about one order.
-pub(super) fn answer(layout: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
+pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
     if subject.quantity == Quantity::Torque {
-        return of_torque(layout, subject, predicate);
+        return of_torque(engine, subject, predicate);
     }
-    let order = match masses::balance_of(layout, subject.order, subject.masses) {
+    let order = match masses::balance_of(engine, subject.order, subject.masses) {
         Ok(order) => order,
         Err(reason) => return Answer::nothing(&reason),
     };
@@ -63,12 +63,12 @@ pub(super) fn answer(layout: &Engine, subject: Subject, predicate: &Predicate, n
     let vectors = Vectors::new(&order, subject);
     let mut evidence = vectors.evidence();
     let status = match predicate {
-        Predicate::Vanishes(claimed) => vanishing(layout, subject, &order, vectors.vanish(), *claimed),
+        Predicate::Vanishes(claimed) => vanishing(engine, subject, &order, vectors.vanish(), *claimed),
         Predicate::Is(shape) if vectors.shape == Some(*shape) => Status::True,
         Predicate::Is(_) => Status::False,
         Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
         Predicate::Equals(value, _) if value.unit.is_some() => {
-            return absolute::answer(layout, subject, &order, value, numbers, evidence);
+            return absolute::answer(engine, subject, &order, value, numbers, evidence);
         }
         Predicate::Equals(value, angle) => {
             let (status, more) = largest(&vectors, subject, value);
@@ -133,14 +133,14 @@ fn missing(predicate: &Predicate) -> Status {
 }
 
 /// Vanishing, with what it depends on.
-fn vanishing(layout: &Engine, subject: Subject, order: &OrderBalance, vanishes: bool, claimed: bool) -> Status {
+fn vanishing(engine: &Engine, subject: Subject, order: &OrderBalance, vanishes: bool, claimed: bool) -> Status {
     let senses = senses(subject.sense);
     let plane = || match subject.quantity {
-        Quantity::Moment => plane_of_vanishing(layout, order, &senses),
+        Quantity::Moment => plane_of_vanishing(engine, order, &senses),
         _ => None,
     };
     let conditions = match (vanishes, claimed) {
-        (true, true) if subject.quantity == Quantity::Moment => of_vanishing(layout, order, &senses),
+        (true, true) if subject.quantity == Quantity::Moment => of_vanishing(engine, order, &senses),
         (false, true) => plane().map(Condition::AboutPlane).into_iter().collect(),
         (false, false) => plane().map(Condition::NotAboutPlane).into_iter().collect(),
         _ => Vec::new(),

@@ -65,14 +65,14 @@ pub(super) fn parse(text: &str) -> Result<Statement, Mistake> {
 }
 
 /// Finds the weights and proves the engine with them.
-pub(super) fn answer(layout: &Engine, claimed: &Possible) -> Answer {
-    let subject = match Subject::new(layout) {
+pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
+    let subject = match Subject::new(engine) {
         Ok(subject) => subject,
         Err(missing) => return Answer::nothing(&missing.to_string()),
     };
-    let plane = layout.reference_plane();
+    let plane = engine.reference_plane();
     let [force, moment] =
-        [Quantity::Force, Quantity::Moment].map(|quantity| order::all_masses(layout, quantity, 1, Sense::Direct));
+        [Quantity::Force, Quantity::Moment].map(|quantity| order::all_masses(engine, quantity, 1, Sense::Direct));
     let [Some(force), Some(moment)] = [&force, &moment].map(plain) else {
         return Answer::nothing("with a pin offset a coefficient stands before the first order");
     };
@@ -106,7 +106,7 @@ pub(super) fn answer(layout: &Engine, claimed: &Possible) -> Answer {
     };
     let evidence: Vec<Evidence> = asked.map(|index| Evidence::comparison(names[index], left[index].clone())).collect();
     let balances = evidence.iter().all(Evidence::vanishes);
-    let is_light = match (&claimed.lighter_than, layout.crankshaft_mass(), subject.scale()) {
+    let is_light = match (&claimed.lighter_than, engine.crankshaft_mass(), subject.scale()) {
         (None, ..) => Some(true),
         (Some(limit), Some(bare), Some([unit, radius])) => {
             let masses: Vec<PhasorSum> = vectors.iter().map(|vector| vector.scaled(&(&unit / &radius))).collect();
@@ -124,7 +124,7 @@ pub(super) fn answer(layout: &Engine, claimed: &Possible) -> Answer {
         (false, _) | (true, Some(false)) if is_only => Status::False,
         (false, _) | (true, Some(false) | None) => Status::NotDecided,
     };
-    Answer { status, finding: Finding::Witness(Box::new(witness(layout, &subject, claimed, vectors))), evidence }
+    Answer { status, finding: Finding::Witness(Box::new(witness(engine, &subject, claimed, vectors))), evidence }
 }
 
 /// The vector of the coefficient 1; none where others are left.
@@ -172,7 +172,7 @@ fn length(vector: &PhasorSum) -> [BigRational; 2] {
     [BigRational::new(scaled(low), unit.clone()), BigRational::new(scaled(high) + 2, unit.clone())]
 }
 
-fn witness(layout: &Engine, subject: &Subject, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {
+fn witness(engine: &Engine, subject: &Subject, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {
     let weights = vectors.into_iter().zip(&claimed.planes).map(|(vector, position)| Weight {
         order: 1,
         sense: Sense::Direct,
@@ -181,7 +181,7 @@ fn witness(layout: &Engine, subject: &Subject, claimed: &Possible, vectors: Vec<
     });
     let weights: Vec<Weight> = weights.filter(|weight| !weight.vector.vanishes()).collect();
     let masses: Option<Vec<f64>> = weights.iter().map(|weight| weight.mass_at_crank_radius(subject)).collect();
-    let bare = layout.crankshaft_mass().map(|mass| super::compare::float(&mass));
+    let bare = engine.crankshaft_mass().map(|mass| super::compare::float(&mass));
     let crankshaft_mass = bare.zip(masses.as_ref()).map(|(bare, masses)| bare + masses.iter().sum::<f64>());
     Witness { weights, masses, crankshaft_mass }
 }

@@ -65,7 +65,7 @@ impl Report {
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(layout)).transpose()?;
                 let subject = report::Subject {
-                    layout,
+                    engine: layout,
                     judged: &judged,
                     family,
                     needed: needed.as_ref(),

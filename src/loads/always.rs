@@ -18,24 +18,24 @@ use crate::order::{self, mass_radius};
 use crate::proof::{Quantity, Sense};
 
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods differ.
-pub fn vanishes_at_every_order(layout: &Engine, quantity: Quantity) -> bool {
+pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
     let alone = match quantity {
-        Quantity::Torque => order::torque(layout, 2).vanishes(),
+        Quantity::Torque => order::torque(engine, 2).vanishes(),
         Quantity::Force | Quantity::Moment => {
-            let shafts = layout.crankshaft().balancers.iter().map(|shaft| shaft.order);
-            let vanishes = |order, sense| order::all_masses(layout, quantity, order, sense).vanishes();
+            let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
+            let vanishes = |order, sense| order::all_masses(engine, quantity, order, sense).vanishes();
             [1].into_iter().chain(shafts).all(|k| vanishes(k, Sense::Direct) && vanishes(k, Sense::Reverse))
         }
     };
-    alone && groups(layout, quantity).values().all(PhasorSum::vanishes)
+    alone && groups(engine, quantity).values().all(PhasorSum::vanishes)
 }
 
 /// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
-fn groups(layout: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
+fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
     let mut groups: BTreeMap<(Rod, Turn), Vec<Term>> = BTreeMap::new();
-    for (cylinder, rod) in layout.cylinders().iter().zip(layout.rods()) {
+    for (cylinder, rod) in engine.cylinders().iter().zip(engine.rods()) {
         let own = &cylinder.throw - &cylinder.bank;
-        let weight = mass_radius(layout, cylinder);
+        let weight = mass_radius(engine, cylinder);
         let (group, term) = match quantity {
             _ if rod.ratio.is_zero() => continue,
             Quantity::Torque => {
@@ -48,7 +48,7 @@ fn groups(layout: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSu
                     (_, false) => own,
                 };
                 let rod = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
-                let weight = weight * order::lever(layout, quantity, &cylinder.position);
+                let weight = weight * order::lever(engine, quantity, &cylinder.position);
                 ((rod, own), Term { angle: cylinder.bank.clone(), weight })
             }
         };

@@ -78,26 +78,26 @@ const EQUAL: f64 = 1e-12;
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn bearing_loads(layout: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
-    if layout.bearings().is_empty() {
+pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
+    if engine.bearings().is_empty() {
         return Err(Missing::Bearings);
     }
     super::are_orders(orders)?;
-    let beam = Beam::new(layout.bearings().to_vec()).map_err(Missing::Beam)?;
-    let motion = Motion::new(layout)?;
+    let beam = Beam::new(engine.bearings().to_vec()).map_err(Missing::Beam)?;
+    let motion = Motion::new(engine)?;
     let shares = Shares::new(beam, method);
-    let mut by_bearing: Vec<Vec<BearingOrder>> = layout.bearings().iter().map(|_| Vec::new()).collect();
+    let mut by_bearing: Vec<Vec<BearingOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
     for &order in orders {
         let [direct, reverse] = SENSES.map(|sense| {
-            let mut forces = order::contributions(layout, order, sense);
+            let mut forces = order::contributions(engine, order, sense);
             forces.retain(|force| loads_the_shaft(force.source.group()));
             let sum = |weighing: &dyn Fn(&BigRational) -> BigRational| {
                 OrderSum::new(forces.iter().map(|force: &Contribution| force.weighed(weighing)))
             };
             let reactions: Vec<OrderSum> =
-                (0..layout.bearings().len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
+                (0..engine.bearings().len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
             let loads = [sum(&|_| BigRational::one()), sum(&Clone::clone)];
-            if !in_equilibrium(layout.bearings(), &reactions, &loads) {
+            if !in_equilibrium(engine.bearings(), &reactions, &loads) {
                 unreachable!("the reactions of order {order} sum to the force and its moment")
             }
             reactions
@@ -108,11 +108,11 @@ pub fn bearing_loads(layout: &Engine, orders: &[u32], method: Method) -> Result<
         }
     }
     let bearings: Vec<BearingLoad> =
-        layout.bearings().iter().zip(by_bearing).map(|(at, orders)| BearingLoad::new(at.clone(), orders)).collect();
+        engine.bearings().iter().zip(by_bearing).map(|(at, orders)| BearingLoad::new(at.clone(), orders)).collect();
     let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
     let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
     let worst = (0..bearings.len()).filter(is_worst).collect();
-    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(layout) })
+    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(engine) })
 }
 
 /// Whether the forces of a group of masses reach the crankshaft; a balancer shaft lies in bearings of its own.

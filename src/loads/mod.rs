@@ -107,35 +107,35 @@ pub struct TorqueOrder {
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn loads(layout: &Engine, orders: &[u32]) -> Result<Loads, Missing> {
-    let torque = if layout.effects().torque { usual_torque_orders(layout, orders)? } else { Vec::new() };
-    loads_at(layout, orders, &torque)
+pub fn loads(engine: &Engine, orders: &[u32]) -> Result<Loads, Missing> {
+    let torque = if engine.effects().torque { usual_torque_orders(engine, orders)? } else { Vec::new() };
+    loads_at(engine, orders, &torque)
 }
 
 /// Computes the loads of an engine at these orders, and the torque, where the file asks for it, at orders of its own.
 ///
 /// # Errors
 /// What the layout lacks, and orders that are none.
-pub fn loads_at(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<Loads, Missing> {
+pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<Loads, Missing> {
     are_orders(orders)?;
     are_orders(torque_orders)?;
-    let motion = Motion::new(layout)?;
-    let total: Vec<OrderLoads> = orders.iter().map(|&order| OrderLoads::new(layout, &motion, order)).collect();
+    let motion = Motion::new(engine)?;
+    let total: Vec<OrderLoads> = orders.iter().map(|&order| OrderLoads::new(engine, &motion, order)).collect();
     let waveform =
         |swing: fn(&OrderLoads) -> &Swing| Waveform::new(total.iter().map(|loads| harmonic(loads.order, swing(loads))));
     let (force, moment) = (waveform(|loads| &loads.force), waveform(|loads| &loads.moment));
-    let groups = match order::groups_of(layout).as_slice() {
+    let groups = match order::groups_of(engine).as_slice() {
         &[group] => vec![GroupLoads { group, force: force.clone(), moment: moment.clone() }],
-        several => several.iter().map(|&group| GroupLoads::new(layout, &motion, group, orders)).collect(),
+        several => several.iter().map(|&group| GroupLoads::new(engine, &motion, group, orders)).collect(),
     };
-    let solve = |method| bearing_loads(layout, orders, method);
-    let bearings = match layout.bearings().is_empty() {
+    let solve = |method| bearing_loads(engine, orders, method);
+    let bearings = match engine.bearings().is_empty() {
         true => None,
         false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
     };
-    let torque = layout.effects().torque.then(|| torque(layout, &motion, torque_orders));
-    let has_shafts = !layout.crankshaft().balancers.is_empty();
-    let roll = (layout.effects().torque && has_shafts).then(|| roll::roll(layout, &motion, torque_orders));
+    let torque = engine.effects().torque.then(|| torque(engine, &motion, torque_orders));
+    let has_shafts = !engine.crankshaft().balancers.is_empty();
+    let roll = (engine.effects().torque && has_shafts).then(|| roll::roll(engine, &motion, torque_orders));
     Ok(Loads {
         groups,
         force,
@@ -143,40 +143,40 @@ pub fn loads_at(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
         torque,
         bearings,
         roll,
-        scale: scale(layout),
+        scale: scale(engine),
         orders: total,
         coefficients: motion.computed(),
     })
 }
 
 /// Force and moment of an order, of the contributions that are meant.
-fn swings(layout: &Engine, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
-    let contributions = SENSES.map(|sense| order::contributions(layout, order, sense));
+fn swings(engine: &Engine, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
+    let contributions = SENSES.map(|sense| order::contributions(engine, order, sense));
     [Quantity::Force, Quantity::Moment].map(|quantity| {
         let sums = contributions.each_ref().map(|of_sense| {
             let meant = of_sense.iter().filter(|one| is_meant(one));
-            OrderSum::new(meant.map(|one| one.weighed(|position| order::lever(layout, quantity, position))))
+            OrderSum::new(meant.map(|one| one.weighed(|position| order::lever(engine, quantity, position))))
         });
         motion.swing(sums, order)
     })
 }
 
 impl OrderLoads {
-    fn new(layout: &Engine, motion: &Motion, order: u32) -> Self {
-        let [force, moment] = swings(layout, motion, order, |_| true);
+    fn new(engine: &Engine, motion: &Motion, order: u32) -> Self {
+        let [force, moment] = swings(engine, motion, order, |_| true);
         OrderLoads { order, coefficient: motion.common(order), force, moment }
     }
 
     /// Whether there is nothing to judge: no piston has the order, and no shaft turns so.
-    pub fn exists(&self, layout: &Engine) -> bool {
-        layout.pistons_have_order(Quantity::Force, self.order)
-            || layout.crankshaft().balancers.iter().any(|shaft| shaft.order == self.order)
+    pub fn exists(&self, engine: &Engine) -> bool {
+        engine.pistons_have_order(Quantity::Force, self.order)
+            || engine.crankshaft().balancers.iter().any(|shaft| shaft.order == self.order)
     }
 }
 
 impl GroupLoads {
-    fn new(layout: &Engine, motion: &Motion, group: MassGroup, orders: &[u32]) -> Self {
-        let of_order = |&order: &u32| (order, swings(layout, motion, order, |one| one.source.group() == group));
+    fn new(engine: &Engine, motion: &Motion, group: MassGroup, orders: &[u32]) -> Self {
+        let of_order = |&order: &u32| (order, swings(engine, motion, order, |one| one.source.group() == group));
         let by_order: Vec<(u32, [Swing; 2])> = orders.iter().map(of_order).collect();
         let waveform =
             |place: usize| Waveform::new(by_order.iter().map(|(order, swings)| harmonic(*order, &swings[place])));
@@ -192,14 +192,14 @@ fn harmonic(order: u32, swing: &Swing) -> Harmonic {
 /// Both senses, direct first.
 const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
-fn torque(layout: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
-    let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(layout, motion, order)).collect();
+fn torque(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
+    let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(engine, motion, order)).collect();
     Torque { waveform: Waveform::new(orders.iter().map(TorqueOrder::harmonic)), orders }
 }
 
 impl TorqueOrder {
-    fn new(layout: &Engine, motion: &Motion, order: u32) -> Self {
-        let sum = order::torque(layout, order);
+    fn new(engine: &Engine, motion: &Motion, order: u32) -> Self {
+        let sum = order::torque(engine, order);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
         let coefficient = match (motion.cranks.len(), pairs.as_slice()) {
             (1, [(coefficient, _)]) => Some(coefficient.clone()),

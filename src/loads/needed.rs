@@ -106,9 +106,9 @@ struct Choices {
 }
 
 impl Choices {
-    fn new(layout: &Engine, accuracy: f64, at_least: u32) -> Result<Self, Missing> {
-        let with_torque = layout.effects().torque;
-        let mut spectrum = Spectrum::new(layout)?;
+    fn new(engine: &Engine, accuracy: f64, at_least: u32) -> Result<Self, Missing> {
+        let with_torque = engine.effects().torque;
+        let mut spectrum = Spectrum::new(engine)?;
         let mut found = None;
         let mut ladder: Vec<u32> = LOOKED_AT.into_iter().filter(|&highest| highest >= at_least).collect();
         if ladder.is_empty() {
@@ -118,7 +118,7 @@ impl Choices {
             spectrum.raise(highest, with_torque);
             let of = |quantity| {
                 let mut choice = Choice::new(&spectrum, quantity);
-                if super::vanishes_at_every_order(layout, quantity) {
+                if super::vanishes_at_every_order(engine, quantity) {
                     choice.rest = 0.0;
                 }
                 choice
@@ -187,8 +187,8 @@ fn choose(choices: &[Choice], accuracy: f64) -> [Vec<u32>; 2] {
 ///
 /// # Errors
 /// What the layout lacks for numbers.
-pub fn needed_orders(layout: &Engine, accuracy: f64) -> Result<Needed, Missing> {
-    let choices = Choices::new(layout, accuracy, 1)?;
+pub fn needed_orders(engine: &Engine, accuracy: f64) -> Result<Needed, Missing> {
+    let choices = Choices::new(engine, accuracy, 1)?;
     let [kept, dropped] = choose(&choices.swings, accuracy);
     let [torque_kept, torque_dropped] = choose(choices.torque.as_slice(), accuracy);
     let left = choices.left_out(&kept, &torque_kept);
@@ -201,25 +201,25 @@ pub fn needed_orders(layout: &Engine, accuracy: f64) -> Result<Needed, Missing> 
 ///
 /// # Errors
 /// What the layout lacks for numbers.
-pub fn left_out(layout: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<LeftOut, Missing> {
+pub fn left_out(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<LeftOut, Missing> {
     let highest = orders.iter().chain(torque_orders).copied().max().unwrap_or(1);
-    Ok(Choices::new(layout, USUAL, highest)?.left_out(orders, torque_orders))
+    Ok(Choices::new(engine, USUAL, highest)?.left_out(orders, torque_orders))
 }
 
 /// The orders to judge where none are asked for: those of the layout file, else the first that exist and, where the engine has
 /// numbers, those that a thousandth of its peaks needs.
-pub fn usual_orders(layout: &Engine) -> Vec<u32> {
-    if layout.orders_given() {
-        return layout.orders().to_vec();
+pub fn usual_orders(engine: &Engine) -> Vec<u32> {
+    if engine.orders_given() {
+        return engine.orders().to_vec();
     }
-    let Ok(choices) = Choices::new(layout, USUAL, 1) else { return layout.orders().to_vec() };
-    with_largest(layout.orders().to_vec(), &choices.swings)
+    let Ok(choices) = Choices::new(engine, USUAL, 1) else { return engine.orders().to_vec() };
+    with_largest(engine.orders().to_vec(), &choices.swings)
 }
 
 /// The orders of the torque that go with those of force and moment: the first four, these, and those that a thousandth of its peak
 /// needs.
-pub(super) fn usual_torque_orders(layout: &Engine, orders: &[u32]) -> Result<Vec<u32>, Missing> {
-    let choices = Choices::new(layout, USUAL, 1)?;
+pub(super) fn usual_torque_orders(engine: &Engine, orders: &[u32]) -> Result<Vec<u32>, Missing> {
+    let choices = Choices::new(engine, USUAL, 1)?;
     let first = FIRST_OF_TORQUE.into_iter().chain(orders.iter().copied()).collect();
     Ok(with_largest(first, choices.torque.as_slice()))
 }

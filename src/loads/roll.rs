@@ -15,21 +15,21 @@ use crate::order::{self, exactly_one, unit_mass, unit_radius};
 use crate::proof::Sense;
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
-pub(super) fn roll(layout: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
-    let shafts = layout.crankshaft().balancers.iter().map(|shaft| shaft.order);
+pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
+    let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
     let mut all: Vec<u32> = orders.iter().copied().chain(shafts).collect();
     all.sort_unstable();
     all.dedup();
-    let orders: Vec<TorqueOrder> = all.into_iter().map(|order| of_order(layout, motion, order)).collect();
+    let orders: Vec<TorqueOrder> = all.into_iter().map(|order| of_order(engine, motion, order)).collect();
     let zero = Complex::new(0.0, 0.0);
     let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
     Torque { waveform: Waveform::new(harmonics), orders }
 }
 
-fn of_order(layout: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
+fn of_order(engine: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
     let minus = BigRational::from_integer((-1).into());
-    let shafts = shafts(layout, order);
-    let torque = order::torque(layout, order);
+    let shafts = shafts(engine, order);
+    let torque = order::torque(engine, order);
     let mut pairs: Vec<(Coefficient, &PhasorSum)> = torque
         .parts()
         .iter()
@@ -45,11 +45,11 @@ fn of_order(layout: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
 }
 
 /// What the shafts of an order add, in multiples of m r²; their crank radius is known where there are any.
-fn shafts(layout: &Engine, order: u32) -> PhasorSum {
-    let radius = unit_radius(layout);
+fn shafts(engine: &Engine, order: u32) -> PhasorSum {
+    let radius = unit_radius(engine);
     let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
-    let share = square / (unit_mass(layout) * &radius * &radius);
-    let shafts = layout.crankshaft().balancers.iter().filter(|shaft| shaft.order == order);
+    let share = square / (unit_mass(engine) * &radius * &radius);
+    let shafts = engine.crankshaft().balancers.iter().filter(|shaft| shaft.order == order);
     let terms = shafts.flat_map(|shaft| {
         let (angle, quarter) = match shaft.sense {
             Sense::Direct => (shaft.angle.clone(), Turn::fraction(3, 4)),

@@ -47,17 +47,17 @@ pub enum Arm {
 
 impl Arm {
     /// The unit of the positions of a layout: a file that gives them without a unit gives metres.
-    pub fn of(layout: &Engine) -> Self {
-        let known = layout.positions_given() || layout.length_unit() == LengthUnit::Metre;
+    pub fn of(engine: &Engine) -> Self {
+        let known = engine.positions_given() || engine.length_unit() == LengthUnit::Metre;
         if known { Arm::Metre } else { Arm::Spacing }
     }
 }
 
 /// What turns the multiples of a layout into newtons; none where mass, crank radius or speed is missing.
-pub fn scale(layout: &Engine) -> Option<Scale> {
-    let mechanism = layout.dimensions();
+pub fn scale(engine: &Engine) -> Option<Scale> {
+    let mechanism = engine.dimensions();
     Some(Scale {
-        mass: mechanism.mass.as_ref().map(|_| order::unit_mass(layout))?,
+        mass: mechanism.mass.as_ref().map(|_| order::unit_mass(engine))?,
         crank_radius: mechanism.crank_radius.clone()?,
         speed: mechanism.speed.clone()?,
     })

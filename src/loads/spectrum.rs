@@ -8,7 +8,7 @@ use crate::proof::Quantity;
 
 /// All orders of an engine that exist, up to one that can be raised.
 pub struct Spectrum<'a> {
-    layout: &'a Engine,
+    engine: &'a Engine,
     motion: Motion,
     tails: Tails,
     highest: u32,
@@ -21,9 +21,9 @@ impl<'a> Spectrum<'a> {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn new(layout: &'a Engine) -> Result<Self, Missing> {
-        let motion = Motion::new(layout)?;
-        Ok(Spectrum { layout, tails: Tails::of(&motion), motion, highest: 0, orders: Vec::new(), torque: Vec::new() })
+    pub fn new(engine: &'a Engine) -> Result<Self, Missing> {
+        let motion = Motion::new(engine)?;
+        Ok(Spectrum { engine, tails: Tails::of(&motion), motion, highest: 0, orders: Vec::new(), torque: Vec::new() })
     }
 
     /// The same with tighter bounds.
@@ -33,14 +33,14 @@ impl<'a> Spectrum<'a> {
 
     /// Adds the orders up to this one.
     pub fn raise(&mut self, highest: u32, with_torque: bool) {
-        let (layout, motion) = (self.layout, &self.motion);
-        let shafts = || layout.crankshaft().balancers.iter().map(|shaft| shaft.order);
+        let (engine, motion) = (self.engine, &self.motion);
+        let shafts = || engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
         for order in self.highest + 1..=highest {
-            if layout.pistons_have_order(Quantity::Force, order) || shafts().any(|shaft| shaft == order) {
-                self.orders.push(OrderLoads::new(layout, motion, order));
+            if engine.pistons_have_order(Quantity::Force, order) || shafts().any(|shaft| shaft == order) {
+                self.orders.push(OrderLoads::new(engine, motion, order));
             }
-            if with_torque && layout.pistons_have_order(Quantity::Torque, order) {
-                self.torque.push(TorqueOrder::new(layout, motion, order));
+            if with_torque && engine.pistons_have_order(Quantity::Torque, order) {
+                self.torque.push(TorqueOrder::new(engine, motion, order));
             }
         }
         self.highest = self.highest.max(highest);
@@ -101,12 +101,12 @@ impl<'a> Spectrum<'a> {
 
     /// What the orders above any one add at most.
     pub fn rest_above(&self, quantity: Quantity, order: u32) -> f64 {
-        self.tails.above(self.layout, quantity, order.max(2))
+        self.tails.above(self.engine, quantity, order.max(2))
     }
 
     /// No sum of the terms of the pistons' load is larger: its roundings are in the last place of this.
     pub fn largest_sum(&self, quantity: Quantity) -> f64 {
-        self.tails.largest_sum(self.layout, quantity)
+        self.tails.largest_sum(self.engine, quantity)
     }
 }
 

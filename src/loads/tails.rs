@@ -25,8 +25,8 @@ impl Tails {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn new(layout: &Engine) -> Result<Self, Missing> {
-        Ok(Tails::of(&Motion::new(layout)?))
+    pub fn new(engine: &Engine) -> Result<Self, Missing> {
+        Ok(Tails::of(&Motion::new(engine)?))
     }
 
     pub(super) fn of(motion: &Motion) -> Self {
@@ -37,22 +37,22 @@ impl Tails {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn with_coefficients(layout: &Engine, highest: u32) -> Result<Self, Missing> {
+    pub fn with_coefficients(engine: &Engine, highest: u32) -> Result<Self, Missing> {
         let tail = |(mechanism, crank): (&Mechanism, &crate::motion::SliderCrank)| {
             let coefficients: Vec<Coefficient> = (1..=highest).map(|order| crank.coefficient(order)).collect();
             (mechanism.clone(), Tail::with_coefficients(crank, &coefficients))
         };
-        Ok(Tails { by_mechanism: Motion::new(layout)?.cranks.iter().map(tail).collect() })
+        Ok(Tails { by_mechanism: Motion::new(engine)?.cranks.iter().map(tail).collect() })
     }
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
     /// its multiples of m r ω²; 0 only where there is none.
-    pub fn above(&self, layout: &Engine, quantity: Quantity, order: u32) -> f64 {
-        let pistons = self.sum(layout, quantity, &|tail| match quantity {
+    pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
+        let pistons = self.sum(engine, quantity, &|tail| match quantity {
             Quantity::Force | Quantity::Moment => tail.force(order),
             Quantity::Torque => tail.torque(order),
         });
-        let [force, moment] = faster_shafts(layout, order).map(|size| rounded_up(&size));
+        let [force, moment] = faster_shafts(engine, order).map(|size| rounded_up(&size));
         let shafts = match quantity {
             Quantity::Force => force,
             Quantity::Moment => moment,
@@ -62,8 +62,8 @@ impl Tails {
     }
 
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
-    pub fn largest_sum(&self, layout: &Engine, quantity: Quantity) -> f64 {
-        self.sum(layout, quantity, &|tail| {
+    pub fn largest_sum(&self, engine: &Engine, quantity: Quantity) -> f64 {
+        self.sum(engine, quantity, &|tail| {
             let shaking = 1.0 + tail.force(0);
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
@@ -73,14 +73,14 @@ impl Tails {
     }
 
     /// The bounds of the pistons, each as much as its load counts.
-    fn sum(&self, layout: &Engine, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
+    fn sum(&self, engine: &Engine, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
         let mut weights: BTreeMap<&Mechanism, BigRational> = BTreeMap::new();
-        for cylinder in layout.cylinders() {
+        for cylinder in engine.cylinders() {
             let Some(mechanism) = &cylinder.mechanism else { continue };
-            let weight = mass_radius(layout, cylinder).abs();
+            let weight = mass_radius(engine, cylinder).abs();
             let weight = match quantity {
                 Quantity::Force => weight,
-                Quantity::Moment => weight * layout.arm(cylinder).abs(),
+                Quantity::Moment => weight * engine.arm(cylinder).abs(),
                 Quantity::Torque => weight * &cylinder.crank_radius,
             };
             *weights.entry(mechanism).or_insert_with(BigRational::zero) += weight;
@@ -102,12 +102,12 @@ fn rounded_up(number: &BigRational) -> f64 {
 
 /// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
 /// multiples of m r ω²: what they add where higher orders are left out.
-fn faster_shafts(layout: &Engine, highest: u32) -> [BigRational; 2] {
+fn faster_shafts(engine: &Engine, highest: u32) -> [BigRational; 2] {
     let half = BigRational::new(1.into(), 2.into());
-    let shafts = order::turning_masses(layout).into_iter().filter(|mass| mass.order > highest);
+    let shafts = order::turning_masses(engine).into_iter().filter(|mass| mass.order > highest);
     shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
         let size = shaft.weight() * &half;
-        let arm = (&shaft.position - layout.reference_plane()).abs();
+        let arm = (&shaft.position - engine.reference_plane()).abs();
         [force + &size, moment + size * arm]
     })
 }

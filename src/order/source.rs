@@ -88,10 +88,10 @@ pub(super) fn piston_term(engine: &Engine, cylinder: &Cylinder, order: u32, sens
 
 /// What every mass of an engine adds to the force of one order and sense: a term per cylinder, where the order exists for
 /// its rod, then those of the masses that turn at this order.
-pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
+pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let piston = |(index, cylinder): (usize, &Cylinder)| {
         let (factor, _) = Factor::of_force(cylinder.mechanism.as_ref(), order);
-        let term = piston_term(layout, cylinder, order, Some(sense));
+        let term = piston_term(engine, cylinder, order, Some(sense));
         factor.exists(Quantity::Force, order).then(|| Contribution {
             source: Source::Piston(index),
             position: cylinder.position.clone(),
@@ -99,8 +99,8 @@ pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribut
             term,
         })
     };
-    let pistons = layout.cylinders().iter().enumerate().filter_map(piston);
-    let turning = turning_masses(layout).into_iter().filter(|mass| (mass.order, mass.sense) == (order, sense));
+    let pistons = engine.cylinders().iter().enumerate().filter_map(piston);
+    let turning = turning_masses(engine).into_iter().filter(|mass| (mass.order, mass.sense) == (order, sense));
     let turning = turning.map(|mass| Contribution {
         source: mass.source,
         factor: Factor::One,
@@ -114,23 +114,23 @@ pub fn contributions(layout: &Engine, order: u32, sense: Sense) -> Vec<Contribut
 ///
 /// # Panics
 /// For the torque, which no position enters.
-pub fn lever(layout: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
+pub fn lever(engine: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
     match quantity {
         Quantity::Force => BigRational::one(),
-        Quantity::Moment => position - layout.reference_plane(),
+        Quantity::Moment => position - engine.reference_plane(),
         Quantity::Torque => unreachable!("the torque has sums of its own"),
     }
 }
 
 /// One order and sense of the force or the moment of all masses.
-pub fn all_masses(layout: &Engine, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
-    let contributions = contributions(layout, order, sense);
-    OrderSum::new(contributions.iter().map(|one| one.weighed(|position| lever(layout, quantity, position))))
+pub fn all_masses(engine: &Engine, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
+    let contributions = contributions(engine, order, sense);
+    OrderSum::new(contributions.iter().map(|one| one.weighed(|position| lever(engine, quantity, position))))
 }
 
 /// The groups of masses that an engine has: the reciprocating ones, and those that weigh something.
-pub fn groups_of(layout: &Engine) -> Vec<MassGroup> {
-    let mut groups: Vec<MassGroup> = turning_masses(layout).into_iter().map(|mass| mass.source.group()).collect();
+pub fn groups_of(engine: &Engine) -> Vec<MassGroup> {
+    let mut groups: Vec<MassGroup> = turning_masses(engine).into_iter().map(|mass| mass.source.group()).collect();
     groups.push(MassGroup::Reciprocating);
     groups.sort_unstable();
     groups.dedup();
@@ -140,14 +140,14 @@ pub fn groups_of(layout: &Engine) -> Vec<MassGroup> {
 /// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.
 ///
 /// Masses and crank radii are in multiples of the layout's; its coefficient c_k and the factor ½ω² are left out.
-pub fn star(layout: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
+pub fn star(engine: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
     let term = |cylinder: &Cylinder| {
         let by = match quantity {
-            Quantity::Force | Quantity::Moment => lever(layout, quantity, &cylinder.position),
+            Quantity::Force | Quantity::Moment => lever(engine, quantity, &cylinder.position),
             Quantity::Torque => cylinder.crank_radius.clone(),
         };
-        let Term { angle, weight } = piston_term(layout, cylinder, order, sense);
+        let Term { angle, weight } = piston_term(engine, cylinder, order, sense);
         Term { angle, weight: weight * by }
     };
-    PhasorSum::new(layout.cylinders().iter().map(term).collect())
+    PhasorSum::new(engine.cylinders().iter().map(term).collect())
 }

@@ -39,8 +39,8 @@ impl TurningMass {
 }
 
 /// All masses of an engine that turn and weigh something.
-pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
-    let crankshaft = layout.crankshaft();
+pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
+    let crankshaft = engine.crankshaft();
     let on_the_crank = |source, mass_radius, angle: &Turn, position: &BigRational| TurningMass {
         source,
         order: 1,
@@ -49,12 +49,12 @@ pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
         angle: angle.clone(),
         position: position.clone(),
     };
-    let radius = unit_radius(layout);
-    let rods = layout.cylinders().iter().enumerate().map(|(index, at)| {
+    let radius = unit_radius(engine);
+    let rods = engine.cylinders().iter().enumerate().map(|(index, at)| {
         on_the_crank(Source::BigEnd(index), &at.rotating_mass * &radius * &at.crank_radius, &at.throw, &at.position)
     });
     let named = !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty();
-    let throws = if named { engine::throws(layout) } else { Vec::new() };
+    let throws = if named { engine::throws(engine) } else { Vec::new() };
     let pins = throws.iter().zip(&crankshaft.pins).enumerate().map(|(index, (at, mass))| {
         on_the_crank(Source::Pin(index), mass * &radius * &at.crank_radius, &at.angle, &at.position)
     });
@@ -73,27 +73,27 @@ pub fn turning_masses(layout: &Engine) -> Vec<TurningMass> {
         angle: shaft.angle.clone(),
         position: shaft.position.clone(),
     });
-    let unit = unit_mass(layout) * &radius;
+    let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
     let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
     weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
-pub fn mass_radius(layout: &Engine, cylinder: &Cylinder) -> BigRational {
-    match &layout.dimensions().mass {
+pub fn mass_radius(engine: &Engine, cylinder: &Cylinder) -> BigRational {
+    match &engine.dimensions().mass {
         Some(mass) if mass.is_zero() => BigRational::zero(),
         _ => cylinder.weight(),
     }
 }
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
-pub fn unit_mass(layout: &Engine) -> BigRational {
-    let mass = layout.dimensions().mass.clone().filter(|mass| !mass.is_zero());
+pub fn unit_mass(engine: &Engine) -> BigRational {
+    let mass = engine.dimensions().mass.clone().filter(|mass| !mass.is_zero());
     mass.unwrap_or_else(BigRational::one)
 }
 
 /// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
-pub fn unit_radius(layout: &Engine) -> BigRational {
-    layout.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
+pub fn unit_radius(engine: &Engine) -> BigRational {
+    engine.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
 }

@@ -39,19 +39,19 @@ fn value_of<T>(list: &[T], index: usize) -> Option<&T> {
 
 /// D of each throw in multiples of m r; engines without numbers have their reciprocating masses only.
 fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
-    let layout = subject.engine();
-    if let (Some([unit, _]), Some(wholes)) = (subject.scale(), layout.throw_mass_radii()) {
+    let engine = subject.engine();
+    if let (Some([unit, _]), Some(wholes)) = (subject.scale(), engine.throw_mass_radii()) {
         return wholes.into_iter().map(|whole| whole / &unit).collect();
     }
     // Without a crank radius all masses stand at the crankpins, and it cancels.
     let two = BigRational::from_integer(2.into());
-    let unit = order::unit_mass(layout);
+    let unit = order::unit_mass(engine);
     let cylinder = |&at: &usize| {
-        let cylinder = &layout.cylinders()[at];
-        &cylinder.rotating_mass / &unit * &cylinder.crank_radius + order::mass_radius(layout, cylinder) / &two
+        let cylinder = &engine.cylinders()[at];
+        &cylinder.rotating_mass / &unit * &cylinder.crank_radius + order::mass_radius(engine, cylinder) / &two
     };
     let whole = |(index, throw): (usize, &Throw)| {
-        let pin = layout.crankshaft().pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
+        let pin = engine.crankshaft().pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);
         throw.cylinders.iter().map(cylinder).sum::<BigRational>() + pin * &throw.crank_radius
     };
     throws.iter().enumerate().map(whole).collect()

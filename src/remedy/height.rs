@@ -33,18 +33,18 @@ impl PairHeight {
 
 /// The height of the pair of an order in an engine whose cylinders stand in one line, with equal centric rods and crank
 /// radii; `None` for others, and where the rods are not known or the order has no force.
-pub fn pair_height(layout: &Engine, order: u32) -> Option<PairHeight> {
-    let rod = layout.rods().next()?;
-    let [first, ..] = layout.cylinders() else { return None };
-    let alike = layout.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
+pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
+    let rod = engine.rods().next()?;
+    let [first, ..] = engine.cylinders() else { return None };
+    let alike = engine.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
     let upright = first.bank.turns().is_zero();
-    let same_rods = layout.rods().all(|other: &Rod| other == rod);
+    let same_rods = engine.rods().all(|other: &Rod| other == rod);
     if !alike || !upright || !same_rods || !rod.offset.is_zero() || rod.ratio.is_zero() || order == 0 || order % 2 == 1
     {
         return None;
     }
     let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).ok()?;
-    let subject = Subject::new(layout).ok()?;
+    let subject = Subject::new(engine).ok()?;
     if subject.force(order, crate::proof::Sense::Direct).vanishes() {
         return None;
     }
@@ -52,6 +52,6 @@ pub fn pair_height(layout: &Engine, order: u32) -> Option<PairHeight> {
     // T = Re(−i b_k e^{ikψ}) with the coefficient −i b_k.
     let b = -part(&crank.torque_coefficient(order).im);
     let in_crank_radii = -2.0 * b / part(&crank.coefficient(order).re);
-    let radius = layout.dimensions().crank_radius.as_ref().and_then(ToPrimitive::to_f64);
+    let radius = engine.dimensions().crank_radius.as_ref().and_then(ToPrimitive::to_f64);
     Some(PairHeight { order, in_crank_radii, metres: radius.map(|radius| in_crank_radii * radius) })
 }

@@ -144,9 +144,9 @@ impl std::error::Error for Refused {}
 ///
 /// # Errors
 /// What is missing, or does not fit.
-pub fn remedy(layout: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
-    let subject = Subject::new(layout).map_err(Refused::Missing)?;
-    let count = throws(layout).len();
+pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
+    let subject = Subject::new(engine).map_err(Refused::Missing)?;
+    let count = throws(engine).len();
     for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
         if given > 1 && given != count {
             return Err(Refused::TooMany { what, given, throws: count });
@@ -155,14 +155,14 @@ pub fn remedy(layout: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
     let planes = match &wish.planes {
         Some([first, second]) if first == second => return Err(Refused::PlanesCoincide(first.clone())),
         Some(planes) => {
-            if let Some(ends) = layout.shaft_ends()
+            if let Some(ends) = engine.shaft_ends()
                 && let Some(beyond) = planes.iter().find(|plane| **plane < ends[0] || **plane > ends[1])
             {
                 return Err(Refused::BeyondTheShaft(beyond.clone(), Box::new(ends)));
             }
             planes.clone()
         }
-        None => usual_planes(layout),
+        None => usual_planes(engine),
     };
     let bays = if wish.factors.is_empty() { Vec::new() } else { bay_by_bay(&subject, &wish.factors, &wish.skews) };
     let crankshaft =
@@ -170,7 +170,7 @@ pub fn remedy(layout: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
     let crankshaft = crankshaft.flatten();
     let shafts = shafts(&subject, &wish.orders, &planes);
     let pairs = shafts.iter().filter(|shaft| shaft.lanchester && shaft.sense == Sense::Direct);
-    let heights = pairs.filter_map(|shaft| pair_height(layout, shaft.order)).collect();
+    let heights = pairs.filter_map(|shaft| pair_height(engine, shaft.order)).collect();
     let mut remedy =
         Remedy { subject, orders: wish.orders.clone(), bays, crankshaft, shafts, heights, corrected: Vec::new() };
     remedy.corrected = corrected(&remedy.subject, &remedy.orders, &remedy.weights());
@@ -195,10 +195,10 @@ fn on_the_crankshaft(
 }
 
 /// The planes of the outermost throws; of the outermost cylinders or weights where those stand together.
-fn usual_planes(layout: &Engine) -> [BigRational; 2] {
-    let throws: Vec<BigRational> = throws(layout).into_iter().map(|throw| throw.position).collect();
-    let cylinders: Vec<BigRational> = layout.cylinders().iter().map(|cylinder| cylinder.position.clone()).collect();
-    let crankshaft = layout.crankshaft();
+fn usual_planes(engine: &Engine) -> [BigRational; 2] {
+    let throws: Vec<BigRational> = throws(engine).into_iter().map(|throw| throw.position).collect();
+    let cylinders: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| cylinder.position.clone()).collect();
+    let crankshaft = engine.crankshaft();
     let weights = crankshaft.counterweights.iter().map(|weight| &weight.position);
     let weights = weights.chain(crankshaft.balancers.iter().map(|shaft| &shaft.position));
     let all: Vec<BigRational> = cylinders.iter().chain(weights).cloned().collect();
@@ -207,5 +207,5 @@ fn usual_planes(layout: &Engine) -> [BigRational; 2] {
     let found = [throws, cylinders, all].iter().find_map(|list| ends(list).filter(apart));
     // Where all stands in one plane, no couple is left that planes would be needed for.
     let one = BigRational::from_integer(1.into());
-    found.unwrap_or_else(|| [layout.reference_plane() + &one, layout.reference_plane() - &one])
+    found.unwrap_or_else(|| [engine.reference_plane() + &one, engine.reference_plane() - &one])
 }

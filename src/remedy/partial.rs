@@ -45,15 +45,15 @@ impl Partial {
     /// let half = BigRational::new(1.into(), 2.into());
     /// assert_eq!(twin.ellipse(&half).peak_decimal, 0.0);
     /// ```
-    pub fn new(layout: &Engine) -> Option<Self> {
+    pub fn new(engine: &Engine) -> Option<Self> {
         let sum = |sense| {
             let term = |cylinder| Term {
                 angle: order::phase(cylinder, 1, Some(sense)),
-                weight: order::mass_radius(layout, cylinder),
+                weight: order::mass_radius(engine, cylinder),
             };
-            PhasorSum::new(PhasorSum::new(layout.cylinders().iter().map(term).collect()).collected())
+            PhasorSum::new(PhasorSum::new(engine.cylinders().iter().map(term).collect()).collected())
         };
-        let centric = !layout.has_offset();
+        let centric = !engine.has_offset();
         centric.then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 

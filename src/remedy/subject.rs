@@ -14,7 +14,7 @@ use crate::proof::Sense;
 /// An engine whose masses can be compared.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    layout: Engine,
+    engine: Engine,
 }
 
 impl Subject {
@@ -22,14 +22,14 @@ impl Subject {
     ///
     /// # Errors
     /// What the layout lacks for its masses to be compared.
-    pub fn new(layout: &Engine) -> Result<Self, Missing> {
-        order::comparable(layout).map_err(loads::Missing::from)?;
-        Ok(Subject { layout: layout.clone() })
+    pub fn new(engine: &Engine) -> Result<Self, Missing> {
+        order::comparable(engine).map_err(loads::Missing::from)?;
+        Ok(Subject { engine: engine.clone() })
     }
 
     /// The layout.
     pub fn engine(&self) -> &Engine {
-        &self.layout
+        &self.engine
     }
 
     /// The force of one order and sense.
@@ -43,7 +43,7 @@ impl Subject {
     }
 
     fn weighed(&self, order: u32, sense: Sense, weighing: impl Fn(&BigRational) -> BigRational) -> OrderSum {
-        OrderSum::new(order::contributions(&self.layout, order, sense).iter().map(|one| one.weighed(&weighing)))
+        OrderSum::new(order::contributions(&self.engine, order, sense).iter().map(|one| one.weighed(&weighing)))
     }
 
     /// A vector in multiples of m r; `None` where its coefficient is not known.
@@ -58,8 +58,8 @@ impl Subject {
 
     /// m r in kilogram-metres, and r in metres; `None` where the layout does not give them.
     pub fn scale(&self) -> Option<[BigRational; 2]> {
-        let radius = self.layout.dimensions().crank_radius.clone()?;
-        self.layout.dimensions().mass.as_ref()?;
-        Some([order::unit_mass(&self.layout) * &radius, radius])
+        let radius = self.engine.dimensions().crank_radius.clone()?;
+        self.engine.dimensions().mass.as_ref()?;
+        Some([order::unit_mass(&self.engine) * &radius, radius])
     }
 }

@@ -52,16 +52,16 @@ struct Entry {
 }
 
 /// The methods and their errors as data; errors and bounds are parts of the peak.
-pub fn accuracy_document(layout: &Engine, cases: &[AccuracyCase]) -> AccuracyDocument {
+pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDocument {
     let case = |case: &AccuracyCase| Case {
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
-        loads: case.studies.iter().map(|study| load(layout, study)).collect(),
+        loads: case.studies.iter().map(|study| load(engine, study)).collect(),
     };
-    AccuracyDocument { title: layout.title().written().to_owned(), cases: cases.iter().map(case).collect() }
+    AccuracyDocument { title: engine.title().written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
-fn load(layout: &Engine, study: &Study) -> Load {
-    let (unit, multiple) = accuracy_words::unit(layout, study.quantity);
+fn load(engine: &Engine, study: &Study) -> Load {
+    let (unit, multiple) = accuracy_words::unit(engine, study.quantity);
     let front = accuracy_words::front(study);
     let entry = |(place, row): (usize, &Row)| {
         let (method, setting) = match row.method {

@@ -137,7 +137,7 @@ struct PageFigure {
 }
 
 /// The page of one engine with errors and times, and a plot a load and rod ratio; made for this machine at this hour.
-pub fn accuracy_page(layout: &Engine, cases: &[AccuracyCase]) -> Vec<File> {
+pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let (mut sections, mut drawings) = (Vec::new(), Vec::new());
     for (number, case) in cases.iter().enumerate() {
@@ -152,7 +152,7 @@ pub fn accuracy_page(layout: &Engine, cases: &[AccuracyCase]) -> Vec<File> {
             let file = format!("{}-{}.svg", name.replace(' ', "-"), number + 1);
             let plot = cost_plot(&heading, study);
             drawings.push(File { name: file.clone(), text: svg(&plot.figure(), &heading) });
-            let rows = accuracy_words::accuracy_rows(layout, study).into_iter().map(Vec::from).collect();
+            let rows = accuracy_words::accuracy_rows(engine, study).into_iter().map(Vec::from).collect();
             let caption = "Error and guaranteed bound as parts of the peak; ● marks the Pareto front: no method is both faster and more accurate";
             let table = AccuracyTable { caption: caption.into(), table: Table::new(dialect, &HEADER, rows) };
             let figures = vec![PageFigure { file, caption: heading.clone() }];
@@ -168,7 +168,7 @@ pub fn accuracy_page(layout: &Engine, cases: &[AccuracyCase]) -> Vec<File> {
         "{EXPLAINED} A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand."
     );
     let page = Page {
-        title: format!("What accuracy costs: {}", dialect.quoted(layout.title())),
+        title: format!("What accuracy costs: {}", dialect.quoted(engine.title())),
         introduction: dialect.prose(&introduction),
         sections,
     };
@@ -214,7 +214,7 @@ fn cost_plot(title: &str, study: &Study) -> Plot {
 pub fn accuracy_errors_page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let (mut sections, mut drawings) = (Vec::new(), Vec::new());
-    for (number, (layout, cases)) in engines.iter().enumerate() {
+    for (number, (engine, cases)) in engines.iter().enumerate() {
         let AccuracySection { tables, vanishing, .. } = accuracy_section(dialect, cases);
         let mut figures = Vec::new();
         let count = cases.iter().map(|case| case.studies.len()).min().unwrap_or(0);
@@ -226,12 +226,12 @@ pub fn accuracy_errors_page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Vec<File
             }
             let name = accuracy_words::quantity(studies[0].1.quantity);
             let file = format!("engine-{}-{}.svg", number + 1, name.replace(' ', "-"));
-            let title = layout.title().escaped(Format::Plain);
+            let title = engine.title().escaped(Format::Plain);
             let caption = format!("{title}: what the orders leave of the peak {name}");
             drawings.push(File { name: file.clone(), text: svg(&orders_plot(&caption, &studies).figure(), &caption) });
             figures.push(PageFigure { file, caption });
         }
-        let heading = dialect.quoted(layout.title());
+        let heading = dialect.quoted(engine.title());
         sections.push(PageSection { heading, words: vanishing, figures, tables });
     }
     let introduction = format!(

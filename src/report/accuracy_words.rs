@@ -26,9 +26,9 @@ impl AccuracyCase {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn of(layout: &Engine, quantities: &[Quantity], timed: bool) -> Result<Self, loads::Missing> {
-        let studies = quantities.iter().map(|quantity| accuracy::study(layout, *quantity, timed));
-        let mut rods = layout.rods().map(|rod| &rod.ratio);
+    pub fn of(engine: &Engine, quantities: &[Quantity], timed: bool) -> Result<Self, loads::Missing> {
+        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timed));
+        let mut rods = engine.rods().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
         Ok(AccuracyCase { ratio, studies: studies.collect::<Result<_, _>>()? })
@@ -43,8 +43,8 @@ impl AccuracyCase {
 }
 
 /// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
-pub fn accuracy_rows(layout: &Engine, study: &Study) -> Vec<[String; 6]> {
-    let (unit, factor) = unit(layout, study.quantity);
+pub fn accuracy_rows(engine: &Engine, study: &Study) -> Vec<[String; 6]> {
+    let (unit, factor) = unit(engine, study.quantity);
     let front = front(study);
     let row = |(place, row): (usize, &Row)| {
         let spans = row.looked_at.filter(|_| matches!(row.method, Method::Intervals(_)));
@@ -65,9 +65,9 @@ pub fn accuracy_rows(layout: &Engine, study: &Study) -> Vec<[String; 6]> {
 pub const HEADER: [&str; 6] = ["Method", "Peak", "Error", "Guaranteed", "Time", "Front"];
 
 /// Unit of a load, and how many of it are one multiple.
-pub(super) fn unit(layout: &Engine, quantity: Quantity) -> (&'static str, f64) {
-    let scale = loads::scale(layout);
-    let units = units(layout, scale.as_ref());
+pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
+    let scale = loads::scale(engine);
+    let units = units(engine, scale.as_ref());
     let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);
     match quantity {
         Quantity::Force => (units.force, factor(loads::Scale::force)),

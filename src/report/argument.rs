@@ -17,26 +17,26 @@ use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason}
 const MOST_TERMS_WRITTEN: usize = 9;
 
 /// The sentences that prove a verdict.
-pub(super) fn argument(layout: &Engine, verdict: &Verdict) -> String {
+pub(super) fn argument(engine: &Engine, verdict: &Verdict) -> String {
     let star = Star::new(verdict);
-    match reason(layout, verdict) {
+    match reason(engine, verdict) {
         Reason::NoWeight if verdict.sources.is_empty() => "No mass has a part in it.".to_owned(),
-        Reason::NoWeight if verdict.quantity == Quantity::Moment && stand_in_the_plane(layout, verdict) => {
+        Reason::NoWeight if verdict.quantity == Quantity::Moment && stand_in_the_plane(engine, verdict) => {
             "Every cylinder stands in the reference plane: all arms are zero.".to_owned()
         }
         Reason::NoWeight => "All masses are zero.".to_owned(),
-        Reason::Mirror => format!("By symmetry: {}", mirror(layout)),
-        Reason::Cancels => format!("Like directions cancel: {}.", cancelling(layout, verdict)),
-        Reason::OpposedPairs => opposed(layout, verdict),
+        Reason::Mirror => format!("By symmetry: {}", mirror(engine)),
+        Reason::Cancels => format!("Like directions cancel: {}.", cancelling(engine, verdict)),
+        Reason::OpposedPairs => opposed(engine, verdict),
         Reason::Rotation { fold } => {
             let turn = typeset::angle(&Turn::fraction(1, i64::from(fold)));
             format!(
                 "By symmetry: turned by {turn} the star is the same star, so its sum is the same when turned by {turn}, \
                  and only zero is. In polygons: {}",
-                polygons(layout, &star)
+                polygons(engine, &star)
             )
         }
-        Reason::Polygons => polygons(layout, &star),
+        Reason::Polygons => polygons(engine, &star),
         Reason::OneDirection(term) => format!(
             "Like directions collected, one vector is left: {} at {}. It is not zero.",
             typeset::number(&term.weight),
@@ -63,23 +63,23 @@ fn stand_in_the_plane(engine: &Engine, verdict: &Verdict) -> bool {
     verdict.sources.iter().all(|source| arm(source).is_some_and(|arm| arm.is_zero()))
 }
 
-fn mirror(layout: &Engine) -> String {
-    let partners = mirror_partners(layout).unwrap_or_default().into_iter().enumerate();
-    let cylinders: Vec<Source> = (0..layout.cylinders().len()).map(Source::Piston).collect();
+fn mirror(engine: &Engine) -> String {
+    let partners = mirror_partners(engine).unwrap_or_default().into_iter().enumerate();
+    let cylinders: Vec<Source> = (0..engine.cylinders().len()).map(Source::Piston).collect();
     format!(
         "the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, and \
          opposite arms, so their vectors cancel in every order.",
-        pairs(layout, &cylinders, partners.filter(|(index, partner)| index < partner)).join(", ")
+        pairs(engine, &cylinders, partners.filter(|(index, partner)| index < partner)).join(", ")
     )
 }
 
-fn opposed(layout: &Engine, verdict: &Verdict) -> String {
+fn opposed(engine: &Engine, verdict: &Verdict) -> String {
     let partners = opposed_partners(&verdict.sum).unwrap_or_default();
     let turned = match verdict.quantity {
         Quantity::Moment => ", each multiplied by its arm,",
         _ => "",
     };
-    let pairs = pairs(layout, &verdict.sources, partners.into_iter());
+    let pairs = pairs(engine, &verdict.sources, partners.into_iter());
     match pairs.as_slice() {
         [pair] => format!("By opposed pairs: the vectors of {pair}{turned} are equally long and opposite, and cancel."),
         _ => format!(
@@ -90,13 +90,13 @@ fn opposed(layout: &Engine, verdict: &Verdict) -> String {
 }
 
 /// `1 and 4`, a pair of sources each.
-fn pairs(layout: &Engine, sources: &[Source], indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
-    let name = |index: usize| sources[index].name(layout);
+fn pairs(engine: &Engine, sources: &[Source], indices: impl Iterator<Item = (usize, usize)>) -> Vec<String> {
+    let name = |index: usize| sources[index].name(engine);
     indices.map(|(first, second)| format!("{} and {}", name(first), name(second))).collect()
 }
 
 /// Each direction with the weights that cancel on it.
-fn cancelling(layout: &Engine, verdict: &Verdict) -> String {
+fn cancelling(engine: &Engine, verdict: &Verdict) -> String {
     let mut directions: Vec<(&Turn, Vec<(Source, &BigRational)>)> = Vec::new();
     for (source, term) in verdict.sources.iter().zip(verdict.sum.terms()) {
         let entry = (*source, &term.weight);
@@ -108,7 +108,7 @@ fn cancelling(layout: &Engine, verdict: &Verdict) -> String {
     directions.sort_by_key(|(angle, _)| *angle);
     let one = |(angle, members): &(&Turn, Vec<(Source, &BigRational)>)| {
         let weights: Vec<String> = members.iter().map(|(_, weight)| typeset::number(weight)).collect();
-        let names = source_names(layout, members.iter().map(|(source, _)| *source));
+        let names = source_names(engine, members.iter().map(|(source, _)| *source));
         let sum = weights.join(" + ").replace("+ −", "− ");
         let pistons = members.iter().all(|(source, _)| matches!(source, Source::Piston(_)));
         let kind = if pistons { "cylinders" } else { "vectors" };
@@ -117,13 +117,13 @@ fn cancelling(layout: &Engine, verdict: &Verdict) -> String {
     directions.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-fn polygons(layout: &Engine, star: &Star) -> String {
+fn polygons(engine: &Engine, star: &Star) -> String {
     let turned = if star.has_turned { "With the vectors of negative arms turned by 180°: " } else { "" };
-    let sentences: Vec<String> = star.polygons.iter().map(|polygon| polygon_sentence(layout, star, polygon)).collect();
+    let sentences: Vec<String> = star.polygons.iter().map(|polygon| polygon_sentence(engine, star, polygon)).collect();
     format!("{turned}{}", sentences.join(" "))
 }
 
-fn polygon_sentence(layout: &Engine, star: &Star, polygon: &Polygon) -> String {
+fn polygon_sentence(engine: &Engine, star: &Star, polygon: &Polygon) -> String {
     let corners: Vec<&Ray> = (0..polygon.sides)
         .filter_map(|j| {
             let angle = Turn::new(&polygon.rotation + BigRational::new(j.into(), polygon.sides.into()));
@@ -135,11 +135,11 @@ fn polygon_sentence(layout: &Engine, star: &Star, polygon: &Polygon) -> String {
     if whole && polygon.weight.is_one() && corners.iter().all(|ray| ray.members.len() == 1) {
         let mut corners = corners;
         corners.sort_by_key(|ray| ray.members[0].0);
-        let names: Vec<String> = corners.iter().map(|ray| ray.names(layout)).collect();
+        let names: Vec<String> = corners.iter().map(|ray| ray.names(engine)).collect();
         return format!("Vectors {} are {}, so they sum to zero.", listed(&names), corners_of(polygon.sides, &shape));
     }
     let places: Vec<String> =
-        corners.iter().map(|ray| format!("{} ({})", typeset::angle(&ray.angle), ray.names(layout))).collect();
+        corners.iter().map(|ray| format!("{} ({})", typeset::angle(&ray.angle), ray.names(engine))).collect();
     let weight = typeset::number(&polygon.weight);
     let share = if whole { format!("{weight} long each") } else { format!("taken {weight} long each") };
     format!("The vectors at {}, {share}, are {} and sum to zero.", listed(&places), corners_of(polygon.sides, &shape))

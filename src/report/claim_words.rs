@@ -262,8 +262,8 @@ pub fn table_finding(table: &StarTable, verdict: &TableVerdict) -> String {
     match verdict {
         TableVerdict::Right(entries) => format!("true: all {entries} entries are right"),
         TableVerdict::WrongPhase { cylinder, sense, written, right } => {
-            let layout: &Engine = &table.layout;
-            let cylinder = &layout.cylinders()[*cylinder];
+            let engine: &Engine = &table.layout;
+            let cylinder = &engine.cylinders()[*cylinder];
             debug_assert_eq!(order::phase(cylinder, table.order, Some(*sense)), *right);
             format!(
                 "false: the first wrong row is that of cylinder {}: its {} phase is {}, not {}: {} with β = {} and α = {} is {}",

@@ -44,14 +44,14 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
 
 impl Section {
     /// One row a zero; `None` where nothing vanishes.
-    pub fn new(dialect: Dialect, layout: &Engine, orders: &[OrderVerdict]) -> Option<Self> {
+    pub fn new(dialect: Dialect, engine: &Engine, orders: &[OrderVerdict]) -> Option<Self> {
         let mut header = vec!["Zero"];
         header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
         header.push("Verdict");
         let parts = orders.iter().flat_map(|order| &order.parts);
         let balances = parts.flat_map(|order| [("force", &order.force), ("moment", &order.moment)]);
         let rows: Vec<Vec<String>> =
-            balances.filter_map(|(name, balance)| Some(row(name, balance, &firmness(layout, balance)?))).collect();
+            balances.filter_map(|(name, balance)| Some(row(name, balance, &firmness(engine, balance)?))).collect();
         let meaning = |disturbance| {
             let (heading, meaning) = words(disturbance);
             dialect.prose(&format!("**{heading}:** {meaning}"))
@@ -76,12 +76,12 @@ fn row(name: &str, balance: &Balance, firmness: &Firmness) -> Vec<String> {
 }
 
 /// How firm the zeros of one order are, in a few words: `force firm; moment needs symmetric spacing`.
-pub(super) fn summary(layout: &Engine, order: &OrderBalance) -> String {
+pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> String {
     let part = |name: &str, balance| {
-        let firmness = firmness(layout, balance)?;
+        let firmness = firmness(engine, balance)?;
         Some(match firmness.is_firm() {
             true => format!("{name} firm"),
-            false => format!("{name} needs {}", needs(layout, &firmness).join(", ")),
+            false => format!("{name} needs {}", needs(engine, &firmness).join(", ")),
         })
     };
     let parts: Vec<String> =
@@ -90,22 +90,22 @@ pub(super) fn summary(layout: &Engine, order: &OrderBalance) -> String {
 }
 
 /// What has to stay as it is.
-fn needs(layout: &Engine, firmness: &Firmness) -> Vec<&'static str> {
+fn needs(engine: &Engine, firmness: &Firmness) -> Vec<&'static str> {
     let spacing = match (firmness.outcome(Disturbance::SymmetricSpacing), firmness.breaks(Disturbance::AnySpacing)) {
         (FirmnessOutcome::Survives, true) => Some("symmetric spacing"),
         (FirmnessOutcome::Breaks, _) | (_, true) => Some("this spacing"),
         _ => None,
     };
-    let offset = if has_offset(layout) { "this bank offset" } else { "no bank offset" };
+    let offset = if has_offset(engine) { "this bank offset" } else { "no bank offset" };
     let offset = firmness.breaks(Disturbance::BankOffset).then_some(offset);
     let masses = firmness.breaks(Disturbance::BankMasses).then_some("equal banks");
     [spacing, offset, masses].into_iter().flatten().collect()
 }
 
 /// Whether the banks stand at different positions.
-fn has_offset(layout: &Engine) -> bool {
+fn has_offset(engine: &Engine) -> bool {
     let mut banks: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
-    for cylinder in layout.cylinders() {
+    for cylinder in engine.cylinders() {
         banks.entry(&cylinder.bank).or_default().insert(&cylinder.position);
     }
     banks.values().collect::<BTreeSet<_>>().len() > 1

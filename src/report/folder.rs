@@ -29,7 +29,7 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
     if dialect == Dialect::Latex {
         return vec![File { name: "report.tex".into(), text }];
     }
-    let mut drawn = figures(subject.layout, subject.judged);
+    let mut drawn = figures(subject.engine, subject.judged);
     if let Some(Ok(remedy)) = subject.remedy() {
         let figure = remedy_figure(&remedy);
         drawn.extend(figure.map(|(name, figure)| NamedFigure {
@@ -38,10 +38,10 @@ pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
             figure,
         }));
     }
-    let torque = torque_verdicts(subject.layout, subject.judged, numbers.as_ref());
-    drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.layout, &torque)));
+    let torque = torque_verdicts(subject.engine, subject.judged, numbers.as_ref());
+    drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.engine, &torque)));
     if let Some(Ok(Numbers { loads, .. })) = &numbers {
-        drawn.extend(calculation::figures(subject.layout, loads));
+        drawn.extend(calculation::figures(subject.engine, loads));
         drawn.extend(calculation::bearing_figures(loads));
     }
     [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
@@ -89,10 +89,10 @@ pub fn index(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> File {
             .map(|order| left::whole_summary(order)[cell].clone())
             .collect()
     };
-    let line = |(entry, layout, orders): &(Entry, Engine, Vec<OrderVerdict>)| Line {
+    let line = |(entry, engine, orders): &(Entry, Engine, Vec<OrderVerdict>)| Line {
         name: entry.name,
-        title: dialect.quoted(layout.title()),
-        firing: layout.firing().map_or_else(String::new, intervals),
+        title: dialect.quoted(engine.title()),
+        firing: engine.firing().map_or_else(String::new, intervals),
         forces: cells(orders, 0),
         moments: cells(orders, 1),
     };

@@ -187,14 +187,14 @@ fn largest_entry(largest: &Largest, factor: f64) -> LargestEntry {
 }
 
 /// The loads of an engine as data, in newtons where the layout gives mass, crank radius and speed.
-pub fn loads_document(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> LoadsDocument {
+pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> LoadsDocument {
     let Numbers { loads, largest, left } = numbers;
     let factor = loads.scale.as_ref().map_or(1.0, |scale| scale.force());
     let torque_factor = loads.scale.as_ref().map_or(1.0, |scale| scale.torque());
     let rows = [("force", 0), ("moment", 1)].into_iter().flat_map(|(quantity, place)| {
         loads.orders.iter().map(move |order| {
             let swing = [&order.force, &order.moment][place];
-            order_entry(quantity, order, layout, swing, factor)
+            order_entry(quantity, order, engine, swing, factor)
         })
     });
     let coefficient = |order: &crate::loads::OrderLoads| {
@@ -223,11 +223,11 @@ pub fn loads_document(layout: &Engine, numbers: &Numbers, needed: Option<&Needed
     let (force, moment) = (loads.force.peak(), loads.moment.peak());
     LoadsDocument {
         format: Format::Loads,
-        evidence: vec![evidence(layout, loads)],
-        title: layout.title().written().to_owned(),
-        reference_plane: layout.reference_plane().to_string(),
+        evidence: vec![evidence(engine, loads)],
+        title: engine.title().written().to_owned(),
+        reference_plane: engine.reference_plane().to_string(),
         amplitudes: "zero-to-peak",
-        units: units(layout, loads.scale.as_ref()),
+        units: units(engine, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {
             mass_kg: scale.mass.to_f64().unwrap_or(f64::NAN),
             crank_radius_m: scale.crank_radius.to_f64().unwrap_or(f64::NAN),
@@ -307,7 +307,7 @@ pub(super) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
     there.re * along.re + there.im * along.im
 }
 
-fn order_entry(quantity: &'static str, order: &OrderLoads, layout: &Engine, swing: &Swing, factor: f64) -> OrderEntry {
+fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swing: &Swing, factor: f64) -> OrderEntry {
     let vector = |vector: &Vector| VectorEntry {
         amplitude: vector.value.norm() / 2.0 * factor,
         angle_deg: angle(vector),
@@ -321,7 +321,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, layout: &Engine, swin
     OrderEntry {
         quantity,
         order: order.order,
-        exists: order.exists(layout),
+        exists: order.exists(engine),
         vanishes: match (direct.vanishes, reverse.vanishes) {
             (Some(true), Some(true)) => Some(true),
             (Some(false), _) | (_, Some(false)) => Some(false),
@@ -361,8 +361,8 @@ pub(super) fn effect_name(effect: MassGroup) -> &'static str {
     }
 }
 
-pub(super) fn units(layout: &Engine, scale: Option<&Scale>) -> Units {
-    match (scale, Arm::of(layout)) {
+pub(super) fn units(engine: &Engine, scale: Option<&Scale>) -> Units {
+    match (scale, Arm::of(engine)) {
         (Some(_), Arm::Metre) => Units { force: "N", moment: "N m", torque: "N m" },
         (Some(_), Arm::Spacing) => Units { force: "N", moment: "N a", torque: "N m" },
         (None, Arm::Metre) => Units { force: "m r ω²", moment: "m r ω² · 1 m", torque: "m r² ω²" },

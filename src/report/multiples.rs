@@ -12,7 +12,7 @@ pub(super) struct Column<'a> {
     /// What stands above it.
     pub name: String,
     /// The engine.
-    pub layout: &'a Engine,
+    pub engine: &'a Engine,
     /// The order.
     pub order: &'a OrderBalance,
 }
@@ -28,8 +28,8 @@ const NAMES: f64 = 7.0;
 ///
 /// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
 pub(super) fn multiples(columns: &[Column]) -> Figure {
-    let in_line = |layout: &Engine| layout.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
-    let senses = if columns.iter().all(|column| in_line(column.layout)) { 1 } else { 2 };
+    let in_line = |engine: &Engine| engine.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
+    let senses = if columns.iter().all(|column| in_line(column.engine)) { 1 } else { 2 };
     let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
     let quantities = if columns.iter().any(has_arm) { 2 } else { 1 };
     let stars = |column: &Column| -> Vec<Star> {
@@ -40,7 +40,7 @@ pub(super) fn multiples(columns: &[Column]) -> Figure {
     let rows = senses * quantities;
     // Direct and reverse stars share their scale; moments only where they are in one unit.
     let scale_of = |column: &Column, quantity: usize| {
-        let alike = |other: &Column| quantity == 0 || other.layout.length_unit() == column.layout.length_unit();
+        let alike = |other: &Column| quantity == 0 || other.engine.length_unit() == column.engine.length_unit();
         let of_quantity =
             |stars: &Vec<Star>| stars[quantity * senses..][..senses].iter().map(Star::reach).fold(0.0, f64::max);
         let reaches = columns.iter().zip(&stars).filter(|(other, _)| alike(other)).map(|(_, stars)| of_quantity(stars));
@@ -63,7 +63,7 @@ pub(super) fn multiples(columns: &[Column]) -> Figure {
             // A short resultant is drawn thinner, so that its head does not hide it.
             let length = star.resultant.map_or(0.0, |sum| sum.norm() * scale);
             let width = RESULTANT * (length / SHORT).clamp(0.2, 1.0);
-            draw_star(&mut figure, corner, column.layout, verdict, star, (scale, width));
+            draw_star(&mut figure, corner, column.engine, verdict, star, (scale, width));
         }
     }
     figure

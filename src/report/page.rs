@@ -99,7 +99,7 @@ pub(super) struct Drawing {
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
     /// The engine.
-    pub layout: &'a Engine,
+    pub engine: &'a Engine,
     /// The verdicts on it.
     pub judged: &'a Judgement,
     /// The family that it is a member of, judged, where the file gives values to symbols.
@@ -115,13 +115,13 @@ impl Subject<'_> {
     pub(super) fn remedy(&self) -> Option<Result<Remedy, Refused>> {
         let orders = [1, 2].into_iter().filter(|order| self.judged.orders.iter().any(|judged| judged.order == *order));
         let wish = Wish { orders: orders.collect(), ..Wish::default() };
-        self.layout.effects().remedy.then(|| remedy::remedy(self.layout, &wish))
+        self.engine.effects().remedy.then(|| remedy::remedy(self.engine, &wish))
     }
 
     /// The numbers of the engine, where its file gives any.
     pub(super) fn numbers(&self) -> Option<Result<Numbers, Missing>> {
         let orders: Vec<u32> = self.judged.orders.iter().map(|order| order.order).collect();
-        calculation::numbers_of(self.layout, &orders, self.needed)
+        calculation::numbers_of(self.engine, &orders, self.needed)
     }
 }
 
@@ -176,18 +176,18 @@ fn of_order<'a>(order: &'a OrderVerdict, name: &str, file: &str) -> Vec<StarOf<'
 }
 
 /// All drawings of a report: the two views, then the stars of each order.
-pub(super) fn figures(layout: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
+pub(super) fn figures(engine: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
     let named = |name: String, caption: String, figure| NamedFigure { name, caption, figure };
     let mut figures = vec![
         named(
             "end-view".into(),
             "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise: crankpins inside, cylinders outside.".into(),
-            end_view(layout),
+            end_view(engine),
         ),
         named(
             "side-view".into(),
             "The crankshaft from the side with the throw angles below, the cylinders above, and the reference plane of the moments dashed.".into(),
-            side_view(layout),
+            side_view(engine),
         ),
     ];
     figures.extend(stars(judged).into_iter().map(|star| {
@@ -196,7 +196,7 @@ pub(super) fn figures(layout: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
              with a negative arm is drawn turned by 180°.",
             star.title
         );
-        named(star.file, caption, star_figure(layout, star.balance))
+        named(star.file, caption, star_figure(engine, star.balance))
     }));
     figures
 }
@@ -204,31 +204,31 @@ pub(super) fn figures(layout: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
 impl Page {
     /// Sets a report in a dialect.
     pub fn new(subject: Subject, numbers: Option<&Result<Numbers, Missing>>, dialect: Dialect) -> Self {
-        let Subject { layout, judged, family, needed, accuracy } = subject;
-        let mut drawings = figures(layout, judged).into_iter().map(|figure| drawing(figure, dialect));
+        let Subject { engine, judged, family, needed, accuracy } = subject;
+        let mut drawings = figures(engine, judged).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
-        let theorem = match verdict::theorem(layout, judged.masses) {
+        let theorem = match verdict::theorem(engine, judged.masses) {
             // The pistons have a pattern even where a shaft has none.
-            Err(NoTheorem::Shaft(_)) => verdict::theorem(layout, Masses::Reciprocating),
+            Err(NoTheorem::Shaft(_)) => verdict::theorem(engine, Masses::Reciprocating),
             other => other,
         };
         let calculation = numbers.map(|numbers| {
             let loads = numbers.as_ref().map(|numbers| &numbers.loads);
-            let figures = loads.map_or_else(|_| Vec::new(), |loads| calculation::figures(layout, loads));
+            let figures = loads.map_or_else(|_| Vec::new(), |loads| calculation::figures(engine, loads));
             let plots = figures.into_iter().map(|figure| drawing(figure, dialect)).collect();
-            Calculation::new(layout, numbers, needed, plots, dialect)
+            Calculation::new(engine, numbers, needed, plots, dialect)
         });
-        let block = layout.title_block();
-        let has_banks = layout.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
+        let block = engine.title_block();
+        let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
         Page {
-            title: dialect.quoted(layout.title()),
-            title_block: title_block(layout, dialect),
+            title: dialect.quoted(engine.title()),
+            title_block: title_block(engine, dialect),
             objective: block.objective.as_ref().map(|objective| dialect.quoted(objective)),
-            source: layout.source().map(|source| dialect.quoted(source)),
+            source: engine.source().map(|source| dialect.quoted(source)),
             headline: headlines(judged, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
-            summary: table::summary(dialect, layout, &judged.orders, firmness_of(judged.masses)),
-            whose: left::whose_masses(layout, judged)
+            summary: table::summary(dialect, engine, &judged.orders, firmness_of(judged.masses)),
+            whose: left::whose_masses(engine, judged)
                 .map(|words| {
                     [words.as_str()].into_iter().chain(left::turning_unit(judged)).collect::<Vec<_>>().join(" ")
                 })
@@ -236,31 +236,31 @@ impl Page {
             pistons: judged
                 .pistons
                 .as_ref()
-                .map(|pistons| table::summary(dialect, layout, pistons, table::Firmness::Shown)),
-            units: dialect.prose(&units(layout)),
+                .map(|pistons| table::summary(dialect, engine, pistons, table::Firmness::Shown)),
+            units: dialect.prose(&units(engine)),
             end_view,
             side_view,
-            cylinders: table::cylinders(dialect, layout),
-            firing: firing(layout).iter().map(|line| dialect.prose(line)).collect(),
-            firmness: (layout.mechanisms().len() < 2)
-                .then(|| firmness::Section::new(dialect, layout, judged.pistons.as_ref().unwrap_or(&judged.orders)))
+            cylinders: table::cylinders(dialect, engine),
+            firing: firing(engine).iter().map(|line| dialect.prose(line)).collect(),
+            firmness: (engine.mechanisms().len() < 2)
+                .then(|| firmness::Section::new(dialect, engine, judged.pistons.as_ref().unwrap_or(&judged.orders)))
                 .flatten(),
-            conventions: conventions(layout).iter().map(|line| dialect.prose(line)).collect(),
+            conventions: conventions(engine).iter().map(|line| dialect.prose(line)).collect(),
             force_formula: dialect.display(FORCE),
             phase_formulas: dialect.display(PHASES),
             bank_remark: has_banks.then(|| dialect.prose(BANKS)),
-            orders: stars(judged).iter().map(|star| Section::new(layout, star, dialect, next())).collect(),
+            orders: stars(judged).iter().map(|star| Section::new(engine, star, dialect, next())).collect(),
             open: family.map(|(family, orders)| OpenPage::new(family, orders, dialect)),
-            torque: torque_section(layout, judged, numbers, dialect),
-            every_order: theorem::Section::new(layout, &theorem, dialect),
+            torque: torque_section(engine, judged, numbers, dialect),
+            every_order: theorem::Section::new(engine, &theorem, dialect),
             calculation,
             remedy: subject.remedy().map(|remedy| match remedy {
                 Ok(remedy) => remedy_section(&remedy, dialect),
                 Err(refused) => dialect.prose(&format!("No remedy: {refused}.")),
             }),
             accuracy: accuracy.map(|case| accuracy_section(dialect, std::slice::from_ref(case))),
-            file: layout.file().written().lines().map(|line| dialect.verbatim(line)).collect(),
-            fence: fence(layout.file().written()),
+            file: engine.file().written().lines().map(|line| dialect.verbatim(line)).collect(),
+            fence: fence(engine.file().written()),
         }
     }
 }
@@ -268,11 +268,11 @@ impl Page {
 /// The verdicts on the inertia torque, where the file asks for it: at the orders that it has numbers of, else at the first and
 /// those of force and moment; one per mechanism where they differ.
 pub(super) fn torque_verdicts(
-    layout: &Engine,
+    engine: &Engine,
     judged: &Judgement,
     numbers: Option<&Result<Numbers, Missing>>,
 ) -> Vec<TorquePart> {
-    if !layout.effects().torque {
+    if !engine.effects().torque {
         return Vec::new();
     }
     let in_numbers = numbers.and_then(|numbers| numbers.as_ref().ok()?.loads.torque.as_ref());
@@ -280,32 +280,32 @@ pub(super) fn torque_verdicts(
         Some(torque) => torque.orders.iter().map(|order| order.order).collect(),
         None => verdict::torque_orders(&judged.orders.iter().map(|order| order.order).collect::<Vec<_>>()),
     };
-    verdict::torque(layout, &orders).into_iter().flat_map(|torque| torque.parts).collect()
+    verdict::torque(engine, &orders).into_iter().flat_map(|torque| torque.parts).collect()
 }
 
 /// The drawing of the stars of the inertia torque.
-pub(super) fn torque_stars(layout: &Engine, parts: &[TorquePart]) -> NamedFigure {
+pub(super) fn torque_stars(engine: &Engine, parts: &[TorquePart]) -> NamedFigure {
     NamedFigure {
         name: "torque-stars".into(),
         caption: "Vector stars of the inertia torque, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant.".into(),
-        figure: torque_figure(layout, &parts.iter().map(|part| &part.verdict).collect::<Vec<_>>()),
+        figure: torque_figure(engine, &parts.iter().map(|part| &part.verdict).collect::<Vec<_>>()),
     }
 }
 
 fn torque_section(
-    layout: &Engine,
+    engine: &Engine,
     judged: &Judgement,
     numbers: Option<&Result<Numbers, Missing>>,
     dialect: Dialect,
 ) -> Option<TorqueSection> {
-    let parts = torque_verdicts(layout, judged, numbers);
+    let parts = torque_verdicts(engine, judged, numbers);
     let paragraph = |part: &TorquePart| {
         let of = part.class.as_ref().map(|class| format!(" ({})", left::class_sources(class)));
-        Paragraph::named(layout, &part.verdict, "Q", &of.unwrap_or_default(), dialect)
+        Paragraph::named(engine, &part.verdict, "Q", &of.unwrap_or_default(), dialect)
     };
     (!parts.is_empty()).then(|| TorqueSection {
         formula: dialect.display(TORQUE),
-        stars: drawing(torque_stars(layout, &parts), dialect),
+        stars: drawing(torque_stars(engine, &parts), dialect),
         orders: parts.iter().map(paragraph).collect(),
     })
 }
@@ -325,10 +325,10 @@ pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
 }
 
 impl Section {
-    fn new(layout: &Engine, star: &StarOf, dialect: Dialect, stars: Drawing) -> Self {
+    fn new(engine: &Engine, star: &StarOf, dialect: Dialect, stars: Drawing) -> Self {
         let order = star.balance;
         let paragraphs = |balance: &Balance, symbol: &str| {
-            let paragraph = |verdict: &Verdict| Paragraph::named(layout, verdict, symbol, "", dialect);
+            let paragraph = |verdict: &Verdict| Paragraph::named(engine, verdict, symbol, "", dialect);
             balance.verdicts().into_iter().map(paragraph).collect()
         };
         let whole = star.whole.map(|order| {
@@ -337,7 +337,7 @@ impl Section {
         });
         Section {
             heading: dialect.prose(&format!("Order {}", star.title)),
-            table: table::vector_star(dialect, layout, order),
+            table: table::vector_star(dialect, engine, order),
             stars,
             force: paragraphs(&order.force, "P"),
             force_left: dialect.prose(&match order.exists {
@@ -346,7 +346,7 @@ impl Section {
             }),
             moment: paragraphs(&order.moment, "C"),
             moment_left: dialect.prose(&match order.exists {
-                true => moment_left(layout, order),
+                true => moment_left(engine, order),
                 false => missing(order),
             }),
             whole: whole.unwrap_or_default(),
@@ -359,11 +359,11 @@ fn missing(order: &OrderBalance) -> String {
     format!("Whatever the sums are, order {} {DOES_NOT_EXIST}. {WHY_NOT}", order.order)
 }
 
-fn moment_left(layout: &Engine, order: &OrderBalance) -> String {
+fn moment_left(engine: &Engine, order: &OrderBalance) -> String {
     let kind = if order.moment_is_couple() {
         "The force of this order vanishes, so the moment is a free couple: the same about every plane.".to_owned()
     } else {
-        let plane = typeset::number(layout.reference_plane());
+        let plane = typeset::number(engine.reference_plane());
         format!(
             "The force of this order does not vanish, so the moment depends on the reference plane, here z = {plane}."
         )
@@ -373,7 +373,7 @@ fn moment_left(layout: &Engine, order: &OrderBalance) -> String {
 
 impl Paragraph {
     /// `of` says whose sum it is, where that needs saying.
-    fn named(layout: &Engine, verdict: &Verdict, symbol: &str, of: &str, dialect: Dialect) -> Self {
+    fn named(engine: &Engine, verdict: &Verdict, symbol: &str, of: &str, dialect: Dialect) -> Self {
         let sense = match verdict.sense {
             Some(Sense::Direct) => "+",
             Some(Sense::Reverse) => "-",
@@ -396,14 +396,14 @@ impl Paragraph {
         };
         Paragraph {
             lead: dialect.prose(&lead),
-            proof: dialect.prose(&argument::argument(layout, verdict)),
+            proof: dialect.prose(&argument::argument(engine, verdict)),
             certificate: dialect.prose(&argument::certificate(verdict)),
         }
     }
 }
 
-fn title_block(layout: &Engine, dialect: Dialect) -> Option<Table> {
-    let rows: Vec<Vec<String>> = layout
+fn title_block(engine: &Engine, dialect: Dialect) -> Option<Table> {
+    let rows: Vec<Vec<String>> = engine
         .title_block()
         .rows
         .iter()
@@ -486,9 +486,9 @@ fn plural(orders: &[String]) -> String {
     format!("order{} {}", if orders.len() == 1 { "" } else { "s" }, orders.join(", "))
 }
 
-fn units(layout: &Engine) -> String {
-    let mass = if layout.has_unit_masses() { "m r ω² c_k" } else { "r ω² c_k · kg" };
-    let arm = match layout.length_unit() {
+fn units(engine: &Engine) -> String {
+    let mass = if engine.has_unit_masses() { "m r ω² c_k" } else { "r ω² c_k · kg" };
+    let arm = match engine.length_unit() {
         crate::engine::LengthUnit::Metre => "times metres",
         crate::engine::LengthUnit::Spacing => "times a, the unit of the positions (the cylinder spacing)",
     };
@@ -500,9 +500,9 @@ fn units(layout: &Engine) -> String {
     )
 }
 
-fn firing(layout: &Engine) -> Vec<String> {
-    let Some(firing) = layout.firing() else { return Vec::new() };
-    let names: Vec<&str> = firing.shots.iter().map(|shot| layout.cylinders()[shot.cylinder].name.as_str()).collect();
+fn firing(engine: &Engine) -> Vec<String> {
+    let Some(firing) = engine.firing() else { return Vec::new() };
+    let names: Vec<&str> = firing.shots.iter().map(|shot| engine.cylinders()[shot.cylinder].name.as_str()).collect();
     let cycle = match firing.cycle {
         Cycle::FourStroke => "four-stroke",
         Cycle::TwoStroke => "two-stroke",
@@ -522,22 +522,22 @@ pub(super) fn intervals(firing: &Firing) -> String {
     }
 }
 
-fn conventions(layout: &Engine) -> Vec<String> {
-    let plane = typeset::number(layout.reference_plane());
-    let unit = table::position_unit(layout).replace(['(', ')'], "");
-    let why = if layout.reference_plane_given() { "as the layout file says" } else { "the middle of the cylinders" };
+fn conventions(engine: &Engine) -> Vec<String> {
+    let plane = typeset::number(engine.reference_plane());
+    let unit = table::position_unit(engine).replace(['(', ')'], "");
+    let why = if engine.reference_plane_given() { "as the layout file says" } else { "the middle of the cylinders" };
     vec![
         SEEN.to_owned(),
         CENTRES.to_owned(),
         FIRES.to_owned(),
         format!("Moments are taken about the plane z = {plane}{unit}, {why}."),
-        assumed(layout),
+        assumed(engine),
     ]
 }
 
 /// What the verdicts rest on.
-fn assumed(layout: &Engine) -> String {
-    match (layout.mechanisms().len() > 1, layout.has_offset()) {
+fn assumed(engine: &Engine) -> String {
+    match (engine.mechanisms().len() > 1, engine.has_offset()) {
         (false, false) => ASSUMED.to_owned(),
         (unequal, offset) => format!(
             "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself. {}{}",

@@ -97,34 +97,34 @@ const LABEL_HEIGHT: f64 = 3.4;
 const MOST_LABELS: usize = 36;
 
 /// The stars of one order: force above moment, direct beside reverse; the moment only where an arm is not zero.
-pub(super) fn star_figure(layout: &Engine, order: &OrderBalance) -> Figure {
+pub(super) fn star_figure(engine: &Engine, order: &OrderBalance) -> Figure {
     let with_moment = order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
     let rows: Vec<&Balance> = if with_moment { vec![&order.moment, &order.force] } else { vec![&order.force] };
     let mut figure = Figure::new(2.0 * PANEL.0, rows.len() as f64 * PANEL.1);
     for (row, balance) in rows.iter().enumerate() {
         for (column, verdict) in balance.verdicts().into_iter().enumerate() {
             let corner = Point::new(column as f64 * PANEL.0, row as f64 * PANEL.1);
-            draw(&mut figure, corner, layout, verdict);
+            draw(&mut figure, corner, engine, verdict);
         }
     }
     figure
 }
 
 /// The stars of the inertia torque, two beside each other, the first above.
-pub(super) fn torque_figure(layout: &Engine, verdicts: &[&Verdict]) -> Figure {
+pub(super) fn torque_figure(engine: &Engine, verdicts: &[&Verdict]) -> Figure {
     let rows = verdicts.len().div_ceil(2);
     let mut figure = Figure::new(2.0 * PANEL.0, rows as f64 * PANEL.1);
     for (index, verdict) in verdicts.iter().enumerate() {
         let row = rows - 1 - index / 2;
-        draw(&mut figure, Point::new((index % 2) as f64 * PANEL.0, row as f64 * PANEL.1), layout, verdict);
+        draw(&mut figure, Point::new((index % 2) as f64 * PANEL.0, row as f64 * PANEL.1), engine, verdict);
     }
     figure
 }
 
-fn draw(figure: &mut Figure, corner: Point, layout: &Engine, verdict: &Verdict) {
+fn draw(figure: &mut Figure, corner: Point, engine: &Engine, verdict: &Verdict) {
     let star = Star::new(verdict);
     let scale = scale(star.reach());
-    draw_star(figure, corner, layout, verdict, &star, (scale, RESULTANT));
+    draw_star(figure, corner, engine, verdict, &star, (scale, RESULTANT));
 }
 
 /// Width of a resultant in millimetres.
@@ -139,7 +139,7 @@ pub(super) fn scale(reach: f64) -> f64 {
 pub(super) fn draw_star(
     figure: &mut Figure,
     corner: Point,
-    layout: &Engine,
+    engine: &Engine,
     verdict: &Verdict,
     star: &Star,
     (scale, width): (f64, f64),
@@ -162,7 +162,7 @@ pub(super) fn draw_star(
         draw_ray(figure, centre, scale, ray);
     }
     if star.rays.len() <= MOST_LABELS {
-        draw_labels(figure, centre, layout, star);
+        draw_labels(figure, centre, engine, star);
     }
     let place = corner + Point::new(PANEL.0 / 2.0, 3.6);
     let modulus = super::left::modulus(verdict);
@@ -219,7 +219,7 @@ fn draw_polygon(figure: &mut Figure, centre: Point, scale: f64, polygon: &Polygo
 }
 
 /// Names of the cylinders on a ring, tied to their vectors; close neighbours on a second ring.
-fn draw_labels(figure: &mut Figure, centre: Point, layout: &Engine, star: &Star) {
+fn draw_labels(figure: &mut Figure, centre: Point, engine: &Engine, star: &Star) {
     let mut last: Option<Point> = None;
     let mut first: Option<Point> = None;
     let mut ring = 0;
@@ -234,7 +234,7 @@ fn draw_labels(figure: &mut Figure, centre: Point, layout: &Engine, star: &Star)
             x if x < -0.2 => Anchor::End,
             _ => Anchor::Middle,
         };
-        figure.text(at, ray.names(layout), anchor);
+        figure.text(at, ray.names(engine), anchor);
         last = Some(place);
         first = first.or(Some(place));
     }

@@ -66,14 +66,14 @@ fn size(width: usize) -> &'static str {
 /// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros of the pistons are.
 ///
 /// An order of several sums has a row for the whole, and one for each.
-pub(super) fn summary(dialect: Dialect, layout: &Engine, orders: &[OrderVerdict], with_firmness: Firmness) -> Table {
+pub(super) fn summary(dialect: Dialect, engine: &Engine, orders: &[OrderVerdict], with_firmness: Firmness) -> Table {
     let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
     let row = |name: String, [force, moment]: [String; 2], firm: String| {
         let firm = (with_firmness == Firmness::Shown).then_some(firm);
         [name, bold(force), bold(moment)].into_iter().chain(firm).collect::<Vec<_>>()
     };
     let part = |part: &OrderBalance| {
-        let firm = if part.class.is_none() { firmness::summary(layout, part) } else { "–".to_owned() };
+        let firm = if part.class.is_none() { firmness::summary(engine, part) } else { "–".to_owned() };
         row(left::order_name(part), left::summary_prose(part), firm)
     };
     let rows = orders.iter().flat_map(|order| {
@@ -96,10 +96,10 @@ pub(super) enum Firmness {
 }
 
 /// One row a cylinder: throw, bank, position, and mass where they differ from 1.
-pub(super) fn cylinders(dialect: Dialect, layout: &Engine) -> Table {
-    let unit = position_unit(layout);
+pub(super) fn cylinders(dialect: Dialect, engine: &Engine) -> Table {
+    let unit = position_unit(engine);
     let mut header = vec!["Cylinder".to_owned(), "Throw β".into(), "Bank α".into(), format!("Position z{unit}")];
-    if !layout.has_unit_masses() {
+    if !engine.has_unit_masses() {
         header.push("Reciprocating mass".into());
     }
     let row = |cylinder: &Cylinder| {
@@ -109,18 +109,18 @@ pub(super) fn cylinders(dialect: Dialect, layout: &Engine) -> Table {
             typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
             typeset::number(&cylinder.position),
         ];
-        if !layout.has_unit_masses() {
+        if !engine.has_unit_masses() {
             cells.push(typeset::number(&cylinder.reciprocating_mass));
         }
         cells
     };
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    Table::new(dialect, &header, layout.cylinders().iter().map(row).collect())
+    Table::new(dialect, &header, engine.cylinders().iter().map(row).collect())
 }
 
 /// ` (m)`, or nothing where positions are multiples of the spacing.
-pub(super) fn position_unit(layout: &Engine) -> &'static str {
-    match layout.length_unit() {
+pub(super) fn position_unit(engine: &Engine) -> &'static str {
+    match engine.length_unit() {
         LengthUnit::Metre => " (m)",
         LengthUnit::Spacing => "",
     }
@@ -140,24 +140,24 @@ pub(super) fn period(dialect: Dialect, theorem: &Theorem) -> Table {
 }
 
 /// The vector-star table of order k: how each phase comes about, where there is room for it, and the sums.
-pub(super) fn vector_star(dialect: Dialect, layout: &Engine, order: &OrderBalance) -> Table {
-    let (header, rows) = star_cells(layout, order, phase);
+pub(super) fn vector_star(dialect: Dialect, engine: &Engine, order: &OrderBalance) -> Table {
+    let (header, rows) = star_cells(engine, order, phase);
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     if width(&header, &rows) <= WIDEST {
         return Table::new(dialect, &header, rows);
     }
-    Table::new(dialect, &header, star_cells(layout, order, reduced_phase).1)
+    Table::new(dialect, &header, star_cells(engine, order, reduced_phase).1)
 }
 
 /// Multiples of an angle in degrees whose sum is a phase.
 type Parts<'a> = [(i64, &'a BigRational); 2];
 
-fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
+fn star_cells(engine: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
     let k = i64::from(order.order);
-    let has_banks = layout.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
+    let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
     let pistons_alone = order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(is_piston));
-    let with_mass = !(layout.has_unit_masses() && pistons_alone);
-    let arm = format!("Arm z{}", position_unit(layout));
+    let with_mass = !(engine.has_unit_masses() && pistons_alone);
+    let arm = format!("Arm z{}", position_unit(engine));
     let first = if pistons_alone { "Cylinder" } else { "Source" };
     let mut header = vec![first.to_owned(), "Throw β".into()];
     header.extend(has_banks.then(|| "Bank α".into()));
@@ -169,8 +169,8 @@ fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
         let bank = typeset::signed_degrees(&cylinder.bank);
         let mut cells = vec![cylinder.name.clone(), typeset::angle(&cylinder.throw)];
         cells.extend(has_banks.then(|| typeset::degrees(&bank)));
-        cells.push(typeset::number(&layout.arm(cylinder)));
-        cells.extend(with_mass.then(|| typeset::number(&order::mass_radius(layout, cylinder))));
+        cells.push(typeset::number(&engine.arm(cylinder)));
+        cells.extend(with_mass.then(|| typeset::number(&order::mass_radius(engine, cylinder))));
         let throw = cylinder.throw.degrees();
         cells.extend([Sense::Direct, Sense::Reverse].map(|sense| phase(&parts(order.order, sense, &throw, &bank))));
         cells
@@ -178,9 +178,9 @@ fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
     // What turns adds to one of the two sums, at the angle of its weight.
     let turning = |mass: &TurningMass| {
         let angle = |sense| if mass.sense == sense { typeset::angle(&mass.angle) } else { "–".to_owned() };
-        let mut cells = vec![mass.source.name(layout), String::new()];
+        let mut cells = vec![mass.source.name(engine), String::new()];
         cells.extend(has_banks.then(String::new));
-        cells.push(typeset::number(&(&mass.position - layout.reference_plane())));
+        cells.push(typeset::number(&(&mass.position - engine.reference_plane())));
         cells.extend(with_mass.then(|| typeset::number(&mass.weight())));
         cells.extend([Sense::Direct, Sense::Reverse].map(angle));
         cells
@@ -189,9 +189,9 @@ fn star_cells(layout: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
         [&order.force.direct, &order.force.reverse].map(|verdict| verdict.sources.clone()).concat();
     sources.sort_unstable();
     sources.dedup();
-    let masses = order::turning_masses(layout);
+    let masses = order::turning_masses(engine);
     let cells = |source: &Source| match source {
-        Source::Piston(index) => Some(row(&layout.cylinders()[*index])),
+        Source::Piston(index) => Some(row(&engine.cylinders()[*index])),
         other => masses.iter().find(|mass| mass.source == *other).map(turning),
     };
     let mut rows: Vec<Vec<String>> = sources.iter().filter_map(cells).collect();

@@ -27,7 +27,7 @@ pub(super) struct Section {
 
 impl Section {
     /// Sets the section in a dialect.
-    pub fn new(layout: &Engine, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
+    pub fn new(engine: &Engine, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
         let theorem = match theorem {
             Ok(theorem) => theorem,
             Err(reason) => {
@@ -38,9 +38,9 @@ impl Section {
         let rows = theorem.force.direct.len();
         Section {
             statements: statements
-                .map(|(name, every)| dialect.prose(&format!("{}{}", statement(name, every), whose(layout, theorem))))
+                .map(|(name, every)| dialect.prose(&format!("{}{}", statement(name, every), whose(engine, theorem))))
                 .to_vec(),
-            why: dialect.prose(&why(layout, theorem)),
+            why: dialect.prose(&why(engine, theorem)),
             table: (rows <= MOST_ROWS).then(|| table::period(dialect, theorem)),
         }
     }
@@ -71,10 +71,10 @@ fn no_theorem(reason: &NoTheorem) -> String {
     format!("No statement is made on every order at once: {why}.")
 }
 
-fn why(layout: &Engine, theorem: &Theorem) -> String {
+fn why(engine: &Engine, theorem: &Theorem) -> String {
     let period = theorem.period;
     let even = if period == 2 { "order 2".to_owned() } else { format!("the even orders 2 to {period}") };
-    let plane = super::typeset::number(layout.reference_plane());
+    let plane = super::typeset::number(engine.reference_plane());
     format!(
         "All throws and banks are multiples of $\\tfrac{{1}}{{{period}}}$ of a turn, and in (2) the order k only multiplies \
          angles: $P_k^{{\\pm}}$ depends on $k$ only modulo {period}, and so do the sums of the moment, about z = {plane}. The verdicts \

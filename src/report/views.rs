@@ -17,20 +17,20 @@ const MOST_ROWS: usize = 4;
 const MOST_LABELS: usize = 36;
 
 /// The names of the cylinders that share something, by what they share.
-fn groups<K: Ord>(layout: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeMap<K, Vec<&str>> {
+fn groups<K: Ord>(engine: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeMap<K, Vec<&str>> {
     let mut groups: BTreeMap<K, Vec<&str>> = BTreeMap::new();
-    for cylinder in layout.cylinders() {
+    for cylinder in engine.cylinders() {
         groups.entry(key(cylinder)).or_default().push(&cylinder.name);
     }
     groups
 }
 
 /// The engine from its free end at θ = 0: pins inside, cylinder axes outside, angle 0 upwards.
-pub(super) fn end_view(layout: &Engine) -> Figure {
+pub(super) fn end_view(engine: &Engine) -> Figure {
     let mut figure = Figure::new(100.0, 92.0);
     let centre = Point::new(50.0, 46.0);
-    let throws = groups(layout, |cylinder| cylinder.throw.clone());
-    let banks = groups(layout, |cylinder| cylinder.bank.clone());
+    let throws = groups(engine, |cylinder| cylinder.throw.clone());
+    let banks = groups(engine, |cylinder| cylinder.bank.clone());
     for (bank, names) in &banks {
         let along = towards(bank);
         let across = along * Point::i();
@@ -73,12 +73,12 @@ const FIRST_ROW: f64 = 42.0;
 const ROW: f64 = 9.0;
 
 /// The crankshaft from the side, free end at the left: pins at the height of their throws, cylinders above.
-pub(super) fn side_view(layout: &Engine) -> Figure {
-    let banks: BTreeSet<&Turn> = layout.cylinders().iter().map(|cylinder| &cylinder.bank).collect();
+pub(super) fn side_view(engine: &Engine) -> Figure {
+    let banks: BTreeSet<&Turn> = engine.cylinders().iter().map(|cylinder| &cylinder.bank).collect();
     let rows = if banks.len() <= MOST_ROWS { banks.len() } else { 1 };
     let mut figure = Figure::new(WIDTH, FIRST_ROW + ROW * rows as f64 + 3.0);
-    let scale = Scale::new(layout);
-    let plane = scale.x(layout.reference_plane());
+    let scale = Scale::new(engine);
+    let plane = scale.x(engine.reference_plane());
     let top = figure.height - 1.0;
     figure.line(
         Point::new(plane, AXIS - CRANK_RADIUS),
@@ -89,8 +89,8 @@ pub(super) fn side_view(layout: &Engine) -> Figure {
     figure.text(Point::new(1.0, AXIS + 4.0), "free end", Anchor::Start);
     figure.arrow(Point::new(16.0, 2.5), Point::new(4.0, 2.5), Stroke::solid(Ink::Grey, 0.3));
     figure.text(Point::new(17.5, 2.5), "z", Anchor::Start);
-    draw_pins(&mut figure, layout, &scale);
-    draw_cylinders(&mut figure, layout, &scale, &banks);
+    draw_pins(&mut figure, engine, &scale);
+    draw_cylinders(&mut figure, engine, &scale, &banks);
     figure
 }
 
@@ -103,9 +103,9 @@ struct Scale {
 }
 
 impl Scale {
-    fn new(layout: &Engine) -> Self {
+    fn new(engine: &Engine) -> Self {
         let mut positions: Vec<f64> =
-            layout.cylinders().iter().filter_map(|cylinder| cylinder.position.to_f64()).collect();
+            engine.cylinders().iter().filter_map(|cylinder| cylinder.position.to_f64()).collect();
         positions.sort_by(f64::total_cmp);
         let (low, high) = (positions.first().copied().unwrap_or(0.0), positions.last().copied().unwrap_or(0.0));
         let span = high - low;
@@ -122,9 +122,9 @@ impl Scale {
     }
 }
 
-fn draw_pins(figure: &mut Figure, layout: &Engine, scale: &Scale) {
+fn draw_pins(figure: &mut Figure, engine: &Engine, scale: &Scale) {
     let mut at_position: BTreeMap<&BigRational, BTreeSet<&Turn>> = BTreeMap::new();
-    for cylinder in layout.cylinders() {
+    for cylinder in engine.cylinders() {
         at_position.entry(&cylinder.position).or_default().insert(&cylinder.throw);
     }
     let lines_apart = if scale.gap < 11.0 { 2 } else { 1 };
@@ -142,12 +142,12 @@ fn draw_pins(figure: &mut Figure, layout: &Engine, scale: &Scale) {
     }
 }
 
-fn draw_cylinders(figure: &mut Figure, layout: &Engine, scale: &Scale, banks: &BTreeSet<&Turn>) {
+fn draw_cylinders(figure: &mut Figure, engine: &Engine, scale: &Scale, banks: &BTreeSet<&Turn>) {
     let as_rows = banks.len() <= MOST_ROWS;
     let row_of = |cylinder: &Cylinder| {
         if as_rows { banks.iter().position(|bank| **bank == cylinder.bank).unwrap_or(0) } else { 0 }
     };
-    let by_place = groups(layout, |cylinder| (row_of(cylinder), cylinder.position.clone()));
+    let by_place = groups(engine, |cylinder| (row_of(cylinder), cylinder.position.clone()));
     let half = if scale.gap.is_finite() { (scale.gap * 0.42).clamp(0.6, 3.4) } else { 3.4 };
     for ((row, position), names) in &by_place {
         let (x, y) = (scale.x(position), FIRST_ROW + ROW * *row as f64);

@@ -74,44 +74,44 @@ impl Firmness {
 }
 
 /// How firm the zero of a balance is; `None` where something is left, and where it is not about the pistons of all cylinders.
-pub fn firmness(layout: &Engine, balance: &Balance) -> Option<Firmness> {
+pub fn firmness(engine: &Engine, balance: &Balance) -> Option<Firmness> {
     let outcome = |disturbance| {
-        let coefficients = balance.verdicts().map(|verdict| coefficients(layout, verdict, disturbance));
+        let coefficients = balance.verdicts().map(|verdict| coefficients(engine, verdict, disturbance));
         match coefficients.into_iter().collect::<Option<Vec<_>>>() {
             None => FirmnessOutcome::DoesNotApply,
             Some(sums) if sums.iter().flatten().all(PhasorSum::vanishes) => FirmnessOutcome::Survives,
             Some(_) => FirmnessOutcome::Breaks,
         }
     };
-    let pistons = (0..layout.cylinders().len()).map(Source::Piston);
+    let pistons = (0..engine.cylinders().len()).map(Source::Piston);
     let of_pistons = balance.verdicts().into_iter().all(|verdict| verdict.sources.iter().copied().eq(pistons.clone()));
     (of_pistons && balance.is_balanced()).then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
 }
 
 /// The coefficient of every symbol of a disturbance; `None` where it does not apply.
-fn coefficients(layout: &Engine, verdict: &Verdict, disturbance: Disturbance) -> Option<Vec<PhasorSum>> {
+fn coefficients(engine: &Engine, verdict: &Verdict, disturbance: Disturbance) -> Option<Vec<PhasorSum>> {
     let moves_cylinders = !matches!(disturbance, Disturbance::BankMasses | Disturbance::CylinderMasses);
     if moves_cylinders && verdict.quantity != Quantity::Moment {
         return None;
     }
-    let banks = distinct(layout, |cylinder| cylinder.bank.clone()).len();
-    let force = || order::star(layout, Quantity::Force, verdict.order, verdict.sense);
+    let banks = distinct(engine, |cylinder| cylinder.bank.clone()).len();
+    let force = || order::star(engine, Quantity::Force, verdict.order, verdict.sense);
     let bank = |cylinder: &Cylinder| cylinder.bank.clone();
     match disturbance {
         Disturbance::SymmetricSpacing => {
-            let arms = distinct(layout, |cylinder| layout.arm(cylinder));
+            let arms = distinct(engine, |cylinder| engine.arm(cylinder));
             let is_symmetric = arms.iter().all(|arm| arms.contains(&-arm));
-            let sums = || grouped(layout, &either_side(layout, &force()), |cylinder| layout.arm(cylinder).abs());
+            let sums = || grouped(engine, &either_side(engine, &force()), |cylinder| engine.arm(cylinder).abs());
             (is_symmetric && arms.iter().any(|arm| !arm.is_zero())).then(sums)
         }
         Disturbance::AnySpacing => {
-            let positions = distinct(layout, |cylinder| cylinder.position.clone()).len();
-            (positions > 1).then(|| grouped(layout, &force(), |cylinder| cylinder.position.clone()))
+            let positions = distinct(engine, |cylinder| cylinder.position.clone()).len();
+            (positions > 1).then(|| grouped(engine, &force(), |cylinder| cylinder.position.clone()))
         }
-        Disturbance::BankOffset => (banks > 1).then(|| differences(&grouped(layout, &force(), bank))),
+        Disturbance::BankOffset => (banks > 1).then(|| differences(&grouped(engine, &force(), bank))),
         // Where every bank is one cylinder, this is no disturbance of its own.
         Disturbance::BankMasses => {
-            (banks > 1 && banks < layout.cylinders().len()).then(|| grouped(layout, &verdict.sum, bank))
+            (banks > 1 && banks < engine.cylinders().len()).then(|| grouped(engine, &verdict.sum, bank))
         }
         Disturbance::CylinderMasses => {
             Some(verdict.sum.terms().iter().map(|term| PhasorSum::new(vec![term.clone()])).collect())
@@ -120,11 +120,11 @@ fn coefficients(layout: &Engine, verdict: &Verdict, disturbance: Disturbance) ->
 }
 
 /// The sum with the terms below the reference plane reversed, and those in it left out.
-fn either_side(layout: &Engine, sum: &PhasorSum) -> PhasorSum {
-    let terms = layout.cylinders().iter().zip(sum.terms());
+fn either_side(engine: &Engine, sum: &PhasorSum) -> PhasorSum {
+    let terms = engine.cylinders().iter().zip(sum.terms());
     let signed = |(cylinder, term): (&Cylinder, &Term)| Term {
         angle: term.angle.clone(),
-        weight: &term.weight * layout.arm(cylinder).signum(),
+        weight: &term.weight * engine.arm(cylinder).signum(),
     };
     PhasorSum::new(terms.map(signed).collect())
 }
@@ -135,14 +135,14 @@ fn differences(sums: &[PhasorSum]) -> Vec<PhasorSum> {
     sums.windows(2).map(|pair| pair[1].minus(&pair[0])).collect()
 }
 
-fn distinct<K: Ord>(layout: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeSet<K> {
-    layout.cylinders().iter().map(key).collect()
+fn distinct<K: Ord>(engine: &Engine, key: impl Fn(&Cylinder) -> K) -> BTreeSet<K> {
+    engine.cylinders().iter().map(key).collect()
 }
 
 /// The sums over the cylinders that share something.
-fn grouped<K: Ord>(layout: &Engine, sum: &PhasorSum, key: impl Fn(&Cylinder) -> K) -> Vec<PhasorSum> {
+fn grouped<K: Ord>(engine: &Engine, sum: &PhasorSum, key: impl Fn(&Cylinder) -> K) -> Vec<PhasorSum> {
     let mut groups: BTreeMap<K, Vec<Term>> = BTreeMap::new();
-    for (cylinder, term) in layout.cylinders().iter().zip(sum.terms()) {
+    for (cylinder, term) in engine.cylinders().iter().zip(sum.terms()) {
         groups.entry(key(cylinder)).or_default().push(term.clone());
     }
     groups.into_values().map(PhasorSum::new).collect()

@@ -35,12 +35,12 @@ pub enum Reason {
 }
 
 /// The plainest reason for a verdict on this engine.
-pub fn reason(layout: &Engine, verdict: &Verdict) -> Reason {
+pub fn reason(engine: &Engine, verdict: &Verdict) -> Reason {
     let collected = verdict.sum.collected();
     let no_weight = verdict.sum.terms().iter().all(|term| term.weight.is_zero());
     match (&verdict.certificate, collected.as_slice()) {
         (Certificate::Polygons { .. }, _) if no_weight => Reason::NoWeight,
-        (Certificate::Polygons { .. }, _) if is_moment_of_pistons(verdict) && has_mirror(layout) => Reason::Mirror,
+        (Certificate::Polygons { .. }, _) if is_moment_of_pistons(verdict) && has_mirror(engine) => Reason::Mirror,
         (Certificate::Polygons { .. }, []) => Reason::Cancels,
         (Certificate::Polygons { .. }, _) if opposed_partners(&verdict.sum).is_some() => Reason::OpposedPairs,
         (Certificate::Polygons { .. }, terms) => match fold(terms) {
@@ -56,18 +56,18 @@ pub fn reason(layout: &Engine, verdict: &Verdict) -> Reason {
 /// For each cylinder its mirror image across the reference plane: equal throw, bank and mass, opposite arm.
 ///
 /// `None` where some cylinder has none. A cylinder in the plane is its own image.
-pub fn mirror_partners(layout: &Engine) -> Option<Vec<usize>> {
-    let mut partners: Vec<Option<usize>> = vec![None; layout.cylinders().len()];
+pub fn mirror_partners(engine: &Engine) -> Option<Vec<usize>> {
+    let mut partners: Vec<Option<usize>> = vec![None; engine.cylinders().len()];
     let is_image = |a: &Cylinder, b: &Cylinder| {
-        layout.arm(a) == -layout.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
+        engine.arm(a) == -engine.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
     };
-    for (index, cylinder) in layout.cylinders().iter().enumerate() {
+    for (index, cylinder) in engine.cylinders().iter().enumerate() {
         if partners[index].is_some() {
             continue;
         }
         let in_plane = is_image(cylinder, cylinder);
-        let image = (index + 1..layout.cylinders().len())
-            .find(|&other| !in_plane && partners[other].is_none() && is_image(cylinder, &layout.cylinders()[other]));
+        let image = (index + 1..engine.cylinders().len())
+            .find(|&other| !in_plane && partners[other].is_none() && is_image(cylinder, &engine.cylinders()[other]));
         let image = if in_plane { index } else { image? };
         partners[index] = Some(image);
         partners[image] = Some(index);
@@ -101,8 +101,8 @@ fn is_moment_of_pistons(verdict: &Verdict) -> bool {
     verdict.quantity == Quantity::Moment && verdict.sources.iter().all(|source| matches!(source, Source::Piston(_)))
 }
 
-fn has_mirror(layout: &Engine) -> bool {
-    mirror_partners(layout).is_some()
+fn has_mirror(engine: &Engine) -> bool {
+    mirror_partners(engine).is_some()
 }
 
 /// The largest `n ≥ 2` such that the star maps to itself when turned by `1/n`.

@@ -75,8 +75,8 @@ impl fmt::Display for NoTheorem {
 impl std::error::Error for NoTheorem {}
 
 /// The least even number that makes every throw and bank whole: the sums of order k depend on k only modulo it.
-pub fn period(layout: &Engine) -> BigInt {
-    let angles = layout.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+pub fn period(engine: &Engine) -> BigInt {
+    let angles = engine.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
     angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
 }
 

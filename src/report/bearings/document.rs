@@ -80,10 +80,10 @@ struct Term {
 }
 
 /// What the main bearings feel as data, in newtons where the layout gives mass, crank radius and speed.
-pub fn bearings_document(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
+pub fn bearings_document(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> BearingsDocument {
     let unit = unit_of(continuous);
     BearingsDocument {
-        title: layout.title().written().to_owned(),
+        title: engine.title().written().to_owned(),
         amplitudes: "zero-to-peak",
         sign: "the force that the bearing feels; y in the reference direction, x across it",
         unit: unit.name,

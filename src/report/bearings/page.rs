@@ -89,7 +89,7 @@ const METHOD: &str = "A unit load at a position is carried by the bearings in fi
     order's vectors, each times the part of its position: the closed forms below are exact.";
 
 /// The page with its drawings: `bearings.md` and two SVG files a bearing.
-pub fn bearings_page(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Vec<File> {
+pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let set = |rows: Rows| {
         let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
@@ -102,12 +102,12 @@ pub fn bearings_page(layout: &Engine, continuous: &BearingLoads, determinate: &B
         drawings: drawn.iter().map(drawing).collect(),
     };
     let page = Page {
-        title: dialect.quoted(layout.title()),
+        title: dialect.quoted(engine.title()),
         headline: bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
-        peaks: set(tables::bearings_rows(layout, continuous, determinate)),
+        peaks: set(tables::bearings_rows(engine, continuous, determinate)),
         assumptions: ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),
         method: dialect.prose(METHOD),
-        parts: set(tables::parts(layout, continuous)),
+        parts: set(tables::parts(engine, continuous)),
         orders: set(tables::bearings_tables(continuous)),
         vectors: set(tables::vectors(continuous)),
         bearings: drawings.iter().enumerate().map(section).collect(),

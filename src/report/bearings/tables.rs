@@ -8,9 +8,9 @@ use crate::loads::{BearingLoad, BearingLoads};
 use crate::order::OrderSum;
 
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
-pub fn bearings_rows(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Rows {
+pub fn bearings_rows(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Rows {
     let unit = amounts::unit_of(continuous);
-    let place = format!("Position{}", table::position_unit(layout));
+    let place = format!("Position{}", table::position_unit(engine));
     let force = |what: &str| format!("{what} in {}", unit.name);
     let header = vec![
         "Bearing".to_owned(),
@@ -90,9 +90,9 @@ fn exact(sum: &OrderSum) -> String {
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.
-pub(super) fn parts(layout: &Engine, loads: &BearingLoads) -> Rows {
+pub(super) fn parts(engine: &Engine, loads: &BearingLoads) -> Rows {
     let bearings = (1..=loads.bearings.len()).map(|number| format!("Bearing {number}"));
-    let header = [format!("Load at{}", table::position_unit(layout))].into_iter().chain(bearings).collect();
+    let header = [format!("Load at{}", table::position_unit(engine))].into_iter().chain(bearings).collect();
     let row = |(position, parts): (_, &Vec<_>)| {
         [typeset::number(position)].into_iter().chain(parts.iter().map(typeset::number)).collect()
     };

@@ -29,8 +29,8 @@ impl Unit {
     }
 
     /// The unit of forces, moments or the torque of a layout.
-    pub fn of(layout: &Engine, loads: &Loads, quantity: Quantity) -> Self {
-        let arm = Arm::of(layout);
+    pub fn of(engine: &Engine, loads: &Loads, quantity: Quantity) -> Self {
+        let arm = Arm::of(engine);
         if quantity == Quantity::Force {
             return Unit::of_force(loads.scale.as_ref());
         }

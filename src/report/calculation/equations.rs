@@ -5,8 +5,8 @@ use crate::loads::Loads;
 use crate::order::MassGroup;
 
 /// The equations with what they say, in TeX with their numbers.
-pub(super) fn equations(layout: &Engine, loads: &Loads) -> Vec<(&'static str, String)> {
-    let offset = layout.has_offset();
+pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, String)> {
+    let offset = engine.has_offset();
     let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\sin^2\\psi" };
     let mut equations = vec![
         (

@@ -34,11 +34,11 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
 }
 
 /// Rows of the table of inputs: quantity, symbol, value in SI units, as written, cylinder.
-pub(super) fn rows(layout: &Engine) -> Vec<Vec<String>> {
+pub(super) fn rows(engine: &Engine) -> Vec<Vec<String>> {
     let row = |given: &Given| {
         let (name, symbol, unit) = words(given.quantity);
         let value = typeset::number(&given.value);
-        let of = given.cylinder.map_or("all".to_owned(), |index| layout.cylinders()[index].name.clone());
+        let of = given.cylinder.map_or("all".to_owned(), |index| engine.cylinders()[index].name.clone());
         vec![
             name.to_owned(),
             format!("${symbol}$"),
@@ -47,16 +47,16 @@ pub(super) fn rows(layout: &Engine) -> Vec<Vec<String>> {
             of,
         ]
     };
-    layout.dimensions().given.iter().map(row).collect()
+    engine.dimensions().given.iter().map(row).collect()
 }
 
 /// Rows of the table of turning masses: what, mass, radius, angle at θ = 0, position, speed.
-pub(super) fn turning(layout: &Engine) -> Vec<Vec<String>> {
-    let crankshaft = layout.crankshaft();
+pub(super) fn turning(engine: &Engine) -> Vec<Vec<String>> {
+    let crankshaft = engine.crankshaft();
     let row = |name: String, mass: String, radius: String, angle: &Turn, position: &BigRational, speed: &str| {
         vec![name, mass, radius, typeset::angle(angle), typeset::number(position), speed.to_owned()]
     };
-    let throws = crate::engine::throws(layout);
+    let throws = crate::engine::throws(engine);
     let named = |index: usize| format!("throw {}", index + 1);
     let pins = crankshaft.pins.iter().zip(&throws).enumerate().map(|(index, (mass, throw))| {
         row(format!("pin, {}", named(index)), typeset::number(mass), "r".into(), &throw.angle, &throw.position, "1")
@@ -82,13 +82,13 @@ pub(super) fn turning(layout: &Engine) -> Vec<Vec<String>> {
 }
 
 /// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².
-pub(super) fn lines(layout: &Engine, loads: &Loads) -> Vec<Line> {
-    let by_cylinder = layout.dimensions().given.iter().any(|given| given.cylinder.is_some());
-    let cylinders = if by_cylinder { layout.cylinders().len() } else { 1 };
+pub(super) fn lines(engine: &Engine, loads: &Loads) -> Vec<Line> {
+    let by_cylinder = engine.dimensions().given.iter().any(|given| given.cylinder.is_some());
+    let cylinders = if by_cylinder { engine.cylinders().len() } else { 1 };
     let mut lines = Vec::new();
     if cylinders <= MOST_LINES {
         for index in 0..cylinders {
-            lines.extend(of_cylinder(layout, index, by_cylinder));
+            lines.extend(of_cylinder(engine, index, by_cylinder));
         }
     }
     if let Some(scale) = &loads.scale {
@@ -97,19 +97,19 @@ pub(super) fn lines(layout: &Engine, loads: &Loads) -> Vec<Line> {
     lines
 }
 
-fn of_cylinder(layout: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
+fn of_cylinder(engine: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
     let value = |measure: Measure| {
         let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
-        layout.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
+        engine.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
     };
-    let subscript = if by_cylinder { format!("_{{{}}}", layout.cylinders()[index].name) } else { String::new() };
+    let subscript = if by_cylinder { format!("_{{{}}}", engine.cylinders()[index].name) } else { String::new() };
     let named = |symbol: &str| match symbol.split_once('_') {
         Some((letter, below)) if by_cylinder => {
             format!(
                 "{letter}_{{{}{},{}}}",
                 "",
                 below.trim_matches(['{', '}']).replace("\\mathrm{", ""),
-                layout.cylinders()[index].name
+                engine.cylinders()[index].name
             )
         }
         _ => format!("{symbol}{subscript}"),

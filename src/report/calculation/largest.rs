@@ -23,30 +23,30 @@ impl Numbers {
     ///
     /// # Errors
     /// What the layout lacks.
-    pub fn new(layout: &Engine, orders: &[u32], needed: Option<&Needed>) -> Result<Self, Missing> {
+    pub fn new(engine: &Engine, orders: &[u32], needed: Option<&Needed>) -> Result<Self, Missing> {
         let loads = match needed {
-            Some(needed) => loads::loads_at(layout, &needed.kept, &needed.torque_kept)?,
-            None => loads::loads(layout, orders)?,
+            Some(needed) => loads::loads_at(engine, &needed.kept, &needed.torque_kept)?,
+            None => loads::loads(engine, orders)?,
         };
         let left = match needed {
             Some(needed) => needed.left.clone(),
             None => {
                 let torque = loads.torque.iter().flat_map(|torque| &torque.orders);
-                loads::left_out(layout, orders, &torque.map(|order| order.order).collect::<Vec<_>>())?
+                loads::left_out(engine, orders, &torque.map(|order| order.order).collect::<Vec<_>>())?
             }
         };
-        Ok(Numbers { loads, largest: LargestLoads::new(layout)?, left })
+        Ok(Numbers { loads, largest: LargestLoads::new(engine)?, left })
     }
 }
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
-pub(super) fn largest_lines(layout: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<String> {
+pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<String> {
     let mut lines = vec![
-        line("force", &largest.force, Unit::of(layout, loads, Quantity::Force)),
-        line("moment", &largest.moment, Unit::of(layout, loads, Quantity::Moment)),
+        line("force", &largest.force, Unit::of(engine, loads, Quantity::Force)),
+        line("moment", &largest.moment, Unit::of(engine, loads, Quantity::Moment)),
     ];
     let torque = largest.torque.iter();
-    lines.extend(torque.map(|torque| line("inertia torque", torque, Unit::of(layout, loads, Quantity::Torque))));
+    lines.extend(torque.map(|torque| line("inertia torque", torque, Unit::of(engine, loads, Quantity::Torque))));
     lines
 }
 
@@ -74,7 +74,7 @@ fn line(name: &str, largest: &Largest, unit: Unit) -> String {
 }
 
 /// What the orders that are shown come to by themselves, where that is not the largest value of all.
-pub(super) fn shown_line(layout: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Option<String> {
+pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Option<String> {
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref());
     let swings = [
         ("force", loads.force.peak(), largest.force, Quantity::Force),
@@ -84,7 +84,7 @@ pub(super) fn shown_line(layout: &Engine, Numbers { loads, largest, .. }: &Numbe
         torque.map(|(torque, largest)| ("inertia torque", torque.waveform.real_peak(), *largest, Quantity::Torque));
     let differ = swings.into_iter().chain(torque).filter_map(|(name, peak, largest, quantity)| {
         let Largest::Known { value, error, .. } = largest else { return None };
-        let unit = Unit::of(layout, loads, quantity);
+        let unit = Unit::of(engine, loads, quantity);
         ((peak.value - value).abs() > error + NOTICED * value && unit.factor != 0.0)
             .then(|| format!("{name} {}", summary::peak(&peak, unit)))
     });
@@ -98,7 +98,7 @@ const NOTICED: f64 = 1e-3;
 
 /// Which orders were kept for an accuracy and whether it is reached, and what those that are not listed add at most.
 pub(super) fn chosen_lines(
-    layout: &Engine,
+    engine: &Engine,
     Numbers { loads, left, .. }: &Numbers,
     needed: Option<&Needed>,
 ) -> Vec<String> {
@@ -123,7 +123,7 @@ pub(super) fn chosen_lines(
     }
     let bound = |name: &str, bound: &Option<Bound>, quantity: Quantity| {
         let bound = bound.as_ref()?;
-        let unit = Unit::of(layout, loads, quantity);
+        let unit = Unit::of(engine, loads, quantity);
         Some(match bound.part() {
             Some(part) => format!("{} % of the peak {name}", percent(part)),
             None => format!(

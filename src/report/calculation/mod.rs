@@ -94,15 +94,15 @@ struct TorqueSection {
 }
 
 /// The loads of a layout that holds numbers; none where the file gives none.
-pub(super) fn numbers_of(layout: &Engine, orders: &[u32], needed: Option<&Needed>) -> Option<Result<Numbers, Missing>> {
-    let asks = layout.dimensions().given.iter().any(|given| given.quantity != crate::engine::Measure::Speed);
-    asks.then(|| Numbers::new(layout, orders, needed))
+pub(super) fn numbers_of(engine: &Engine, orders: &[u32], needed: Option<&Needed>) -> Option<Result<Numbers, Missing>> {
+    let asks = engine.dimensions().given.iter().any(|given| given.quantity != crate::engine::Measure::Speed);
+    asks.then(|| Numbers::new(engine, orders, needed))
 }
 
 impl Calculation {
     /// Sets the numbers of an engine; `plots` are the drawings of [`figures`].
     pub fn new(
-        layout: &Engine,
+        engine: &Engine,
         numbers: &Result<Numbers, Missing>,
         needed: Option<&Needed>,
         plots: Vec<super::page::Drawing>,
@@ -113,7 +113,7 @@ impl Calculation {
                 Calculation { missing: Some(dialect.prose(&format!("No numbers: {missing}."))), results: None }
             }
             Ok(numbers) => {
-                Calculation { missing: None, results: Some(Results::new(layout, numbers, needed, plots, dialect)) }
+                Calculation { missing: None, results: Some(Results::new(engine, numbers, needed, plots, dialect)) }
             }
         }
     }
@@ -121,7 +121,7 @@ impl Calculation {
 
 impl Results {
     fn new(
-        layout: &Engine,
+        engine: &Engine,
         numbers: &Numbers,
         needed: Option<&Needed>,
         plots: Vec<super::page::Drawing>,
@@ -135,55 +135,55 @@ impl Results {
             lines: group.lines.iter().map(display).collect(),
         };
         let prose = |lines: Vec<String>| lines.iter().map(|line| dialect.prose(line)).collect::<Vec<_>>();
-        let largest = largest::largest_lines(layout, numbers);
+        let largest = largest::largest_lines(engine, numbers);
         let mut largest = largest.into_iter();
         let mut peak = |quantity: Quantity, waveform: &Waveform| {
             let words = largest.next().unwrap_or_default();
-            match results::peak(layout, loads, quantity) {
+            match results::peak(engine, loads, quantity) {
                 None => lines(Group { heading: String::new(), lines: Vec::new() }, words),
                 Some(group) => {
-                    let listed = summary::peak(&waveform.peak(), Unit::of(layout, loads, quantity));
+                    let listed = summary::peak(&waveform.peak(), Unit::of(engine, loads, quantity));
                     lines(group, format!("{words} The orders listed come to {listed}:"))
                 }
             }
         };
         let peaks = vec![peak(Quantity::Force, &loads.force), peak(Quantity::Moment, &loads.moment)];
-        let torque = torque_section(layout, loads, largest.next(), dialect);
+        let torque = torque_section(engine, loads, largest.next(), dialect);
         let equation =
             |(words, tex): (&str, String)| Equation { words: dialect.prose(words), formula: dialect.display(&tex) };
         Results {
-            effects: effects_table(layout, loads, dialect),
+            effects: effects_table(engine, loads, dialect),
             shares: dialect.prose(
                 "The share is what the effect adds, along the direction of the peak, where the peak stands; the shares of a column sum to the peak.",
             ),
-            inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(layout), 3)),
-            turning: turning_table(layout, dialect),
-            source: layout.dimensions().source.as_ref().map(|source| dialect.quoted(source)),
-            assumptions: prose(words::assumptions(layout, loads))
+            inputs: Table::new(dialect, &["Quantity", "Symbol", "Value", "As written", "Cylinder"], quoted(inputs::rows(engine), 3)),
+            turning: turning_table(engine, dialect),
+            source: engine.dimensions().source.as_ref().map(|source| dialect.quoted(source)),
+            assumptions: prose(words::assumptions(engine, loads))
                 .into_iter()
-                .chain(layout.title_block().assumptions.iter().map(|assumption| dialect.quoted(assumption)))
+                .chain(engine.title_block().assumptions.iter().map(|assumption| dialect.quoted(assumption)))
                 .collect(),
-            nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(layout, loads)),
-            equations: equations::equations(layout, loads).into_iter().map(equation).collect(),
-            derived: inputs::lines(layout, loads).iter().map(display).collect(),
-            vectors: vectors_table(layout, loads, dialect),
-            ellipses: ellipses_table(layout, loads, dialect),
-            units: dialect.prose(&units(layout, loads)),
-            orders: results::orders(layout, loads).into_iter().map(|group| lines(group, String::new())).collect(),
+            nomenclature: Table::new(dialect, &["Symbol", "Meaning", "Unit"], words::nomenclature(engine, loads)),
+            equations: equations::equations(engine, loads).into_iter().map(equation).collect(),
+            derived: inputs::lines(engine, loads).iter().map(display).collect(),
+            vectors: vectors_table(engine, loads, dialect),
+            ellipses: ellipses_table(engine, loads, dialect),
+            units: dialect.prose(&units(engine, loads)),
+            orders: results::orders(engine, loads).into_iter().map(|group| lines(group, String::new())).collect(),
             peaks,
             torque,
-            bearings: bearing_section(layout, loads, dialect),
-            needed: Some(largest::chosen_lines(layout, numbers, needed).join(" ")).filter(|words| !words.is_empty()).map(|words| dialect.prose(&words)),
+            bearings: bearing_section(engine, loads, dialect),
+            needed: Some(largest::chosen_lines(engine, numbers, needed).join(" ")).filter(|words| !words.is_empty()).map(|words| dialect.prose(&words)),
             plots,
-            limits: prose(words::limits(layout, loads)),
+            limits: prose(words::limits(engine, loads)),
         }
     }
 }
 
 /// The masses on the crankshaft and the balancer shafts, where there are any.
-fn turning_table(layout: &Engine, dialect: Dialect) -> Option<Table> {
+fn turning_table(engine: &Engine, dialect: Dialect) -> Option<Table> {
     let header = ["Turning mass", "Mass in kg", "Radius in m", "Angle at θ = 0", "Position z", "Turns a revolution"];
-    let rows = inputs::turning(layout);
+    let rows = inputs::turning(engine);
     (!rows.is_empty()).then(|| Table::new(dialect, &header, rows))
 }
 
@@ -195,10 +195,10 @@ fn quoted(mut rows: Vec<Vec<String>>, column: usize) -> Vec<Vec<String>> {
     rows
 }
 
-fn effects_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
+fn effects_table(engine: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     let peaks: [(Peak, Unit); 2] = [
-        (loads.force.peak(), Unit::of(layout, loads, Quantity::Force)),
-        (loads.moment.peak(), Unit::of(layout, loads, Quantity::Moment)),
+        (loads.force.peak(), Unit::of(engine, loads, Quantity::Force)),
+        (loads.moment.peak(), Unit::of(engine, loads, Quantity::Moment)),
     ];
     let shares = |group: MassGroup| {
         let loads = loads.groups.iter().find(|loads| loads.group == group);
@@ -217,13 +217,13 @@ fn effects_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
         let shares = row.group.map_or_else(|| ["–".to_owned(), "–".to_owned()], shares);
         [row.name.to_owned(), inside.to_owned(), row.why].into_iter().chain(shares).collect()
     };
-    let rows = words::effects(layout, loads).into_iter().map(row);
+    let rows = words::effects(engine, loads).into_iter().map(row);
     let header = ["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"];
     Table::new(dialect, &header, rows.collect())
 }
 
-fn vectors_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
-    let (force, moment) = (Unit::of(layout, loads, Quantity::Force), Unit::of(layout, loads, Quantity::Moment));
+fn vectors_table(engine: &Engine, loads: &Loads, dialect: Dialect) -> Table {
+    let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
     let row = |order: &crate::loads::OrderLoads| {
         vec![
             order.order.to_string(),
@@ -237,13 +237,13 @@ fn vectors_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     Table::new(dialect, &header, loads.orders.iter().map(row).collect())
 }
 
-fn ellipses_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
+fn ellipses_table(engine: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     let mut rows = Vec::new();
     for order in &loads.orders {
         for (name, quantity, swing) in
             [("force", Quantity::Force, &order.force), ("moment", Quantity::Moment, &order.moment)]
         {
-            let unit = Unit::of(layout, loads, quantity);
+            let unit = Unit::of(engine, loads, quantity);
             let mut row = vec![order.order.to_string(), name.to_owned(), amounts::largest(swing, unit)];
             if swing.vanishes() {
                 row.extend(["0", "–", "0", "0", "0"].map(str::to_owned));
@@ -270,9 +270,9 @@ fn ellipses_table(layout: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     Table::new(dialect, &header, rows)
 }
 
-fn units(layout: &Engine, loads: &Loads) -> String {
-    let (force, moment) = (Unit::of(layout, loads, Quantity::Force), Unit::of(layout, loads, Quantity::Moment));
-    let arm = if crate::loads::Arm::of(layout) == crate::loads::Arm::Metre { "1 m" } else { "the spacing a" };
+fn units(engine: &Engine, loads: &Loads) -> String {
+    let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
+    let arm = if crate::loads::Arm::of(engine) == crate::loads::Arm::Metre { "1 m" } else { "the spacing a" };
     format!(
         "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times {arm}. All amplitudes are \
          zero-to-peak. 0 is exact and proved, ≈ stands before decimals. Along: the component in the reference direction, the bisector of the banks \
@@ -282,7 +282,7 @@ fn units(layout: &Engine, loads: &Loads) -> String {
     )
 }
 
-fn bearing_section(layout: &Engine, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
+fn bearing_section(engine: &Engine, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
     let [continuous, determinate] = loads.bearings.as_ref()?;
     let table = |rows: Rows| {
         let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
@@ -290,7 +290,7 @@ fn bearing_section(layout: &Engine, loads: &Loads, dialect: Dialect) -> Option<B
     };
     Some(BearingSection {
         words: bearings::bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
-        peaks: table(bearings::bearings_rows(layout, continuous, determinate)),
+        peaks: table(bearings::bearings_rows(engine, continuous, determinate)),
         orders: table(bearings::bearings_tables(continuous)),
         assumptions: bearings::ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),
         plots: bearing_figures(loads).into_iter().map(|figure| super::page::drawing(figure, dialect)).collect(),
@@ -303,9 +303,9 @@ pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
     continuous.flat_map(bearings::drawings).flatten().collect()
 }
 
-fn torque_section(layout: &Engine, loads: &Loads, largest: Option<String>, dialect: Dialect) -> Option<TorqueSection> {
+fn torque_section(engine: &Engine, loads: &Loads, largest: Option<String>, dialect: Dialect) -> Option<TorqueSection> {
     let torque = loads.torque.as_ref()?;
-    let unit = Unit::of(layout, loads, Quantity::Torque);
+    let unit = Unit::of(engine, loads, Quantity::Torque);
     let row = |order: &crate::loads::TorqueOrder| {
         let angle = match order.vector.outcome {
             crate::loads::Outcome::Zero => "–".to_owned(),
@@ -315,7 +315,7 @@ fn torque_section(layout: &Engine, loads: &Loads, largest: Option<String>, diale
             crate::loads::Outcome::Zero => "0".to_owned(),
             _ => format!("≈ {}", amounts::digits(order.vector.value.norm())),
         };
-        vec![order.order.to_string(), summary::torque_cell(layout, order, unit), angle, dimensionless]
+        vec![order.order.to_string(), summary::torque_cell(engine, order, unit), angle, dimensionless]
     };
     let header = [
         "Order".to_owned(),
@@ -326,7 +326,7 @@ fn torque_section(layout: &Engine, loads: &Loads, largest: Option<String>, diale
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     Some(TorqueSection {
         table: Table::new(dialect, &header, torque.orders.iter().map(row).collect()),
-        lines: results::torque(layout, loads)
+        lines: results::torque(engine, loads)
             .into_iter()
             .flat_map(|group| group.lines)
             .map(|line| dialect.display(&line.tex()))

@@ -17,10 +17,10 @@ const STEPS: usize = 360;
 const NOTHING: f64 = 1e-12;
 
 /// All plots of the numbers of an engine; none of what is zero.
-pub(in crate::report) fn figures(layout: &Engine, loads: &Loads) -> Vec<NamedFigure> {
+pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<NamedFigure> {
     let mut figures = Vec::new();
-    let forces = ("force", "Force", &loads.force, Unit::of(layout, loads, Quantity::Force));
-    let moments = ("moment", "Moment", &loads.moment, Unit::of(layout, loads, Quantity::Moment));
+    let forces = ("force", "Force", &loads.force, Unit::of(engine, loads, Quantity::Force));
+    let moments = ("moment", "Moment", &loads.moment, Unit::of(engine, loads, Quantity::Moment));
     for (name, title, waveform, unit) in [forces, moments] {
         let sides = match name {
             "force" => ["along the reference direction", "across it, in the plane of the cylinders"],
@@ -39,7 +39,7 @@ pub(in crate::report) fn figures(layout: &Engine, loads: &Loads) -> Vec<NamedFig
         figures.extend(both.then(|| path(name, title, waveform, unit)));
     }
     if let Some(torque) = &loads.torque {
-        let unit = Unit::of(layout, loads, Quantity::Torque);
+        let unit = Unit::of(engine, loads, Quantity::Torque);
         let plot = curves(&torque.waveform, unit, "Inertia torque", "on the crankshaft", |vector| vector.re);
         figures.extend(plot.map(|plot| NamedFigure {
             name: "torque".into(),

@@ -23,32 +23,32 @@ pub(super) struct Group {
 }
 
 /// The lines of every order that is left, forces before moments.
-pub(super) fn orders(layout: &Engine, loads: &Loads) -> Vec<Group> {
-    loads.orders.iter().filter_map(|order| of_order(layout, loads, order)).collect()
+pub(super) fn orders(engine: &Engine, loads: &Loads) -> Vec<Group> {
+    loads.orders.iter().filter_map(|order| of_order(engine, loads, order)).collect()
 }
 
-fn of_order(layout: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group> {
+fn of_order(engine: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group> {
     if order.force.vanishes() && order.moment.vanishes() {
         return None;
     }
-    let mut lines: Vec<Line> = coefficient(layout, order).into_iter().collect();
+    let mut lines: Vec<Line> = coefficient(engine, order).into_iter().collect();
     for (quantity, swing) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
         if swing.vanishes() {
             continue;
         }
         for (sense, vector) in [(Sense::Direct, &swing.direct), (Sense::Reverse, &swing.reverse)] {
-            lines.extend(length(layout, order, quantity, sense, vector));
+            lines.extend(length(engine, order, quantity, sense, vector));
         }
-        lines.extend(extremes(layout, loads, order.order, quantity, swing));
-        lines.extend(textbook(layout, loads, order, quantity, swing));
+        lines.extend(extremes(engine, loads, order.order, quantity, swing));
+        lines.extend(textbook(engine, loads, order, quantity, swing));
     }
     Some(Group { heading: format!("Order {}", order.order), lines })
 }
 
 /// `c_2 = λ + λ³/4 + …` of equal centric cranks; the value alone where the series is long or the crank offset.
-fn coefficient(layout: &Engine, order: &OrderLoads) -> Option<Line> {
+fn coefficient(engine: &Engine, order: &OrderLoads) -> Option<Line> {
     let value = order.coefficient.as_ref()?.to_complex();
-    let rod = layout.rods().next()?;
+    let rod = engine.rods().next()?;
     let symbol = format!("c_{{{}}}", order.order);
     if order.order == 1 && rod.offset.is_zero() {
         return None;
@@ -96,12 +96,12 @@ fn sign(sense: Sense) -> &'static str {
 }
 
 /// `|V| = |c| |P|`, where the star of the verdicts is all that adds to it.
-fn length(layout: &Engine, order: &OrderLoads, of: Quantity, sense: Sense, vector: &Vector) -> Option<Line> {
+fn length(engine: &Engine, order: &OrderLoads, of: Quantity, sense: Sense, vector: &Vector) -> Option<Line> {
     if vector.outcome == Outcome::Zero {
         return None;
     }
     let symbol = vector_symbol(order.order, of, sense);
-    let star = numbers::evaluate(&order::star(layout, of, order.order, Some(sense))).norm();
+    let star = numbers::evaluate(&order::star(engine, of, order.order, Some(sense))).norm();
     let letter = if of == Quantity::Moment { "C" } else { "P" };
     let star_symbol = format!("\\left|{letter}_{{{}}}^{{{}}}\\right|", order.order, sign(sense));
     let c = order.coefficient.as_ref().map(|coefficient| coefficient.to_complex().norm());
@@ -113,7 +113,7 @@ fn length(layout: &Engine, order: &OrderLoads, of: Quantity, sense: Sense, vecto
             quantity(format!("\\left|c_{{{}}}\\right|", order.order), c),
             quantity(star_symbol, star),
         ]),
-        _ => with_rotating(layout, order, sense, star_symbol, star, vector)
+        _ => with_rotating(engine, order, sense, star_symbol, star, vector)
             .unwrap_or_else(|| quantity("", vector.value.norm())),
     };
     Some(Line { symbol, expression, unit: "" })
@@ -121,15 +121,15 @@ fn length(layout: &Engine, order: &OrderLoads, of: Quantity, sense: Sense, vecto
 
 /// `|V_1⁺| = (1 + 2 m_rot/m) |P_1⁺|` of equal centric cylinders with equal rotating masses and no others.
 fn with_rotating(
-    layout: &Engine,
+    engine: &Engine,
     order: &OrderLoads,
     sense: Sense,
     star_symbol: String,
     star: f64,
     vector: &Vector,
 ) -> Option<Expression> {
-    let mechanism = layout.dimensions();
-    let rotating = layout.cylinders()[0].rotating_mass.to_f64()?;
+    let mechanism = engine.dimensions();
+    let rotating = engine.cylinders()[0].rotating_mass.to_f64()?;
     let mass = mechanism.mass.as_ref()?.to_f64()?;
     let inner = Expression::Sum(vec![
         Expression::Number(1),
@@ -157,8 +157,8 @@ fn halved(loads: &Loads, inner: Expression) -> Expression {
 }
 
 /// The largest and, where it differs and is not zero, the smallest length of an order.
-fn extremes(layout: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
-    let unit = Unit::of(layout, loads, of).tex;
+fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
+    let unit = Unit::of(engine, loads, of).tex;
     let letter = force_letter(of);
     let vector = |sense, vector: &Vector| quantity(vector_symbol(order, of, sense), vector.value.norm());
     let (direct, reverse) = (vector(Sense::Direct, &swing.direct), vector(Sense::Reverse, &swing.reverse));
@@ -184,8 +184,8 @@ fn extremes(layout: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Sw
 }
 
 /// The second order with `c_2 = λ` alone, as textbooks take it.
-fn textbook(layout: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
-    let rod = layout.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
+    let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
     let c = order.coefficient.as_ref()?.to_complex().norm();
     if order.order != 2 {
         return None;
@@ -202,16 +202,16 @@ fn textbook(layout: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, sw
     Some(Line {
         symbol: format!("\\hat {}_{{2}}^{{c_2 = \\lambda}}", force_letter(of)),
         expression: halved(loads, inner),
-        unit: Unit::of(layout, loads, of).tex,
+        unit: Unit::of(engine, loads, of).tex,
     })
 }
 
 /// The peak of the sum over the orders: both components at its angle, and their length.
-pub(super) fn peak(layout: &Engine, loads: &Loads, of: Quantity) -> Option<Group> {
+pub(super) fn peak(engine: &Engine, loads: &Loads, of: Quantity) -> Option<Group> {
     let waveform = if of == Quantity::Moment { &loads.moment } else { &loads.force };
     let peak = waveform.peak();
     let angle = peak.angle.filter(|_| waveform.harmonics().len() > 1)?;
-    let unit = Unit::of(layout, loads, of);
+    let unit = Unit::of(engine, loads, of);
     let letter = force_letter(of);
     let mut lines = Vec::new();
     let mut squares = Vec::new();
@@ -274,9 +274,9 @@ fn cosine(order: u32, phasor: num_complex::Complex<f64>, letter: &str, mark: &st
 }
 
 /// The amplitude of each order of the inertia torque.
-pub(super) fn torque(layout: &Engine, loads: &Loads) -> Option<Group> {
+pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
     let torque = loads.torque.as_ref()?;
-    let unit = Unit::of(layout, loads, Quantity::Torque);
+    let unit = Unit::of(engine, loads, Quantity::Torque);
     let mut lines = Vec::new();
     if let Some(scale) = &loads.scale {
         let factors =
@@ -285,7 +285,7 @@ pub(super) fn torque(layout: &Engine, loads: &Loads) -> Option<Group> {
     }
     for order in torque.orders.iter().filter(|order| order.vector.outcome != Outcome::Zero) {
         let k = order.order;
-        let star = numbers::evaluate(&order::star(layout, Quantity::Torque, k, None)).norm();
+        let star = numbers::evaluate(&order::star(engine, Quantity::Torque, k, None)).norm();
         let mut factors: Vec<Expression> = loads.scale.iter().map(|scale| quantity("K\\,r", scale.torque())).collect();
         match &order.coefficient {
             Some(coefficient) => {

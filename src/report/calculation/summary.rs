@@ -16,9 +16,9 @@ pub struct Rows {
 }
 
 /// The largest force, moment and torque of each order, zero to peak.
-pub fn loads_rows(layout: &Engine, loads: &Loads) -> Rows {
+pub fn loads_rows(engine: &Engine, loads: &Loads) -> Rows {
     let [force, moment, torque] =
-        [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(layout, loads, quantity));
+        [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(engine, loads, quantity));
     let mut header = vec!["Order".to_owned(), format!("Force in {}", force.name), format!("Moment in {}", moment.name)];
     header.extend(loads.torque.as_ref().map(|_| format!("Torque in {}", torque.name)));
     let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
@@ -27,19 +27,19 @@ pub fn loads_rows(layout: &Engine, loads: &Loads) -> Rows {
     all.dedup();
     let row = |order: u32| {
         let judged = loads.orders.iter().find(|loads| loads.order == order);
-        let unjudged = match layout.pistons_have_order(Quantity::Force, order) {
+        let unjudged = match engine.pistons_have_order(Quantity::Force, order) {
             true => NOT_JUDGED,
             false => DOES_NOT_EXIST,
         };
         let swing = |part: fn(&OrderLoads) -> &Swing, unit: Unit| match judged {
-            Some(order) if order.exists(layout) => amounts::largest(part(order), unit),
+            Some(order) if order.exists(engine) => amounts::largest(part(order), unit),
             Some(_) => DOES_NOT_EXIST.to_owned(),
             None => unjudged.to_owned(),
         };
         let mut cells = vec![order.to_string(), swing(|of| &of.force, force), swing(|of| &of.moment, moment)];
         cells.extend(loads.torque.as_ref().map(|all| {
             let of = all.orders.iter().find(|torque| torque.order == order);
-            of.map_or_else(|| NOT_JUDGED.to_owned(), |of| torque_cell(layout, of, torque))
+            of.map_or_else(|| NOT_JUDGED.to_owned(), |of| torque_cell(engine, of, torque))
         }));
         cells
     };
@@ -50,8 +50,8 @@ pub fn loads_rows(layout: &Engine, loads: &Loads) -> Rows {
 const NOT_JUDGED: &str = "not judged";
 
 /// The amplitude of an order of the torque, or that there is none.
-pub(super) fn torque_cell(layout: &Engine, order: &TorqueOrder, unit: Unit) -> String {
-    match layout.pistons_have_order(Quantity::Torque, order.order) {
+pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> String {
+    match engine.pistons_have_order(Quantity::Torque, order.order) {
         true => torque_amplitude(order, unit),
         false => DOES_NOT_EXIST.to_owned(),
     }
@@ -65,15 +65,15 @@ pub(super) fn torque_amplitude(order: &TorqueOrder, unit: Unit) -> String {
 }
 
 /// What follows the table: the largest values, what the orders shown leave out, the effects.
-pub fn loads_lines(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<String> {
+pub fn loads_lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<String> {
     let loads = &numbers.loads;
     let mut lines = vec!["Zero to peak; 0 is exact and proved, ≈ decimal.".to_owned()];
-    if loads.orders.iter().any(|order| !order.exists(layout)) {
+    if loads.orders.iter().any(|order| !order.exists(engine)) {
         lines.push(WHY_NOT.to_owned());
     }
-    lines.extend(largest_lines(layout, numbers));
-    lines.extend(shown_line(layout, numbers));
-    lines.extend(chosen_lines(layout, numbers, needed));
+    lines.extend(largest_lines(engine, numbers));
+    lines.extend(shown_line(engine, numbers));
+    lines.extend(chosen_lines(engine, numbers, needed));
     let names: Vec<&str> = loads.groups.iter().map(|group| name(group.group)).collect();
     lines.push(format!("In the scene: {}.", names.join(", ")));
     lines

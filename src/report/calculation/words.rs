@@ -7,12 +7,12 @@ use crate::loads::{Arm, Loads};
 use crate::order::MassGroup;
 
 /// What every number rests on.
-pub(super) fn assumptions(layout: &Engine, loads: &Loads) -> Vec<String> {
+pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<String> {
     let mut lines = vec![
         "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".to_owned(),
         "All clearances are zero, and gravity and friction are left out.".to_owned(),
     ];
-    let given = |measure: Measure| layout.dimensions().given.iter().any(|given| given.quantity == measure);
+    let given = |measure: Measure| engine.dimensions().given.iter().any(|given| given.quantity == measure);
     if given(Measure::RodMass) {
         lines.push(
             "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; its own moment of inertia is not met exactly by them.".to_owned(),
@@ -27,14 +27,14 @@ pub(super) fn assumptions(layout: &Engine, loads: &Loads) -> Vec<String> {
             "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".to_owned(),
         );
     }
-    if !layout.has_offset() {
+    if !engine.has_offset() {
         lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".to_owned());
     }
-    let common_axis = layout.form() == crate::engine::Form::Radial;
+    let common_axis = engine.form() == crate::engine::Form::Radial;
     if common_axis {
         lines.push("All rods of a row work on the crankpin itself: no articulated rods.".to_owned());
     }
-    if Arm::of(layout) == Arm::Spacing {
+    if Arm::of(engine) == Arm::Spacing {
         lines.push(
             "The file does not say how far apart the cylinders stand: moments are in newtons times that spacing a."
                 .to_owned(),
@@ -44,7 +44,7 @@ pub(super) fn assumptions(layout: &Engine, loads: &Loads) -> Vec<String> {
 }
 
 /// Symbols with their meaning and unit.
-pub(super) fn nomenclature(layout: &Engine, loads: &Loads) -> Vec<Vec<String>> {
+pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Vec<Vec<String>> {
     let row =
         |symbol: &str, meaning: &str, unit: &str| vec![format!("${symbol}$"), meaning.to_owned(), unit.to_owned()];
     let mut rows = vec![
@@ -53,7 +53,7 @@ pub(super) fn nomenclature(layout: &Engine, loads: &Loads) -> Vec<Vec<String>> {
         row("\\psi = \\theta + \\beta - \\alpha", "crank angle of a cylinder, 0 at top dead centre", "°"),
     ];
     let mut seen: Vec<Measure> = Vec::new();
-    for given in &layout.dimensions().given {
+    for given in &engine.dimensions().given {
         if !seen.contains(&given.quantity) {
             seen.push(given.quantity);
             let (meaning, symbol, unit) = inputs::words(given.quantity);
@@ -61,16 +61,16 @@ pub(super) fn nomenclature(layout: &Engine, loads: &Loads) -> Vec<Vec<String>> {
         }
     }
     let has = |measure: Measure| seen.contains(&measure);
-    if !has(Measure::CrankRadius) && layout.dimensions().crank_radius.is_some() {
+    if !has(Measure::CrankRadius) && engine.dimensions().crank_radius.is_some() {
         rows.push(row("r", "crank radius", "m"));
     }
     if !has(Measure::RodRatio) {
         rows.push(row("\\lambda", "rod ratio r/l", "–"));
     }
-    if !has(Measure::ReciprocatingMass) && layout.dimensions().mass.is_some() {
+    if !has(Measure::ReciprocatingMass) && engine.dimensions().mass.is_some() {
         rows.push(row("m", "reciprocating mass of a cylinder", "kg"));
     }
-    if layout.has_offset() && !has(Measure::OffsetRatio) {
+    if engine.has_offset() && !has(Measure::OffsetRatio) {
         rows.push(row("\\delta", "offset ratio e/l", "–"));
     }
     if loads.scale.is_some() {
@@ -103,7 +103,7 @@ pub(super) struct EffectRow {
 }
 
 /// What is in the scene and what is not, and why.
-pub(super) fn effects(layout: &Engine, loads: &Loads) -> Vec<EffectRow> {
+pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let masses = MassGroup::ALL.into_iter().map(|group| {
         let inside = loads.groups.iter().any(|loads| loads.group == group);
@@ -120,19 +120,19 @@ pub(super) fn effects(layout: &Engine, loads: &Loads) -> Vec<EffectRow> {
         why: if inside { yes } else { no }.to_owned(),
         group: None,
     };
-    let unequal = layout.mechanisms().len() > 1 || !layout.has_unit_masses();
+    let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses();
     let others = [
-        row("pin offset", layout.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
+        row("pin offset", engine.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
         row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
-        row("main bearings", !layout.bearings().is_empty(), "positions given", "no positions given"),
+        row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
         row("gas forces", false, "", "not part of this program"),
     ];
     masses.chain(others).collect()
 }
 
 /// Where the numbers end.
-pub(super) fn limits(layout: &Engine, loads: &Loads) -> Vec<String> {
+pub(super) fn limits(engine: &Engine, loads: &Loads) -> Vec<String> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
         format!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),
@@ -140,7 +140,7 @@ pub(super) fn limits(layout: &Engine, loads: &Loads) -> Vec<String> {
         "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".to_owned(),
         "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".to_owned(),
     ];
-    if layout.dimensions().given.iter().any(|given| given.quantity == Measure::RodMass) {
+    if engine.dimensions().given.iter().any(|given| given.quantity == Measure::RodMass) {
         lines.push("The inertia torque of a real rod differs from that of its two masses by the error of their moment of inertia.".to_owned());
     }
     lines

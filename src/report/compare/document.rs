@@ -105,7 +105,7 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
     let quantities = [Quantity::Force, Quantity::Moment];
     let evidence = |engine: &Compared| {
         let judged = &engine.judged;
-        document::document(engine.layout, judged.masses, &judged.orders, &quantities, None)
+        document::document(engine.engine, judged.masses, &judged.orders, &quantities, None)
     };
     CompareDocument {
         format: Format::Compare,
@@ -120,15 +120,15 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 fn engine(engine: &Compared) -> EngineEntry {
     let [first_force_left, first_moment_left] = brief::first_left(&engine.theorem);
     let full = BigRational::from_integer(360.into());
-    let firing = engine.layout.firing().map(|firing| Firing {
+    let firing = engine.engine.firing().map(|firing| Firing {
         even: firing.is_even(),
         intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
     });
     EngineEntry {
         name: engine.name.written().to_owned(),
-        title: engine.layout.title().written().to_owned(),
-        cylinders: engine.layout.cylinders().len(),
-        position_unit: match engine.layout.length_unit() {
+        title: engine.engine.title().written().to_owned(),
+        cylinders: engine.engine.cylinders().len(),
+        position_unit: match engine.engine.length_unit() {
             LengthUnit::Metre => "m",
             LengthUnit::Spacing => "spacing",
         },

@@ -22,7 +22,7 @@ pub struct Compared<'a> {
     /// What it is called in the comparison.
     pub name: Untrusted,
     /// The engine.
-    pub layout: &'a Engine,
+    pub engine: &'a Engine,
     /// The verdicts, rising by order; several an order where rods differ.
     pub judged: Judgement,
     /// The statements on every order.
@@ -37,17 +37,17 @@ pub struct Compared<'a> {
 
 impl<'a> Compared<'a> {
     /// Judges an engine at these orders.
-    pub fn new(name: Untrusted, layout: &'a Engine, orders: &[u32]) -> Self {
-        let judged = Judgement::new(layout, orders, &[Quantity::Force, Quantity::Moment]);
+    pub fn new(name: Untrusted, engine: &'a Engine, orders: &[u32]) -> Self {
+        let judged = Judgement::new(engine, orders, &[Quantity::Force, Quantity::Moment]);
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Compared {
             name,
-            layout,
-            theorem: verdict::theorem(layout, judged.masses),
+            engine,
+            theorem: verdict::theorem(engine, judged.masses),
             judged,
-            remedy: remedy::remedy(layout, &wish),
-            loads: loads::loads(layout, orders),
-            bearings: loads::bearing_loads(layout, orders, Method::Continuous),
+            remedy: remedy::remedy(engine, &wish),
+            loads: loads::loads(engine, orders),
+            bearings: loads::bearing_loads(engine, orders, Method::Continuous),
         }
     }
 
@@ -64,11 +64,11 @@ impl<'a> Compared<'a> {
     /// Whether force and moment come out in N and N·m.
     fn has_newtons(&self) -> bool {
         let scaled = self.loads.as_ref().is_ok_and(|loads| loads.scale.is_some());
-        scaled && loads::Arm::of(self.layout) == loads::Arm::Metre
+        scaled && loads::Arm::of(self.engine) == loads::Arm::Metre
     }
 
     fn firing(&self) -> String {
-        brief::firing(self.layout.firing())
+        brief::firing(self.engine.firing())
     }
 }
 

@@ -57,7 +57,7 @@ fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<
         Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), left::class_sources(class)),
     };
     let parts = engine.at(order).into_iter().flat_map(|judged| &judged.parts);
-    parts.map(move |judged| Column { name: name(judged), layout: engine.layout, order: judged })
+    parts.map(move |judged| Column { name: name(judged), engine: engine.engine, order: judged })
 }
 
 fn caption(order: u32) -> String {

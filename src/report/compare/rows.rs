@@ -20,8 +20,8 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     let mut add = |name: String, cell: &dyn Fn(&Compared) -> String| {
         rows.push(std::iter::once(name).chain(engines.iter().map(cell)).collect());
     };
-    add("Title".to_owned(), &|engine| engine.layout.title().escaped(Format::Plain));
-    add("Cylinders".to_owned(), &|engine| engine.layout.cylinders().len().to_string());
+    add("Title".to_owned(), &|engine| engine.engine.title().escaped(Format::Plain));
+    add("Cylinders".to_owned(), &|engine| engine.engine.cylinders().len().to_string());
     add("Firing".to_owned(), &|engine| engine.firing());
     let orders = orders_of(engines);
     for &order in &orders {
@@ -54,14 +54,14 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
 }
 
 fn speed(engine: &Compared) -> String {
-    engine.layout.dimensions().speed.as_ref().map_or_else(String::new, typeset::number)
+    engine.engine.dimensions().speed.as_ref().map_or_else(String::new, typeset::number)
 }
 
 fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> String {
     let Ok(loads) = &engine.loads else { return String::new() };
-    let unit = Unit::of(engine.layout, loads, quantity);
+    let unit = Unit::of(engine.engine, loads, quantity);
     let swing = |loads: &OrderLoads| match quantity {
-        _ if !loads.exists(engine.layout) => DOES_NOT_EXIST.to_owned(),
+        _ if !loads.exists(engine.engine) => DOES_NOT_EXIST.to_owned(),
         Quantity::Force => calculation::largest(&loads.force, unit),
         _ => calculation::largest(&loads.moment, unit),
     };
@@ -108,7 +108,7 @@ pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
 /// What the positions, and with them the moments, are counted in.
 fn positions(engines: &[Compared]) -> String {
     let of = |unit: LengthUnit| -> Vec<String> {
-        engines.iter().filter(|e| e.layout.length_unit() == unit).map(|e| e.name.escaped(Format::Plain)).collect()
+        engines.iter().filter(|e| e.engine.length_unit() == unit).map(|e| e.name.escaped(Format::Plain)).collect()
     };
     match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
         (_, spacings) if spacings.is_empty() => "Positions are in metres.".to_owned(),

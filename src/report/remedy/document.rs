@@ -42,7 +42,7 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
         orders: remedy.orders.clone(),
         weights: remedy.weights().iter().map(weight).collect(),
         sums,
-        ..engine(subject)
+        ..engine_of(subject)
     }
 }
 
@@ -50,8 +50,8 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
 ///
 /// # Errors
 /// What the layout lacks for its masses to be compared.
-pub fn remedy_engine(layout: &Engine) -> Result<RemedyDocument, Missing> {
-    Ok(engine(&Subject::new(layout)?))
+pub fn remedy_engine(engine: &Engine) -> Result<RemedyDocument, Missing> {
+    Ok(engine_of(&Subject::new(engine)?))
 }
 
 /// The sum of a quantity that has no term at this order.
@@ -60,16 +60,16 @@ fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
     CorrectedClaim { quantity, order, sense, coefficient: Coefficient::One, terms: Vec::new(), certificate }
 }
 
-fn engine(subject: &Subject) -> RemedyDocument {
-    let layout = subject.engine();
-    let cylinders = layout.cylinders().iter().map(|cylinder| RodCylinder {
+fn engine_of(subject: &Subject) -> RemedyDocument {
+    let engine = subject.engine();
+    let cylinders = engine.cylinders().iter().map(|cylinder| RodCylinder {
         throw: cylinder.throw.turns().clone(),
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
-        weight: order::mass_radius(layout, cylinder),
+        weight: order::mass_radius(engine, cylinder),
         rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
     });
-    let masses = order::turning_masses(layout).into_iter().map(|mass| TurningClaim {
+    let masses = order::turning_masses(engine).into_iter().map(|mass| TurningClaim {
         order: mass.order,
         sense: mass.sense,
         position: mass.position,
@@ -78,11 +78,11 @@ fn engine(subject: &Subject) -> RemedyDocument {
     });
     RemedyDocument {
         format: Format::Remedy,
-        title: layout.title().written().to_owned(),
+        title: engine.title().written().to_owned(),
         masses: Masses::All,
         orders: Vec::new(),
         quantities: vec![Quantity::Force, Quantity::Moment],
-        reference_plane: layout.reference_plane().clone(),
+        reference_plane: engine.reference_plane().clone(),
         cylinders: cylinders.collect(),
         turning_masses: masses.collect(),
         weights: Vec::new(),

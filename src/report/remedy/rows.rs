@@ -83,15 +83,15 @@ fn partial_line(remedy: &Remedy) -> Option<String> {
 
 /// Mass, balance factors and bob weights, where the layout gives numbers.
 fn crankshaft_lines(remedy: &Remedy) -> Vec<String> {
-    let layout = remedy.subject.engine();
+    let engine = remedy.subject.engine();
     let mut lines = Vec::new();
-    if layout.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
-        let factors = layout.balance_factors();
+    if engine.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
+        let factors = engine.balance_factors();
         let factors = factors.iter().map(|factor| factor.as_ref().map_or_else(|| "none".to_owned(), number));
         let factors = factors.collect::<Vec<_>>().join(", ");
         lines.push(format!("Balance factors of the throws, by the counterweights in the layout file: {factors}."));
     }
-    if let (Some(bare), Some(with)) = (layout.crankshaft_mass(), remedy.crankshaft_mass()) {
+    if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
         let bare = bare.to_f64().unwrap_or(f64::NAN);
         lines.push(format!(
             "Mass in the balance equations (throws with rotating and half the reciprocating masses, and counterweights): ≈ {} kg, with the remedy's counterweights at the crank radius ≈ {} kg.",
@@ -100,7 +100,7 @@ fn crankshaft_lines(remedy: &Remedy) -> Vec<String> {
         ));
     }
     let half = BigRational::new(1.into(), 2.into());
-    if let Some(bob) = layout.bob_weight(0, &half) {
+    if let Some(bob) = engine.bob_weight(0, &half) {
         let one = bob.per_cylinder.first().map_or(f64::NAN, |mass| mass.to_f64().unwrap_or(f64::NAN));
         let all = bob.per_throw.to_f64().unwrap_or(f64::NAN);
         lines.push(format!(

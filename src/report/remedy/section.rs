@@ -79,9 +79,9 @@ pub fn remedy_figure(remedy: &Remedy) -> Option<(&'static str, Figure)> {
 /// The partial balance, where the first order is asked for and counterweights change it but leave a reverse vector, or
 /// one throw carries all.
 fn partial(remedy: &Remedy) -> Option<Partial> {
-    let layout = remedy.subject.engine();
-    let partial = Partial::new(layout)?;
-    let tells = crate::engine::throws(layout).len() == 1 || !partial.reverse.vanishes();
+    let engine = remedy.subject.engine();
+    let partial = Partial::new(engine)?;
+    let tells = crate::engine::throws(engine).len() == 1 || !partial.reverse.vanishes();
     (tells && remedy.orders.contains(&1) && !partial.direct.vanishes()).then_some(partial)
 }
 
