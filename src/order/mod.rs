@@ -6,6 +6,7 @@
 
 mod coefficients;
 mod comparable;
+mod contribution;
 mod factor;
 mod group;
 mod masses;
@@ -13,17 +14,16 @@ mod path;
 mod phase;
 mod source;
 mod sum;
-mod torque;
 mod turning;
 
 pub use coefficients::{Coefficients, crank, exactly_one};
 pub use comparable::{NotComparable, comparable};
+pub use contribution::{Contribution, Sources, all_masses, contributions, groups_of, lever, star, torque};
 pub use factor::Factor;
-pub use group::{Group, Sources};
+pub use group::Group;
 pub use masses::{MassGroup, Masses};
 pub use path::Path;
 pub use phase::{multiples, phase, phase_of};
-pub use source::{Contribution, Source, all_masses, contributions, groups_of, lever, star};
+pub use source::Source;
 pub use sum::{OrderSum, by_factor};
-pub use torque::torque;
 pub use turning::{TurningMass, mass_radius, turning_masses, unit_mass, unit_radius};

@@ -1,0 +1,181 @@
+//! Which term does each source add to an order, and what does it stand before?
+
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::factor::Factor;
+use super::masses::{MassGroup, Masses};
+use super::phase::phase;
+use super::source::Source;
+use super::sum::OrderSum;
+use super::turning::{TurningMass, mass_radius, turning_masses};
+use crate::engine::{Cylinder, Engine};
+use crate::exact::{PhasorSum, Term};
+use crate::proof::{Quantity, Sense};
+
+/// The term that a source adds to an order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Contribution {
+    /// Whose it is.
+    pub source: Source,
+    /// Where the force acts along the crankshaft.
+    pub position: BigRational,
+    /// What the term stands before.
+    pub factor: Factor,
+    /// The term, in multiples of m r.
+    pub term: Term,
+}
+
+impl Contribution {
+    /// The term with its factor, the force weighed by its position: 1 for the force, the arm for the moment, the part that a
+    /// bearing carries.
+    pub fn weighed(&self, weighing: impl Fn(&BigRational) -> BigRational) -> (Factor, Term) {
+        let weight = &self.term.weight * weighing(&self.position);
+        (self.factor.clone(), Term { angle: self.term.angle.clone(), weight })
+    }
+}
+
+/// The sources of an engine that sums are about: all, or those of some masses.
+#[derive(Clone, Debug)]
+pub struct Sources<'a> {
+    engine: &'a Engine,
+    masses: Masses,
+    turning: Vec<TurningMass>,
+}
+
+impl<'a> Sources<'a> {
+    /// The sources of these masses.
+    pub fn new(engine: &'a Engine, masses: Masses) -> Self {
+        let turning = match masses {
+            Masses::Reciprocating => Vec::new(),
+            Masses::Rotating | Masses::Counterweights | Masses::All => turning_masses(engine),
+        };
+        let turning = turning.into_iter().filter(|mass| masses.include(mass.source.group())).collect();
+        Sources { engine, masses, turning }
+    }
+
+    /// The engine.
+    pub fn engine(&self) -> &'a Engine {
+        self.engine
+    }
+
+    /// Whose they are.
+    pub fn masses(&self) -> Masses {
+        self.masses
+    }
+
+    /// The masses among them that turn.
+    pub fn turning(&self) -> &[TurningMass] {
+        &self.turning
+    }
+
+    /// What each source adds to the force of one order and sense, be its factor zero or not: a term per cylinder, then those
+    /// of the masses that turn so.
+    ///
+    /// A new kind of source has its terms here.
+    pub fn of_force(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
+        let pistons = self.cylinders().map(move |(index, cylinder)| {
+            let (factor, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order);
+            let weight = mass_radius(self.engine, cylinder) * sign;
+            Contribution {
+                source: Source::Piston(index),
+                position: cylinder.position.clone(),
+                factor,
+                term: Term { angle: phase(cylinder, order, Some(sense)), weight },
+            }
+        });
+        let turning = self.turning.iter().filter(move |mass| (mass.order, mass.sense) == (order, sense));
+        let turning = turning.map(|mass| Contribution {
+            source: mass.source,
+            position: mass.position.clone(),
+            factor: Factor::One,
+            term: Term { angle: mass.angle.clone(), weight: mass.weight() },
+        });
+        pistons.chain(turning)
+    }
+
+    /// What each source adds to the inertia torque of one order, in multiples of m r²; what turns at constant speed adds
+    /// nothing.
+    pub fn of_torque(&self, order: u32) -> impl Iterator<Item = Contribution> {
+        self.cylinders().map(move |(index, cylinder)| {
+            let weight = mass_radius(self.engine, cylinder) * &cylinder.crank_radius;
+            Contribution {
+                source: Source::Piston(index),
+                position: cylinder.position.clone(),
+                factor: Factor::of_torque(cylinder.mechanism.as_ref()),
+                term: Term { angle: phase(cylinder, order, None), weight },
+            }
+        })
+    }
+
+    /// The terms of a quantity with what they stand before: of the moment those of the force times the arm.
+    pub fn terms(&self, quantity: Quantity, order: u32, sense: Option<Sense>) -> Vec<(Source, Factor, Term)> {
+        let term = |one: Contribution| {
+            let (factor, term) = match quantity {
+                Quantity::Force | Quantity::Torque => (one.factor, one.term),
+                Quantity::Moment => one.weighed(|position| lever(self.engine, quantity, position)),
+            };
+            (one.source, factor, term)
+        };
+        match sense {
+            Some(sense) => self.of_force(order, sense).map(term).collect(),
+            None => self.of_torque(order).map(term).collect(),
+        }
+    }
+
+    fn cylinders(&self) -> impl Iterator<Item = (usize, &'a Cylinder)> {
+        let has_pistons = self.masses.include(MassGroup::Reciprocating);
+        self.engine.cylinders().iter().enumerate().filter(move |_| has_pistons)
+    }
+}
+
+/// What every mass of an engine adds to the force of one order and sense, where its factor is not zero.
+pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
+    let all = Sources::new(engine, Masses::All);
+    let there = all.of_force(order, sense).filter(|one| one.factor.exists(Quantity::Force, order));
+    there.collect()
+}
+
+/// What a force at this position counts for: 1 in the force, its arm about the reference plane in the moment.
+///
+/// # Panics
+/// For the torque, which no position enters.
+pub fn lever(engine: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
+    match quantity {
+        Quantity::Force => BigRational::one(),
+        Quantity::Moment => position - engine.reference_plane(),
+        Quantity::Torque => unreachable!("the torque has sums of its own"),
+    }
+}
+
+/// One order and sense of the force or the moment of all masses.
+pub fn all_masses(engine: &Engine, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
+    sum_of(&Sources::new(engine, Masses::All), quantity, order, Some(sense))
+}
+
+/// The inertia torque of one order: `Σ m r² e^{ik(β−α)}` before t_k of each mechanism, in multiples of m r².
+pub fn torque(engine: &Engine, order: u32) -> OrderSum {
+    sum_of(&Sources::new(engine, Masses::Reciprocating), Quantity::Torque, order, None)
+}
+
+fn sum_of(sources: &Sources, quantity: Quantity, order: u32, sense: Option<Sense>) -> OrderSum {
+    let terms = sources.terms(quantity, order, sense).into_iter();
+    OrderSum::new(terms.filter(|(_, factor, _)| factor.exists(quantity, order)).map(|(_, factor, term)| (factor, term)))
+}
+
+/// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.
+///
+/// Masses and crank radii are in multiples of the engine's; its coefficient c_k and the factor ½ω² are left out.
+pub fn star(engine: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
+    let terms = Sources::new(engine, Masses::Reciprocating).terms(quantity, order, sense);
+    PhasorSum::new(terms.into_iter().map(|(_, _, term)| term).collect())
+}
+
+/// The groups of masses that an engine has: the reciprocating ones, and those that weigh something.
+pub fn groups_of(engine: &Engine) -> Vec<MassGroup> {
+    let mut groups: Vec<MassGroup> = turning_masses(engine).into_iter().map(|mass| mass.source.group()).collect();
+    groups.push(MassGroup::Reciprocating);
+    groups.sort_unstable();
+    groups.dedup();
+    groups
+}
