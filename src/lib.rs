@@ -34,6 +34,15 @@
 //! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
 //! do not compile in `proof`, `exact`, `beam`, `layout`, `order` and `verdict`.
 //!
+//! # Features
+//!
+//! All are on by default. Without any (`default-features = false`) the crate is the library without `report` and `optimise`: it
+//! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
+//!
+//! - `report`: the room `report`, pages and documents.
+//! - `optimise`: the room `optimise`, with its solver for convex problems.
+//! - `cli`: the program; it takes `report` along.
+//!
 //! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 
 #![warn(missing_docs)]
@@ -72,6 +81,7 @@ pub mod numbers;
 pub mod optimise;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
+#[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod report;
 #[allow(clippy::disallowed_types)]
