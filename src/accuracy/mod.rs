@@ -4,13 +4,13 @@
 //! accurate of them is the yardstick of all.
 //!
 //! ```standalone_crate
-//! use crankstar::accuracy::{self, Method};
+//! use crankstar::accuracy::{self, Method, Timing};
 //! use crankstar::proof::Quantity;
 //! use num_rational::BigRational;
 //!
 //! let i4 = crankstar::file::find("I4").unwrap().engine().unwrap();
 //! let i4 = accuracy::with_rod_ratio(&i4, &BigRational::new(3.into(), 10.into()));
-//! let force = accuracy::study(&i4, Quantity::Force, false).unwrap();
+//! let force = accuracy::study(&i4, Quantity::Force, Timing::Off).unwrap();
 //! let second_order = force.rows.iter().find(|row| row.method == Method::Orders(2)).unwrap();
 //! assert!(0.02 < second_order.error && second_order.error < second_order.bound.unwrap());
 //! ```
@@ -35,6 +35,7 @@ use num_traits::Zero;
 pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};
+pub use timing::Timing;
 
 use crate::engine::{BuildError, Engine, Mechanism, Rod};
 

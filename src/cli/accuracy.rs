@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use crankstar::accuracy;
+use crankstar::accuracy::{self, Timing};
 use crankstar::file::{self, Layout};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
@@ -54,7 +54,7 @@ impl Accuracy {
         };
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
         let spinner = progress::spinner("finding each peak by all methods");
-        let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, true));
+        let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, Timing::On));
         let cases = cases.collect::<Result<Vec<_>, _>>();
         spinner.finish_and_clear();
         let cases = cases.map_err(Failure::new)?;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crankstar::accuracy::Timing;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::Layout;
@@ -40,7 +41,7 @@ fn accuracy_of(layout: &Engine) -> Result<AccuracyCase, Failure> {
     let torque = layout.effects().torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
     let spinner = progress::spinner("finding each peak by all methods");
-    let case = AccuracyCase::of(layout, &quantities, false);
+    let case = AccuracyCase::of(layout, &quantities, Timing::Off);
     spinner.finish_and_clear();
     case.map_err(Failure::new)
 }

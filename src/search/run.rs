@@ -131,7 +131,8 @@ impl Hall<'_> {
         };
         thread::scope(|scope| {
             let helpers = self.options.threads.min(open.len()).saturating_sub(1);
-            (0..helpers).for_each(|_| drop(scope.spawn(work)));
+            // Where no thread is to be had the work is done here.
+            (0..helpers).for_each(|_| drop(thread::Builder::new().spawn_scoped(scope, work)));
             work();
         });
         held(state).map_or(Ok(()), Err)
