@@ -72,6 +72,8 @@ impl fmt::Display for SearchError {
     }
 }
 
+impl std::error::Error for SearchError {}
+
 /// Finds the exact Pareto front of a question: complete, ties counted.
 ///
 /// # Errors
