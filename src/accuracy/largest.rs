@@ -134,7 +134,7 @@ fn of_orders(spectrum: &Spectrum, quantity: Quantity) -> Largest {
 fn of_motion(layout: &Engine, quantity: Quantity) -> Largest {
     let found = Search::new(layout, quantity).run(SURE, MOST_SPANS);
     let ends = Interval { low: found.low.sqrt().next_down(), high: found.high.sqrt().next_up() };
-    let highest = found.spans.iter().max_by(|a, b| a.reach.total_cmp(&b.reach));
+    let highest = found.spans.iter().max_by(|a, b| a.bound.total_cmp(&b.bound));
     let angle = highest.map(|span| (span.from + (span.to - span.from) / 2.0) * 360.0);
     Largest::of(f64::midpoint(ends.low, ends.high), angle, (ends.high - ends.low) / 2.0)
 }

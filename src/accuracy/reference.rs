@@ -47,8 +47,8 @@ pub(super) struct Fractions {
 impl Fractions {
     pub fn new(layout: &Engine, quantity: Quantity) -> Self {
         let gap = |rod: &crate::engine::Rod| {
-            let reach: BigRational = &rod.ratio + rod.offset.abs();
-            let gap = BigRational::from_integer(1.into()) - reach;
+            let sum: BigRational = &rod.ratio + rod.offset.abs();
+            let gap = BigRational::from_integer(1.into()) - sum;
             (gap.denom().bits() as i64 - gap.numer().bits() as i64).clamp(0, 4096) as u32
         };
         // The motion divides by the third power of a root of the gap.
@@ -105,16 +105,16 @@ impl Fractions {
         let mut high = BigRational::zero();
         let few = places.len() <= MOST_PLACES;
         for place in places {
-            let reach = place.iter().map(|span| span.reach).fold(0.0, f64::max);
-            let known = BigRational::from_float(reach)?;
-            let reach = match few.then(|| self.concave(&place)).flatten() {
+            let bound = place.iter().map(|span| span.bound).fold(0.0, f64::max);
+            let known = BigRational::from_float(bound)?;
+            let bound = match few.then(|| self.concave(&place)).flatten() {
                 Some(tight) => {
                     low = low.max(tight.low);
                     tight.high.min(known)
                 }
                 None => known,
             };
-            high = high.max(reach);
+            high = high.max(bound);
         }
         Some(Enclosure { high: high.max(low.clone()), low })
     }

@@ -7,13 +7,13 @@ use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
 use super::failure::Failure;
-use super::{Subject, folder, print_json, terminal, write};
+use super::{EngineAndOrders, folder, print_json, terminal, write};
 
 /// Arguments of `bearings`.
 #[derive(clap::Args)]
 pub struct Bearings {
     #[command(flatten)]
-    subject: Subject,
+    subject: EngineAndOrders,
     /// Print the loads as JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,

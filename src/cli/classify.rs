@@ -10,13 +10,13 @@ use crankstar::verdict;
 use super::failure::Failure;
 use super::masses::Masses;
 use super::verify::proved;
-use super::{Subject, terminal, write};
+use super::{EngineAndOrders, terminal, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]
 pub struct Classify {
     #[command(flatten)]
-    subject: Subject,
+    subject: EngineAndOrders,
     #[command(flatten)]
     masses: Masses,
     /// Print the verdicts with their certificates as JSON

@@ -9,7 +9,7 @@ use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
 use super::verify::proved_or_without;
-use super::{Subject, terminal, write};
+use super::{EngineAndOrders, terminal, write};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -18,7 +18,7 @@ const USUAL_PERCENT: &str = "0.1";
 #[derive(clap::Args)]
 pub struct Loads {
     #[command(flatten)]
-    subject: Subject,
+    subject: EngineAndOrders,
     /// Print the loads as JSON
     #[arg(long)]
     json: bool,

@@ -100,7 +100,7 @@ enum Command {
 
 /// The engine and the orders that a command is about.
 #[derive(clap::Args)]
-struct Subject {
+struct EngineAndOrders {
     /// A name of the catalogue, or the path of a layout file
     layout: PathBuf,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6 and what exists and matters besides]
@@ -108,7 +108,7 @@ struct Subject {
     orders: Vec<u32>,
 }
 
-impl Subject {
+impl EngineAndOrders {
     /// The engine, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
         let engine = layouts::read(&self.layout)?;

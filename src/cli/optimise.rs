@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use super::Subject;
+use super::EngineAndOrders;
 use super::failure::Failure;
 
 /// Arguments of `optimise`.
 #[derive(clap::Args)]
 pub struct Optimise {
     #[command(flatten)]
-    subject: Subject,
+    subject: EngineAndOrders,
     /// What may be left of the first-order couple that turns with the crank: zero, or a bound in N·m
     #[arg(long, value_name = "zero|N·m", default_value = "zero")]
     couple: String,

@@ -12,13 +12,13 @@ use num_traits::Signed;
 
 use super::failure::Failure;
 use super::verify::proved;
-use super::{Subject, folder, terminal, write};
+use super::{EngineAndOrders, folder, terminal, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
 pub struct Remedy {
     #[command(flatten)]
-    subject: Subject,
+    subject: EngineAndOrders,
     /// Two planes for counterweights and couples, positions along the crankshaft [default: the outermost throws]
     #[arg(long, value_name = "Z1,Z2", value_delimiter = ',', allow_hyphen_values = true)]
     planes: Vec<String>,

@@ -12,13 +12,13 @@ use crankstar::report::{self, AccuracyCase, Dialect};
 use super::failure::Failure;
 use super::loads::Auto;
 use super::masses::Masses;
-use super::{Format, Math, Subject, folder, progress, terminal, write};
+use super::{EngineAndOrders, Format, Math, folder, progress, terminal, write};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
 pub struct Report {
     #[command(flatten)]
-    subject: Subject,
+    subject: EngineAndOrders,
     #[command(flatten)]
     masses: Masses,
     /// Language of the report

@@ -6,13 +6,13 @@ use num_traits::ToPrimitive;
 use super::Wish;
 use super::best::{SLACK, Search};
 use super::design::{Design, measure};
+use super::error::OptimiseError;
 use super::place::{Place, uniform};
-use super::refused::Refused;
 use crate::engine::Engine;
 
 /// A crankshaft of the front.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct Optimum {
     /// The layout with its counterweights, as its own file says.
     pub layout: Engine,
     /// What it weighs and does.
@@ -30,10 +30,10 @@ pub struct Uniform {
     /// What it weighs and does.
     pub design: Design,
     /// The best crankshaft of the same mass; none where no crankshaft so light keeps the conditions.
-    pub best: Option<Point>,
+    pub best: Option<Optimum>,
     /// The lightest crankshaft that keeps the conditions with no larger a load, but for the rounding of its weights; none
     /// where there is none.
-    pub lightest: Option<Point>,
+    pub lightest: Option<Optimum>,
 }
 
 /// The best crankshafts of a layout.
@@ -42,7 +42,7 @@ pub struct Front {
     /// Where counterweights may stand.
     pub places: Vec<Place>,
     /// From the lightest crankshaft that keeps the conditions to the one with the least load.
-    pub points: Vec<Point>,
+    pub points: Vec<Optimum>,
     /// Those with uniform balance factors 0, 0.65 and 1, where every throw has counterweights.
     pub uniform: Vec<Uniform>,
 }
@@ -50,7 +50,7 @@ pub struct Front {
 /// Finds the front of a layout.
 ///
 /// ```standalone_crate
-/// use crankstar::optimise::{Couple, Left, Wish, front};
+/// use crankstar::optimise::{Couple, Residual, Wish, front};
 /// let file = "speed = 6000\nbearings = [1.5, 0.5, -0.5, -1.5]\n[inline]\nthrows = [0, 120, 240]\n[mechanism]\n\
 ///     reciprocating_mass = 0.65\nrotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n\
 ///     [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '45 mm'\nweb_offset = 0.2";
@@ -59,15 +59,15 @@ pub struct Front {
 /// let front = front(&i3, &wish).unwrap();
 /// let [lightest, calmest] = front.points.as_slice() else { panic!() };
 /// assert!(lightest.design.mass < calmest.design.mass && lightest.design.peak() > calmest.design.peak());
-/// assert_eq!((lightest.design.force, lightest.design.couple), (Left::Zero, Left::Zero));
+/// assert_eq!((lightest.design.force, lightest.design.couple), (Residual::Zero, Residual::Zero));
 /// assert!(calmest.least > 0.999 * calmest.design.peak());
 /// ```
 ///
 /// # Errors
-/// [`Refused`] says what is missing.
-pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, Refused> {
+/// [`OptimiseError`] says what is missing.
+pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
     if wish.points == 0 {
-        return Err(Refused::NoPoints);
+        return Err(OptimiseError::NoPoints);
     }
     let mut search = Search::new(layout, wish)?;
     let ends = search.ends()?;

@@ -12,7 +12,7 @@ use crate::order;
 use crate::proof::Sense;
 
 use super::firing;
-use super::front::Point;
+use super::front::StarValues;
 use super::problem::Problem;
 
 /// The moment of one order: a vector `|C|`, in m r ω² c_k times the spacing, of the direct and of the reverse sense.
@@ -53,7 +53,7 @@ pub struct FoundStar {
 }
 
 impl FoundStar {
-    pub(super) fn new(problem: &Problem, point: &Point) -> Self {
+    pub(super) fn new(problem: &Problem, point: &StarValues) -> Self {
         let (directions, _) = problem.supply();
         let throws: Vec<Turn> =
             point.throws.iter().map(|&throw| Turn::fraction(throw.into(), directions.into())).collect();
@@ -165,7 +165,7 @@ pub enum Standing {
 }
 
 /// The place of a point among those of a front.
-pub(super) fn standing(front: &[Point], point: &Point) -> Standing {
+pub(super) fn standing(front: &[StarValues], point: &StarValues) -> Standing {
     match front.iter().any(|other| other.compare(point) == Some(Ordering::Equal)) {
         true => Standing::On,
         false => Standing::Beaten,

@@ -1,6 +1,6 @@
 //! Which pieces is a search cut into, and what comes of one?
 
-use super::front::{Judge, Point};
+use super::front::{Judge, StarValues};
 use super::space::Space;
 use super::symmetry::Same;
 use super::tables::Tables;
@@ -61,5 +61,5 @@ impl Judge for Everything {
     fn hopeless(&self, _: &[i128]) -> bool {
         false
     }
-    fn take(&mut self, _: Point) {}
+    fn take(&mut self, _: StarValues) {}
 }

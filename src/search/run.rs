@@ -14,7 +14,7 @@ use std::thread;
 use super::answer::{self, Front};
 use super::front::{Judge, Pareto};
 use super::piece::{self, Counts, Piece};
-use super::problem::{Mistake, Problem};
+use super::problem::{Problem, ProblemError};
 use super::resume::{self, Done};
 use super::space::Space;
 use super::tables::Tables;
@@ -55,7 +55,7 @@ impl Default for Options<'_> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SearchError {
     /// The question makes no sense.
-    Question(Mistake),
+    Problem(ProblemError),
     /// The state file cannot be read or written.
     State(String),
     /// Stopped by the progress callback.
@@ -65,7 +65,7 @@ pub enum SearchError {
 impl fmt::Display for SearchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            SearchError::Question(mistake) => mistake.fmt(f),
+            SearchError::Problem(mistake) => mistake.fmt(f),
             SearchError::State(message) => f.write_str(message),
             SearchError::Stopped => f.write_str("stopped"),
         }
@@ -79,7 +79,7 @@ impl std::error::Error for SearchError {}
 /// # Errors
 /// If the question makes no sense, the state file cannot be read or written, or the progress callback stops the search.
 pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
-    let space = Space::new(problem).map_err(SearchError::Question)?;
+    let space = Space::new(problem).map_err(SearchError::Problem)?;
     let tables = Tables::new(&space);
     let pieces = piece::pieces(&space, &tables);
     let read = |path| resume::read(path, problem, &space, &tables, &pieces);

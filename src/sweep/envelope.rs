@@ -76,8 +76,8 @@ pub fn envelope(layout: &Engine, geometry: &Geometry) -> Option<Envelope> {
     }
     let bore = geometry.bore;
     let half = geometry.half_width * bore;
-    let reach = geometry.crankcase;
-    let (mut left, mut right, mut low, mut high) = (-reach, reach, -reach, reach);
+    let radius = geometry.crankcase;
+    let (mut left, mut right, mut low, mut high) = (-radius, radius, -radius, radius);
     for cylinder in layout.cylinders() {
         let ratio = cylinder.rod().map_or(geometry.rod_ratio, |rod| rod.ratio.to_f64().unwrap_or(0.0));
         if ratio <= 0.0 {
@@ -128,11 +128,11 @@ pub fn section(layout: &Engine, geometry: &Geometry) -> Option<f64> {
     let step = std::f64::consts::TAU / f64::from(RAYS);
     let ray = |index: u32| {
         let direction = (f64::from(index) + 0.5) * step;
-        let reach = |(bank, top): &(f64, f64)| {
+        let distance = |(bank, top): &(f64, f64)| {
             let (sin, cos) = (direction - std::f64::consts::TAU * bank).sin_cos();
             if cos <= 0.0 { 0.0 } else { (top / cos).min(half / sin.abs()) }
         };
-        banks.iter().map(reach).fold(geometry.crankcase, f64::max)
+        banks.iter().map(distance).fold(geometry.crankcase, f64::max)
     };
     Some((0..RAYS).map(|index| ray(index).powi(2)).sum::<f64>() * step / 2.0)
 }

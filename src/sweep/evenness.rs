@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
-use super::whole::Whole;
+use super::integers::IntegerEngine;
 use crate::engine::{Cycle, Engine};
 
 /// The longest and the shortest interval between firings, in turns of the crank.
@@ -38,7 +38,7 @@ pub fn evenness(layout: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
 }
 
 /// The same for an engine whose whole numbers may be known already.
-pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&Whole>) -> Option<Evenness> {
+pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&IntegerEngine>) -> Option<Evenness> {
     if let Some(firing) = layout.firing() {
         let intervals = firing.intervals();
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());

@@ -81,7 +81,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     for order in family::classify(&open, orders) {
         for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
             for of in Zeros::ALL {
-                if is_gone(&engine, order.order) {
+                if !has_order(&engine, order.order) {
                     sets.push(ZeroSet { exists: false, ..ZeroSet::everywhere(quantity, order.order, of) });
                     continue;
                 }
@@ -171,10 +171,10 @@ fn find(open: &engine::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
     }
 }
 
-/// Whether an order has the coefficient 0: the odd ones of centric rods.
-fn is_gone(layout: &Engine, order: u32) -> bool {
-    let balanced = layout.crankshaft().balancers.iter().all(|shaft| shaft.order != order);
-    balanced && !layout.pistons_have_order(Quantity::Force, order)
+/// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
+fn has_order(engine: &Engine, order: u32) -> bool {
+    let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
+    balanced || engine.pistons_have_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.

@@ -23,7 +23,7 @@ const SURELY_NOT_ZERO: f64 = 1e-9;
 const MOST: i64 = 1 << 40;
 
 /// An engine in whole numbers.
-pub(super) struct Whole {
+pub(super) struct IntegerEngine {
     conductor: i64,
     throws: Vec<i64>,
     banks: Vec<i64>,
@@ -45,10 +45,10 @@ pub(super) struct Pair {
     pub mirrored: Complex<f64>,
     pub zeros: [bool; 4],
     /// The length of all terms of a sum end to end.
-    pub reach: f64,
+    pub total_length: f64,
 }
 
-impl Whole {
+impl IntegerEngine {
     /// The engine in words; none where it has no reciprocating masses, rods differ, or a number is too long.
     pub fn new(layout: &Engine) -> Option<Self> {
         let weightless = layout.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
@@ -63,7 +63,7 @@ impl Whole {
         let force: Vec<BigRational> = cylinders.iter().map(|cylinder| cylinder.weight()).collect();
         let moment: Vec<BigRational> =
             cylinders.iter().zip(&force).map(|(cylinder, weight)| weight * layout.arm(cylinder)).collect();
-        Some(Whole {
+        Some(IntegerEngine {
             conductor,
             throws: cylinders.iter().map(|cylinder| exponent(cylinder.throw.turns())).collect::<Option<_>>()?,
             banks: cylinders.iter().map(|cylinder| exponent(cylinder.bank.turns())).collect::<Option<_>>()?,
@@ -130,7 +130,7 @@ impl Whole {
         };
         let unit = weights.unit;
         let zeros = [plus, minus, along, across];
-        Pair { direct: direct * unit, mirrored: mirrored * unit, zeros, reach: whole * unit }
+        Pair { direct: direct * unit, mirrored: mirrored * unit, zeros, total_length: whole * unit }
     }
 }
 
