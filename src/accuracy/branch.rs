@@ -67,12 +67,12 @@ pub(super) struct Search {
 }
 
 impl Search {
-    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
+    pub fn new(engine: &Engine, quantity: Quantity) -> Self {
         let direction = |angle: &Turn| Interval::around(angle.turns()).direction();
-        let still = Bodies::new(layout, quantity, &Interval::around, &direction);
+        let still = Bodies::new(engine, quantity, &Interval::around, &direction);
         let moving = still.map(&Jet::constant);
         let curved = moving.map(&Jet::constant);
-        let phases = phases(layout).iter().map(|phase| Interval::around(phase.turns())).collect();
+        let phases = phases(engine).iter().map(|phase| Interval::around(phase.turns())).collect();
         Search { still, moving, curved, phases }
     }
 

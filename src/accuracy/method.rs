@@ -82,20 +82,20 @@ pub struct Study {
 /// Finds the peak of a load by all methods, and the time of each where they are timed.
 ///
 /// # Errors
-/// What the layout lacks for numbers.
-pub fn study(layout: &Engine, quantity: Quantity, timing: Timing) -> Result<Study, Missing> {
-    if !turning_masses(layout).iter().all(TurningMass::turns_with_the_crank) {
+/// What the engine lacks for numbers.
+pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Study, Missing> {
+    if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }
-    let orders = Orders::new(layout, quantity, SUMMED)?;
-    if loads::vanishes_at_every_order(layout, quantity) {
+    let orders = Orders::new(engine, quantity, SUMMED)?;
+    if loads::vanishes_at_every_order(engine, quantity) {
         return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new() });
     }
-    let fractions = Fractions::new(layout, quantity);
+    let fractions = Fractions::new(engine, quantity);
     let (steady, steady_rest) = match orders.steady() {
         false => (false, 0.0),
         true => {
-            let more = Orders::new(layout, quantity, SUMMED_OF_STEADY)?;
+            let more = Orders::new(engine, quantity, SUMMED_OF_STEADY)?;
             (more.steady(), more.bound(SUMMED_OF_STEADY))
         }
     };
@@ -104,7 +104,7 @@ pub fn study(layout: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
         false => fractions.peak(orders.bound(0), orders.angle()),
     };
     let (enclosure, time) = measured(timing, peak);
-    let search = Search::new(layout, quantity);
+    let search = Search::new(engine, quantity);
     let searched = DIGITS.map(|digits| (digits, measured(timing, || search.run(ten_to_minus(digits), MOST_SPANS))));
     // What any method guarantees holds for the yardstick, so that none is compared with a worse one than itself.
     let guaranteed = searched.iter().filter_map(|(_, (found, _))| ends(found)).chain(orders.enclosure());
@@ -128,8 +128,8 @@ pub fn study(layout: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
             time,
         });
     }
-    let doubles = Doubles::new(layout, quantity)?;
-    let singles = Singles::new(layout, quantity);
+    let doubles = Doubles::new(engine, quantity)?;
+    let singles = Singles::new(engine, quantity);
     for steps in STEPS {
         let (value, time) = measured(timing, || doubles.peak(steps));
         let looked_at = Some(steps as usize);

@@ -41,7 +41,7 @@ use crate::engine::{BuildError, Engine, Mechanism, Rod};
 
 /// The same engine with this rod ratio λ at every cylinder.
 ///
-/// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. A layout without rods gets rods without offset.
+/// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. An engine without rods gets rods without offset.
 ///
 /// # Errors
 /// A rod that is too short.

@@ -39,16 +39,16 @@ fn ratio(text: &str) -> Result<BigRational, String> {
 impl Accuracy {
     /// Measures all methods and prints what they find, or writes the page.
     pub fn run(&self) -> Result<(), Failure> {
-        let Layout::Known(layout, _) = layouts::read(&self.layout)? else {
+        let Layout::Known(engine, _) = layouts::read(&self.layout)? else {
             return Err(Failure::new("peaks need an engine without unknowns; give them values below [values]"));
         };
-        if layout.mechanisms().is_empty() && self.rod_ratio.is_empty() {
+        if engine.mechanisms().is_empty() && self.rod_ratio.is_empty() {
             return Err(Failure::new("the layout says nothing of its rods; name some with --rod-ratio 0.3"));
         }
         let engines = match self.rod_ratio.as_slice() {
-            [] => vec![layout.as_ref().clone()],
+            [] => vec![engine.as_ref().clone()],
             ratios => {
-                let engines = ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio));
+                let engines = ratios.iter().map(|ratio| accuracy::with_rod_ratio(&engine, ratio));
                 engines.collect::<Result<_, _>>().map_err(Failure::new)?
             }
         };
@@ -59,11 +59,11 @@ impl Accuracy {
         spinner.finish_and_clear();
         let cases = cases.map_err(Failure::new)?;
         if let Some(folder) = &self.output {
-            folder::write(folder, &report::accuracy_page(&layout, &cases))?;
+            folder::write(folder, &report::accuracy_page(&engine, &cases))?;
         }
         if self.json {
-            return print_json(&report::accuracy_document(&layout, &cases));
+            return print_json(&report::accuracy_document(&engine, &cases));
         }
-        write::to_stdout(&terminal::accuracy(&layout, &cases))
+        write::to_stdout(&terminal::accuracy(&engine, &cases))
     }
 }

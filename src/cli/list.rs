@@ -11,8 +11,8 @@ use super::write;
 pub fn run() -> Result<(), Failure> {
     let engines = file::catalogue()?;
     let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);
-    let line = |(entry, layout): &(file::Entry, engine::Engine)| {
-        format!("{:widest$}  {:2}  {}\n", entry.name, layout.cylinders().len(), layout.title().escaped(Format::Plain))
+    let line = |(entry, engine): &(file::Entry, engine::Engine)| {
+        format!("{:widest$}  {:2}  {}\n", entry.name, engine.cylinders().len(), engine.title().escaped(Format::Plain))
     };
     write::to_stdout(&engines.iter().map(line).collect::<String>())
 }

@@ -109,17 +109,17 @@ struct EngineAndOrders {
 }
 
 impl EngineAndOrders {
-    /// The engine, and the orders to judge, rising, each once.
+    /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
-        let engine = layouts::read(&self.layout)?;
-        let mut orders = match (self.orders.as_slice(), &engine) {
-            ([], Layout::Known(layout, _)) => usual_orders(layout),
+        let layout = layouts::read(&self.layout)?;
+        let mut orders = match (self.orders.as_slice(), &layout) {
+            ([], Layout::Known(engine, _)) => usual_orders(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (asked, _) => asked.to_vec(),
         };
         orders.sort_unstable();
         orders.dedup();
-        Ok((engine, orders))
+        Ok((layout, orders))
     }
 }
 

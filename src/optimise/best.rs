@@ -22,7 +22,7 @@ pub(super) const SLACK: f64 = 1e-6;
 
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
-    layout: &'a Engine,
+    engine: &'a Engine,
     wish: &'a Wish,
     pub places: Vec<Place>,
     problem: Problem,
@@ -32,13 +32,13 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(layout: &'a Engine, wish: &'a Wish) -> Result<Self, OptimiseError> {
-        let places = places(layout);
-        let mut problem = Problem::new(layout, &places, wish)?;
-        let own = throws(layout).into_iter().map(|throw| throw.angle);
+    pub fn new(engine: &'a Engine, wish: &'a Wish) -> Result<Self, OptimiseError> {
+        let places = places(engine);
+        let mut problem = Problem::new(engine, &places, wish)?;
+        let own = throws(engine).into_iter().map(|throw| throw.angle);
         let others = problem.exact.iter().flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
         let directions = Directions::new(&own.chain(others).collect::<Vec<Turn>>());
-        let radius = layout.dimensions().crank_radius.clone().ok_or(OptimiseError::NoMasses)?;
+        let radius = engine.dimensions().crank_radius.clone().ok_or(OptimiseError::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
         if let Some(most) = problem.most_couple {
             // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
@@ -49,7 +49,7 @@ impl<'a> Search<'a> {
             problem.most_couple = Some(most - step * moved).filter(|left| *left > most / 2.0);
         }
         let samples = Samples::new(&problem);
-        Ok(Search { layout, wish, places, problem, samples, directions, steps })
+        Ok(Search { engine, wish, places, problem, samples, directions, steps })
     }
 
     fn solve(&mut self, least: Least, mass: Option<f64>, peak: Option<f64>) -> Result<Solution, OptimiseError> {
@@ -83,17 +83,17 @@ impl<'a> Search<'a> {
         let exact = mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
         let pairs = self.places.iter().zip(&exact);
         let weights: Vec<_> = pairs.map(|(place, sum)| counterweights(place, sum, &self.steps.mass)).collect();
-        let draft = self.layout.with_counterweights(weights.iter().flatten().cloned().collect());
+        let draft = self.engine.with_counterweights(weights.iter().flatten().cloned().collect());
         let draft = draft.map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
         let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
-        let layout = file::with_counterweights(self.layout, &weights, &head, &notes)?;
-        let design = measure(&layout, &self.places, &self.wish.orders)?;
+        let engine = file::with_counterweights(self.engine, &weights, &head, &notes)?;
+        let design = measure(&engine, &self.places, &self.wish.orders)?;
         if !keeps(&design, &self.wish.couple) {
             return Err(OptimiseError::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
         }
         let least = bound.at(design.mass.to_f64().unwrap_or(f64::INFINITY));
-        Ok(Optimum { layout, design, least })
+        Ok(Optimum { engine, design, least })
     }
 }
 

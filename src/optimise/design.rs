@@ -1,6 +1,6 @@
 //! What does a crankshaft with these counterweights weigh, what do its bearings feel, and is it balanced?
 //!
-//! All of it is read from the layout alone, whoever made it: the search has no part in these figures.
+//! All of it is read from the engine alone, whoever made it: the search has no part in these figures.
 
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -66,27 +66,27 @@ pub enum Residual {
     Between(f64, f64),
 }
 
-/// Measures a layout with counterweights at these places, at these orders.
+/// Measures an engine with counterweights at these places, at these orders.
 ///
 /// # Errors
-/// What the layout lacks; [`OptimiseError::Offset`].
-pub fn measure(layout: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, OptimiseError> {
-    let loads = bearing_loads(layout, orders, Method::Continuous)?;
-    let (Some(mass), Some(radius)) = (layout.crankshaft_mass(), &layout.dimensions().crank_radius) else {
+/// What the engine lacks; [`OptimiseError::Offset`].
+pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, OptimiseError> {
+    let loads = bearing_loads(engine, orders, Method::Continuous)?;
+    let (Some(mass), Some(radius)) = (engine.crankshaft_mass(), &engine.dimensions().crank_radius) else {
         return Err(OptimiseError::NoMasses);
     };
-    let unit = unit_mass(layout) * radius;
-    let arm = |position: &BigRational| position - layout.reference_plane();
+    let unit = unit_mass(engine) * radius;
+    let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
     let in_units = |sum: PhasorSum, factor: f64| left(&sum.scaled(&unit.recip()), factor);
-    let couple_scale = if Arm::of(layout) == Arm::Metre { newtons } else { 1.0 };
+    let couple_scale = if Arm::of(engine) == Arm::Metre { newtons } else { 1.0 };
     Ok(Design {
         mass,
         peaks: loads.bearings.iter().map(|bearing| bearing.peak.value).collect(),
         worst: loads.worst,
-        weights: places.iter().map(|place| weight(layout, place)).collect(),
-        force: in_units(direct(layout, &|_| BigRational::one(), &unit)?, newtons),
-        couple: in_units(direct(layout, &arm, &unit)?, couple_scale),
+        weights: places.iter().map(|place| weight(engine, place)).collect(),
+        force: in_units(direct(engine, &|_| BigRational::one(), &unit)?, newtons),
+        couple: in_units(direct(engine, &arm, &unit)?, couple_scale),
         scale: loads.scale,
     })
 }
@@ -118,14 +118,14 @@ fn left(sum: &PhasorSum, factor: f64) -> Residual {
 }
 
 /// What stands at a place.
-pub(super) fn weight(layout: &Engine, place: &Place) -> PlacedWeight {
-    let here = || layout.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
+pub(super) fn weight(engine: &Engine, place: &Place) -> PlacedWeight {
+    let here = || engine.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
     let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));
     let mass = here().map(|weight| &weight.mass).sum();
     let of_throw = place.throw.and_then(|index| {
-        let whole = layout.throw_mass_radii()?.get(index)?.to_f64().filter(|whole| *whole > 0.0)?;
-        Some((whole, numbers::direction(&throws(layout).get(index)?.angle.opposite())))
+        let whole = engine.throw_mass_radii()?.get(index)?.to_f64().filter(|whole| *whole > 0.0)?;
+        Some((whole, numbers::direction(&throws(engine).get(index)?.angle.opposite())))
     });
     let turned = |(_, opposite): (f64, Complex<f64>)| (mass_radius * opposite.conj()).arg().to_degrees();
     PlacedWeight {

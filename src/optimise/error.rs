@@ -4,10 +4,10 @@ use std::fmt;
 
 use crate::loads::Missing;
 
-/// Why a layout cannot be optimised.
+/// Why an engine cannot be optimised.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum OptimiseError {
-    /// What the layout lacks for the loads of its bearings.
+    /// What the engine lacks for the loads of its bearings.
     Missing(Missing),
     /// No counterweights, so no planes for them.
     NoPlaces,

@@ -13,8 +13,8 @@ use crate::engine::Engine;
 /// A crankshaft of the front.
 #[derive(Clone, Debug)]
 pub struct Optimum {
-    /// The layout with its counterweights, as its own file says.
-    pub layout: Engine,
+    /// The engine with its counterweights, as its own file says.
+    pub engine: Engine,
     /// What it weighs and does.
     pub design: Design,
     /// No crankshaft of this mass that keeps the conditions has a lower largest bearing load, in multiples of m r ω²: by weak
@@ -36,7 +36,7 @@ pub struct Uniform {
     pub lightest: Option<Optimum>,
 }
 
-/// The best crankshafts of a layout.
+/// The best crankshafts of an engine.
 #[derive(Clone, Debug)]
 pub struct Front {
     /// Where counterweights may stand.
@@ -47,7 +47,7 @@ pub struct Front {
     pub uniform: Vec<Uniform>,
 }
 
-/// Finds the front of a layout.
+/// Finds the front of an engine.
 ///
 /// ```standalone_crate
 /// use crankstar::optimise::{Couple, Residual, Wish, front};
@@ -65,11 +65,11 @@ pub struct Front {
 ///
 /// # Errors
 /// [`OptimiseError`] says what is missing.
-pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
+pub fn front(engine: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
     if wish.points == 0 {
         return Err(OptimiseError::NoPoints);
     }
-    let mut search = Search::new(layout, wish)?;
+    let mut search = Search::new(engine, wish)?;
     let ends = search.ends()?;
     // Where the least load comes with the least mass, there is one point.
     let steps = if ends[1] - ends[0] > 2.0 * SLACK * ends[0] { wish.points - 1 } else { 0 };
@@ -82,7 +82,7 @@ pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
     }
     let mut compared = Vec::new();
     for factor in [(0, 1), (13, 20), (1, 1)].map(|(over, under)| BigRational::new(over.into(), under.into())) {
-        let Some(uniform) = uniform(layout, &factor) else { continue };
+        let Some(uniform) = uniform(engine, &factor) else { continue };
         let design = measure(&uniform, &search.places, &wish.orders)?;
         let mass = design.mass.to_f64().unwrap_or(f64::INFINITY);
         // The lightest one has room to be solved in, as among the points.

@@ -1,6 +1,6 @@
 //! Which counterweights are best: the least load of the main bearings for each mass of the crankshaft?
 //!
-//! The places of the counterweights are those of the layout: their planes and the radius of their centres of gravity.
+//! The places of the counterweights are those of the engine: their planes and the radius of their centres of gravity.
 //! Chosen are their mass-radii `U_i`, complex: how large, and in which direction, so that both the balance factor of each
 //! weight and its skew are free. A larger radius makes the same `U_i` of less mass, so that the radius is never a choice.
 //!

@@ -39,7 +39,7 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    pub fn new(layout: &Engine, places: &[Place], wish: &Wish) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &Engine, places: &[Place], wish: &Wish) -> Result<Self, OptimiseError> {
         match places {
             [] => return Err(OptimiseError::NoPlaces),
             [only] => return Err(OptimiseError::OnePlane(only.position.to_string())),
@@ -49,7 +49,7 @@ impl Problem {
             return Err(OptimiseError::NoFirstOrder);
         }
         let bare =
-            layout.with_counterweights(Vec::new()).map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
+            engine.with_counterweights(Vec::new()).map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let loads = bearing_loads(&bare, &wish.orders, Method::Continuous)?;
         let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.dimensions().crank_radius.clone()) else {
             return Err(OptimiseError::NoMasses);
@@ -59,7 +59,7 @@ impl Problem {
         let most_couple = match (&wish.couple, &loads.scale) {
             (Couple::Zero, _) => None,
             (Couple::AtMost(most), _) if !most.is_positive() => None,
-            (Couple::AtMost(most), Some(scale)) if Arm::of(layout) == Arm::Metre => Some(float(most) / scale.force()),
+            (Couple::AtMost(most), Some(scale)) if Arm::of(engine) == Arm::Metre => Some(float(most) / scale.force()),
             (Couple::AtMost(_), _) => return Err(OptimiseError::NoSpeed),
         };
         let beam = Beam::new(bare.bearings().to_vec())
@@ -102,14 +102,14 @@ impl Problem {
 
 /// Half the direct first-order sum, which is the vector itself, in kilogram-metres.
 ///
-/// The sums of a layout stand for `P⁺ = 2 · vector` (theory, section 3).
+/// The sums of an engine stand for `P⁺ = 2 · vector` (theory, section 3).
 pub(super) fn direct(
-    layout: &Engine,
+    engine: &Engine,
     weighing: &dyn Fn(&BigRational) -> BigRational,
     unit: &BigRational,
 ) -> Result<PhasorSum, OptimiseError> {
     let half = unit / BigRational::from_integer(2.into());
-    let all = OrderSum::new(order::contributions(layout, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
+    let all = OrderSum::new(order::contributions(engine, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
     match all.only() {
         None if all.vanishes() => Ok(PhasorSum::new(Vec::new())),
         Some((Factor::One, sum)) => Ok(sum.scaled(&half)),

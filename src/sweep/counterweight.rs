@@ -14,21 +14,21 @@ use crate::proof::{Quantity, Sense};
 ///
 /// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
 /// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
-pub fn counterweight(layout: &Engine) -> Option<Amplitude> {
-    counterweight_of(layout, IntegerEngine::new(layout).as_ref())
+pub fn counterweight(engine: &Engine) -> Option<Amplitude> {
+    counterweight_of(engine, IntegerEngine::new(engine).as_ref())
 }
 
 /// The same for an engine whose whole numbers are known already.
-pub(super) fn counterweight_of(layout: &Engine, whole: Option<&IntegerEngine>) -> Option<Amplitude> {
+pub(super) fn counterweight_of(engine: &Engine, whole: Option<&IntegerEngine>) -> Option<Amplitude> {
     let whole = whole.filter(|whole| whole.knows(1));
     let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match whole {
-        Some(_) if layout.has_offset() => None,
+        Some(_) if engine.has_offset() => None,
         Some(whole) => {
             let pair = whole.pair(quantity, 1);
             Some((pair.direct, pair.zeros[0]))
         }
         None => {
-            let sum = order::all_masses(layout, quantity, 1, Sense::Direct);
+            let sum = order::all_masses(engine, quantity, 1, Sense::Direct);
             // With an offset c_1 is not 1.
             let is_plain = sum.parts().keys().all(|factor| *factor == Factor::One);
             let value = sum.parts().values().map(float).sum::<Complex<f64>>();
@@ -40,8 +40,8 @@ pub(super) fn counterweight_of(layout: &Engine, whole: Option<&IntegerEngine>) -
         return Some(Amplitude { value: 0.0, vanishes: true });
     }
     let p = if no_force { Complex::zero() } else { p };
-    let throws = throws(layout);
-    let positions = || throws.iter().map(|throw| &throw.position - layout.reference_plane());
+    let throws = throws(engine);
+    let positions = || throws.iter().map(|throw| &throw.position - engine.reference_plane());
     let (first, second) = (positions().max()?, positions().min()?);
     if first == second {
         return no_moment.then_some(Amplitude { value: p.norm() / 2.0, vanishes: false });

@@ -25,7 +25,7 @@ const MOST_OF_CURVE: usize = 2000;
 /// A sweep over one parameter, or over two.
 #[derive(Clone, Debug)]
 pub struct Sweep {
-    /// Title of the layout.
+    /// Title of the engine.
     pub title: Untrusted,
     /// The parameters; the last one runs fastest.
     pub parameters: Vec<Parameter>,
@@ -117,7 +117,7 @@ pub fn sweep(
     })
 }
 
-/// Reads the layouts of a sweep.
+/// Reads the engines of a sweep.
 pub(super) struct Reader<'a> {
     template: Template<'a>,
     /// The file without a firing order, for values whose throws cannot fire in it.
@@ -146,7 +146,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The layout with these values.
+    /// The engine with these values.
     pub fn engine(&self, values: &[BigRational]) -> Result<Engine, SweepError> {
         let pairs = || self.parameters.iter().zip(values);
         let texts: Vec<String> = pairs().map(|(parameter, value)| parameter.range.written(value)).collect();
@@ -158,7 +158,7 @@ impl<'a> Reader<'a> {
         });
         let at = || pairs().map(|(parameter, value)| parameter.at(value)).collect::<Vec<_>>().join(", ");
         match read.map_err(|error| SweepError::at(&at(), &error))? {
-            Layout::Known(layout, _) => Ok(*layout),
+            Layout::Known(engine, _) => Ok(*engine),
             Layout::Open(family) => {
                 let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
                 let message = format!("the layout leaves {} open; give values below [values]", unknowns.join(", "));
@@ -174,8 +174,8 @@ impl<'a> Reader<'a> {
         geometry: &Geometry,
         motions: &mut Motions,
     ) -> Result<SweptEngine, SweepError> {
-        let layout = self.engine(values)?;
-        let judged = judge_with(&layout, self.template.cycle(), orders, geometry, motions);
+        let engine = self.engine(values)?;
+        let judged = judge_with(&engine, self.template.cycle(), orders, geometry, motions);
         let judged = judged.map_err(|missing| SweepError::new(missing.to_string()))?;
         Ok(SweptEngine { values: values.to_vec(), ..judged })
     }

@@ -1,4 +1,4 @@
-//! What does one layout of a sweep come to? Its amplitudes in floats, its zeros exactly.
+//! What does one engine of a sweep come to? Its amplitudes in floats, its zeros exactly.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -58,16 +58,16 @@ pub struct SweptOrder {
     pub moment: Amplitudes,
 }
 
-/// One layout of a sweep.
+/// One engine of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweptEngine {
     /// The values of the parameters, in their units.
     pub values: Vec<BigRational>,
     /// The orders, rising.
     pub orders: Vec<SweptOrder>,
-    /// Newtons a multiple of m r ω²; none where the layout does not say.
+    /// Newtons a multiple of m r ω²; none where the engine does not say.
     pub newtons: Option<f64>,
-    /// Kilograms a multiple of m; none where the layout does not say.
+    /// Kilograms a multiple of m; none where the engine does not say.
     pub kilograms: Option<f64>,
     /// How evenly the cylinders fire, where that is known.
     pub evenness: Option<Evenness>,
@@ -105,62 +105,62 @@ fn coefficients(mechanism: &Mechanism, highest: u32) -> Vec<Complex<f64>> {
     (0..=highest).map(|order| crank.coefficient(order).to_complex()).collect()
 }
 
-/// Judges one layout at these orders.
+/// Judges one engine at these orders.
 ///
 /// # Errors
-/// What the layout lacks for its masses to be compared.
+/// What the engine lacks for its masses to be compared.
 pub fn judge(
-    layout: &Engine,
+    engine: &Engine,
     cycle: Option<Cycle>,
     orders: &[u32],
     geometry: &Geometry,
 ) -> Result<SweptEngine, Missing> {
-    judge_with(layout, cycle, orders, geometry, &mut Motions::default())
+    judge_with(engine, cycle, orders, geometry, &mut Motions::default())
 }
 
 pub(super) fn judge_with(
-    layout: &Engine,
+    engine: &Engine,
     cycle: Option<Cycle>,
     orders: &[u32],
     geometry: &Geometry,
     motions: &mut Motions,
 ) -> Result<SweptEngine, Missing> {
-    order::comparable(layout)?;
+    order::comparable(engine)?;
     loads::are_orders(orders)?;
-    let whole = IntegerEngine::new(layout);
+    let whole = IntegerEngine::new(engine);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
         let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
             match whole.as_ref().filter(|whole| whole.knows(order)) {
-                Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
-                None => from_sums(layout, quantity, order, highest, motions),
+                Some(whole) => from_words(engine, whole, quantity, order, highest, motions),
+                None => from_sums(engine, quantity, order, highest, motions),
             }
         });
         SweptOrder { order, force, moment }
     });
     let orders = judged.collect();
-    let mechanism = layout.dimensions();
-    let rods_known = !layout.mechanisms().is_empty();
+    let mechanism = engine.dimensions();
+    let rods_known = !engine.mechanisms().is_empty();
     Ok(SweptEngine {
         values: Vec::new(),
         orders,
-        newtons: loads::scale(layout).filter(|_| rods_known).map(|scale| scale.force()),
-        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(layout).to_f64()),
-        evenness: evenness_of(layout, cycle, whole.as_ref()),
-        counterweight: counterweight_of(layout, whole.as_ref()),
-        envelope: envelope(layout, geometry),
+        newtons: loads::scale(engine).filter(|_| rods_known).map(|scale| scale.force()),
+        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(engine).to_f64()),
+        evenness: evenness_of(engine, cycle, whole.as_ref()),
+        counterweight: counterweight_of(engine, whole.as_ref()),
+        envelope: envelope(engine, geometry),
     })
 }
 
 fn from_words(
-    layout: &Engine,
+    engine: &Engine,
     whole: &IntegerEngine,
     quantity: Quantity,
     order: u32,
     highest: u32,
     motions: &mut Motions,
 ) -> Amplitudes {
-    let coefficient = match layout.mechanisms().first() {
+    let coefficient = match engine.mechanisms().first() {
         Some(mechanism) => motions.coefficient(mechanism, order, highest),
         None => Complex::new(1.0, 0.0),
     };
@@ -171,7 +171,7 @@ fn from_words(
     let total_length = total_length * coefficient.norm();
     amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
         let [direct, reverse] =
-            [Sense::Direct, Sense::Reverse].map(|sense| order::star(layout, quantity, order, Some(sense)));
+            [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, quantity, order, Some(sense)));
         direct.is_as_long_as(&reverse)
     })
 }
@@ -212,9 +212,9 @@ fn amplitudes(
     }
 }
 
-fn from_sums(layout: &Engine, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
+fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
     let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
+        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
     let mirrored = reverse.mirrored();
     let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {

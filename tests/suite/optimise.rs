@@ -73,7 +73,7 @@ fn measured(engine: &str) -> Front {
     let point = |file: &str| {
         let layout = read(engine, file);
         let design = measure(&layout, &places, layout.orders()).expect("a design");
-        Optimum { layout, design, least: 0.0 }
+        Optimum { engine: layout, design, least: 0.0 }
     };
     let compared = |(over, under): (i64, i64)| {
         let factor = BigRational::new(over.into(), under.into());
@@ -184,7 +184,7 @@ fn every_stored_point_is_proved_balanced_by_the_verdict_of_all_its_masses() {
     for engine in ENGINES {
         let front = stored(engine);
         for point in all(&front) {
-            let loads = loads(&point.layout, &[1]).expect("loads");
+            let loads = loads(&point.engine, &[1]).expect("loads");
             let [order] = loads.orders.as_slice() else { panic!("one order") };
             assert_eq!(order.force.direct.outcome, Outcome::Zero, "{engine}");
             assert_eq!(order.moment.direct.outcome, Outcome::Zero, "{engine}");
@@ -203,7 +203,7 @@ fn parts_of_a_weight_weigh_what_it_weighs_and_stand_within_its_radius() {
             }
             let of_weights: BigRational = point.design.weights.iter().map(|weight| &weight.mass).sum();
             assert_eq!(
-                point.layout.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
+                point.engine.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
                     + of_weights,
                 point.design.mass
             );
@@ -384,7 +384,7 @@ fn a_bounded_couple_is_kept_and_makes_a_lighter_crankshaft() {
         let Residual::Between(low, high) = point.design.couple else { panic!("a couple is left") };
         assert!(0.0 < low && low <= high && high <= 200.0, "{low} {high}");
         assert!(high - low < 1e-8, "{low} {high}");
-        let left = loads(&point.layout, &[1]).expect("loads");
+        let left = loads(&point.engine, &[1]).expect("loads");
         let newton_metres = left.orders[0].moment.direct.value.norm() / 2.0 * left.scale.expect("a scale").force();
         assert!((low..=high).contains(&newton_metres), "{newton_metres}");
     }
@@ -523,13 +523,13 @@ fn the_command_refuses_what_is_no_bound() {
 fn a_crankshaft_that_is_balanced_already_needs_no_counterweights_to_be_lightest() {
     let i4 = engine("[0, 180, 180, 0]", "[0.2, 0.1, 0, -0.1, -0.2]", WEBS);
     let front = solved(&i4, Couple::Zero, 2);
-    assert!(front.points[0].layout.crankshaft().counterweights.iter().all(|weight| weight.mass.is_zero()));
+    assert!(front.points[0].engine.crankshaft().counterweights.iter().all(|weight| weight.mass.is_zero()));
     assert_eq!(
         front.points[0].design.mass,
         i4.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
     );
     let waveform = |point: &Optimum| -> Vec<Waveform> {
-        let loads = bearing_loads(&point.layout, &[1, 2], Method::Continuous).expect("loads");
+        let loads = bearing_loads(&point.engine, &[1, 2], Method::Continuous).expect("loads");
         loads.bearings.into_iter().map(|bearing| bearing.waveform).collect()
     };
     let peaks: Vec<f64> = waveform(&front.points[1]).iter().map(|waveform| waveform.peak().value).collect();

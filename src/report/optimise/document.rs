@@ -96,7 +96,7 @@ fn point(point: &Optimum, units: Units) -> PointEntry {
         design: design(&point.design, units),
         largest_load_at_least: point.least * units.newtons,
         counterweights: point.design.weights.iter().map(weight).collect(),
-        layout: point.layout.file().written().to_owned(),
+        layout: point.engine.file().written().to_owned(),
     }
 }
 
