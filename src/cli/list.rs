@@ -7,7 +7,7 @@ use crankstar::text::Format;
 use super::failure::Failure;
 use super::write;
 
-/// Prints the catalogue, a line an engine: name, number of cylinders, title.
+/// Prints the catalogue, one line per engine: name, number of cylinders, title.
 pub fn run() -> Result<(), Failure> {
     let engines = file::catalogue()?;
     let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);

@@ -60,7 +60,7 @@ Exit status: 0 done, whatever the verdicts are; 1 the input is wrong, a certific
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the catalogue, a line an engine
+    /// List the catalogue, one line per engine
     List,
     /// Judge force and moment of an engine, order by order
     Classify(classify::Classify),

@@ -22,10 +22,10 @@ pub struct Remedy {
     /// Two planes for counterweights and couples, positions along the crankshaft [default: the outermost throws]
     #[arg(long, value_name = "Z1,Z2", value_delimiter = ',', allow_hyphen_values = true)]
     planes: Vec<String>,
-    /// Counterweights on each throw with this balance factor: one for all throws, or one a throw
+    /// Counterweights on each throw with this balance factor: one for all throws, or one per throw
     #[arg(long, value_name = "FACTORS", value_delimiter = ',')]
     balance_factor: Vec<String>,
-    /// How far those are turned on from opposite to their throw, in degrees: one for all throws, or one a throw
+    /// How far those are turned on from opposite to their throw, in degrees: one for all throws, or one per throw
     #[arg(long, value_name = "ANGLES", value_delimiter = ',', allow_hyphen_values = true, requires = "balance_factor")]
     skew: Vec<String>,
     /// Print the remedy as JSON with its certificates, for `verify`

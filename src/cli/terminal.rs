@@ -79,7 +79,7 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
     )
 }
 
-/// The title and a table of the largest values, a row an order, with the peaks of the sums.
+/// The title and a table of the largest values, one row per order, with the peaks of the sums.
 pub fn loads(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> String {
     let table = coloured(report::loads_rows(engine, &numbers.loads));
     let lines = report::loads_lines(engine, numbers, needed).join("\n");
@@ -94,7 +94,7 @@ pub fn bearings(engine: &Engine, continuous: &BearingLoads, determinate: &Bearin
     format!("{}\n{peaks}\n{orders}\n{lines}\n", engine.title().escaped(Format::Plain))
 }
 
-/// Engines side by side: a column an engine.
+/// Engines side by side: one column per engine.
 pub fn compare(engines: &[Compared]) -> String {
     let mut rows = report::compare_rows(engines);
     // One part of a remedy a line: columns stay narrow.
@@ -105,7 +105,7 @@ pub fn compare(engines: &[Compared]) -> String {
     format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
 }
 
-/// A table a rod ratio and load: a row a method.
+/// One table per rod ratio and load, with one row per method.
 pub fn accuracy(engine: &Engine, cases: &[AccuracyCase]) -> String {
     let mut out = format!("{}\n", engine.title().escaped(Format::Plain));
     for case in cases {

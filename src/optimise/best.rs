@@ -41,7 +41,7 @@ impl<'a> Search<'a> {
         let radius = engine.dimensions().crank_radius.clone().ok_or(OptimiseError::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
         if let Some(most) = problem.most_couple {
-            // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
+            // What rounding may add: half a step along each of two directions per weight, which the closing weight takes over.
             let step = (&steps.mass_radius / &problem.unit).to_f64().unwrap_or(0.0);
             let longest = problem.arms.iter().map(|arm| arm.abs()).fold(0.0, f64::max);
             let moved: f64 = problem.arms.iter().map(|arm| arm.abs() + longest).sum();

@@ -26,7 +26,7 @@ pub(super) fn with_counterweights(
             text += &table(part);
         }
     }
-    let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key a line";
+    let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key per line";
     let read = parse("the new file", &text).map_err(|_| OptimiseError::File(advice.to_owned()))?;
     let meant: Vec<&Counterweight> = weights.iter().flatten().collect();
     let is_meant = read.crankshaft().counterweights.iter().eq(meant)

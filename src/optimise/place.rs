@@ -15,7 +15,7 @@ pub struct Place {
     pub throw: Option<usize>,
 }
 
-/// The places of the engine's counterweights, one a position, in the order of the file; what they weigh does not matter.
+/// The places of the engine's counterweights, one per position, in the order of the file; what they weigh does not matter.
 pub fn places(engine: &Engine) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
     for weight in &engine.crankshaft().counterweights {

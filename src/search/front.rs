@@ -15,7 +15,7 @@ pub(super) trait Judge {
 /// The values of a star, and how many stars share them.
 #[derive(Clone, Debug)]
 pub(super) struct StarValues {
-    /// One value an order.
+    /// One value per order.
     pub values: Vec<Value>,
     /// Neighbours that fire in succession; 0 where they do not count.
     pub neighbours: usize,

@@ -19,7 +19,7 @@ pub(super) struct Piece {
 /// What came of a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
-    /// Stars judged, one a class of rotation, mirror and reversal.
+    /// Stars judged, one per class of rotation, mirror and reversal.
     pub judged: u64,
     /// Starts left out with all their completions, by the bound.
     pub cut: u64,

@@ -44,7 +44,7 @@ pub struct Options<'a> {
 }
 
 impl Default for Options<'_> {
-    /// One thread an available core, nothing kept, nothing told.
+    /// One thread per available core, nothing kept, nothing told.
     fn default() -> Self {
         let threads = thread::available_parallelism().map_or(1, usize::from);
         Options { threads, resume: None, progress: &|_| ControlFlow::Continue(()) }

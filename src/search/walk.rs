@@ -17,7 +17,7 @@ pub(super) struct Walk<'a, J> {
     pub counts: Counts,
     throws: Vec<usize>,
     left: Vec<usize>,
-    /// One digit a direction: how often it is left.
+    /// One digit per direction: how often it is left.
     code: usize,
     digits: Vec<usize>,
     /// Projections of what is placed, after each pair.

@@ -40,7 +40,7 @@ impl Default for Geometry {
 }
 
 impl Geometry {
-    /// The assumptions in words, a line each.
+    /// The assumptions in words, one line each.
     pub fn words(&self) -> Vec<String> {
         let Geometry { bore, rod_ratio, half_width, above_pin, crankcase, spacing, ends } = self;
         vec![
@@ -64,7 +64,7 @@ pub struct Envelope {
     pub breadth: f64,
     /// Along it.
     pub height: f64,
-    /// Metres a crank radius, where the engine gives it.
+    /// Metres per crank radius, where the engine gives it.
     pub metres: Option<f64>,
 }
 

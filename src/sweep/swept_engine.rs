@@ -65,9 +65,9 @@ pub struct SweptEngine {
     pub values: Vec<BigRational>,
     /// The orders, rising.
     pub orders: Vec<SweptOrder>,
-    /// Newtons a multiple of m r ω²; none where the engine does not say.
+    /// Newtons per multiple of m r ω²; none where the engine does not say.
     pub newtons: Option<f64>,
-    /// Kilograms a multiple of m; none where the engine does not say.
+    /// Kilograms per multiple of m; none where the engine does not say.
     pub kilograms: Option<f64>,
     /// How evenly the cylinders fire, where that is known.
     pub evenness: Option<Evenness>,
@@ -85,7 +85,7 @@ pub(super) struct Motions(BTreeMap<Mechanism, Vec<Complex<f64>>>);
 impl Motions {
     fn coefficient(&mut self, mechanism: &Mechanism, order: u32, highest: u32) -> Complex<f64> {
         if !self.0.contains_key(mechanism) {
-            // A sweep over rods would collect one entry a point.
+            // A sweep over rods would collect one entry per point.
             if self.0.len() > 64 {
                 self.0.clear();
             }
