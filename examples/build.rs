@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use crankstar::{BigRational, Cylinder, Draft, Quantity, Sense, Turn, check_certificate, order};
+use crankstar::{BigRational, Cylinder, Draft, Masses, Quantity, Turn, check_certificate, classify};
 
 /// Three cylinders in a row, their throws 120° apart: the lines that say how they balance.
 pub fn run() -> Result<String, Box<dyn Error>> {
@@ -14,14 +14,15 @@ pub fn run() -> Result<String, Box<dyn Error>> {
     }
     let engine = draft.build()?;
     let mut lines = format!("{}\n", engine.title().written());
-    for quantity in [Quantity::Force, Quantity::Moment] {
-        for number in engine.orders() {
-            let sum = order::star(&engine, quantity, *number, Some(Sense::Direct));
+    for judged in classify(&engine, engine.orders(), Masses::All, &[Quantity::Force, Quantity::Moment]) {
+        let balances = judged.parts.iter().flat_map(|part| [&part.force, &part.moment]);
+        for verdict in balances.flat_map(|balance| balance.verdicts()) {
             // The checker reads the terms and the evidence, and knows nothing of how it was found.
-            check_certificate(&sum.vectors(), sum.vanishes(), &sum.certificate())?;
-            let is = if sum.vanishes() { "is 0" } else { "is not 0" };
-            lines += &format!("direct {} of order {number} {is}, proved\n", quantity.name());
+            check_certificate(&verdict.sum.vectors(), verdict.vanishes(), &verdict.certificate)?;
         }
+        let is = |balanced| if balanced { "is 0" } else { "is not 0" };
+        let [force, moment] = [&judged.force, &judged.moment].map(|whole| is(whole.is_balanced()));
+        lines += &format!("order {}: force {force}, moment {moment}, proved\n", judged.order);
     }
     Ok(lines)
 }

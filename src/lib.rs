@@ -100,6 +100,7 @@ pub mod sweep;
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};
 pub use file::{Layout, LayoutError, find, parse, parse_layout};
+pub use order::Masses;
 pub use proof::{
     AnyDocument, Certificate, Checked, Fault, Quantity, Refusal, Sense, Unreadable, check_certificate, read_document,
 };
