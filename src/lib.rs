@@ -1,19 +1,27 @@
 //! crankstar decides, exactly, how a reciprocating engine balances, and writes the proof.
 //!
-//! An engine's inertia forces are sums of rotating vectors, one a cylinder and order. Whether such a sum vanishes is
+//! An engine's inertia forces are sums of rotating vectors, one per cylinder and order. Whether such a sum vanishes is
 //! decided here in exact arithmetic, and every verdict carries a certificate that a separate checker accepts.
 //!
-//! ```standalone_crate
-//! use crankstar::proof::{Quantity, Sense};
-//! let v8 = crankstar::file::find("V8-crossplane").unwrap().engine().unwrap();
-//! let order_1 = crankstar::order::star(&v8, Quantity::Force, 1, Some(Sense::Direct));
-//! println!("{}", serde_json::to_string(&order_1.certificate()).unwrap());
-//! // {"kind":"polygons","polygons":[{"sides":2,"rotation":"0","weight":"2"},{"sides":2,"rotation":"1/4","weight":"2"}]}
-//! # assert_eq!(
-//! #     serde_json::to_string(&order_1.certificate()).unwrap(),
-//! #     r#"{"kind":"polygons","polygons":[{"sides":2,"rotation":"0","weight":"2"},{"sides":2,"rotation":"1/4","weight":"2"}]}"#
-//! # );
 //! ```
+//! use crankstar::{BigRational, Cylinder, Draft, Quantity, Sense, Turn, check_certificate, order};
+//!
+//! let mut four = Draft::new("In-line four");
+//! for (place, half_turns) in [0, 1, 1, 0].into_iter().enumerate() {
+//!     let position = BigRational::from_integer(place.into());
+//!     four.cylinders.push(Cylinder::new(Turn::fraction(half_turns, 2), Turn::zero(), position, place));
+//! }
+//! let four = four.build().unwrap();
+//!
+//! let first_order = order::star(&four, Quantity::Force, 1, Some(Sense::Direct));
+//! let second_order = order::star(&four, Quantity::Force, 2, Some(Sense::Direct));
+//! assert!(first_order.vanishes() && !second_order.vanishes());
+//! // The checker knows nothing of how the verdict was found.
+//! check_certificate(&second_order.vectors(), false, &second_order.certificate()).unwrap();
+//! ```
+//!
+//! An engine of the catalogue is found by its name ([`find`]), and one that is written as a layout file is read ([`parse`]); the
+//! folder `examples` has three short programs.
 //!
 //! # The rooms
 //!
@@ -32,7 +40,16 @@
 //! ```
 //!
 //! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
-//! do not compile in `proof`, `exact`, `beam`, `layout`, `order` and `verdict`.
+//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `order`, `text` and `verdict`.
+//!
+//! # Features
+//!
+//! All are on by default. Without any (`default-features = false`) the crate is the library without `report` and `optimise`: it
+//! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
+//!
+//! - `report`: the room `report`, pages and documents.
+//! - `optimise`: the room `optimise`, with its solver for convex problems.
+//! - `cli`: the program; it takes `report` along.
 //!
 //! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 
@@ -72,9 +89,22 @@ pub mod numbers;
 pub mod optimise;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
+#[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod report;
 #[allow(clippy::disallowed_types)]
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+
+pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
+pub use exact::{PhasorSum, Turn};
+pub use file::{Layout, LayoutError, find, parse, parse_layout};
+pub use order::Masses;
+pub use proof::{
+    AnyDocument, Certificate, Checked, Fault, Quantity, Refusal, Sense, Unreadable, check_certificate, read_document,
+};
+pub use verdict::classify;
+
+/// The numbers of an engine: positions, masses, ratios.
+pub use num_rational::BigRational;

@@ -36,27 +36,27 @@ pub(super) struct Bodies<T> {
 }
 
 /// Crank angle of each cylinder less that of the crankshaft, `β − α`.
-pub(super) fn phases(layout: &Engine) -> Vec<Turn> {
-    layout.cylinders().iter().map(|cylinder| &cylinder.throw - &cylinder.bank).collect()
+pub(super) fn phases(engine: &Engine) -> Vec<Turn> {
+    engine.cylinders().iter().map(|cylinder| &cylinder.throw - &cylinder.bank).collect()
 }
 
 impl<T: Real> Bodies<T> {
-    /// The engine of a layout that has rods, one a cylinder.
+    /// The numbers of an engine that has rods, one per cylinder.
     pub fn new(
-        layout: &Engine,
+        engine: &Engine,
         quantity: Quantity,
         number: &dyn Fn(&BigRational) -> T,
         direction: &dyn Fn(&Turn) -> [T; 2],
     ) -> Self {
         let one = BigRational::one();
-        let cylinders = layout.cylinders().iter().zip(layout.rods());
+        let cylinders = engine.cylinders().iter().zip(engine.rods());
         let pistons = cylinders.map(|(cylinder, Rod { ratio, offset })| {
-            let mass_radius = order::mass_radius(layout, cylinder);
+            let mass_radius = order::mass_radius(engine, cylinder);
             let axis = || direction(&cylinder.bank);
             let along = |weight: BigRational| axis().iter().map(|part| part.times(&number(&weight))).collect();
             let parts = match quantity {
                 Quantity::Force => along(mass_radius),
-                Quantity::Moment => along(mass_radius * layout.arm(cylinder)),
+                Quantity::Moment => along(mass_radius * engine.arm(cylinder)),
                 Quantity::Torque => vec![number(&(mass_radius * &cylinder.crank_radius))],
             };
             let crank = Crank {
@@ -68,7 +68,7 @@ impl<T: Real> Bodies<T> {
             };
             Piston { crank, parts }
         });
-        Bodies { quantity, pistons: pistons.collect(), rotating: rotating(layout, quantity, number, direction) }
+        Bodies { quantity, pistons: pistons.collect(), rotating: rotating(engine, quantity, number, direction) }
     }
 
     /// The same engine in other numbers.
@@ -112,24 +112,24 @@ impl<T: Real> Bodies<T> {
 }
 
 /// The masses that turn with the crank, with their weights in the force or the moment, in multiples of m r.
-pub(super) fn turning(layout: &Engine, quantity: Quantity) -> Vec<(Turn, BigRational)> {
+pub(super) fn turning(engine: &Engine, quantity: Quantity) -> Vec<(Turn, BigRational)> {
     if quantity == Quantity::Torque {
         return Vec::new();
     }
     let weight = |mass: TurningMass| match quantity {
-        Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - layout.reference_plane())),
+        Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - engine.reference_plane())),
         Quantity::Force | Quantity::Torque => (mass.angle, mass.mass_radius),
     };
-    order::turning_masses(layout).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
+    order::turning_masses(engine).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
 }
 
 fn rotating<T: Real>(
-    layout: &Engine,
+    engine: &Engine,
     quantity: Quantity,
     number: &dyn Fn(&BigRational) -> T,
     direction: &dyn Fn(&Turn) -> [T; 2],
 ) -> Option<[T; 2]> {
-    let vectors = turning(layout, quantity).into_iter().map(|(angle, weight)| {
+    let vectors = turning(engine, quantity).into_iter().map(|(angle, weight)| {
         let weight = number(&weight);
         direction(&angle).map(|part| part.times(&weight))
     });

@@ -2,7 +2,7 @@
 //!
 //! The revolution is cut into spans. Over a span intervals enclose the squared load and its slope. A span whose slope
 //! cannot be zero holds no largest value, and one that lies below a value that was found holds none either; the span that
-//! reaches highest is cut in two. At every moment the highest reach bounds the peak from above.
+//! has the highest bound is cut in two. At every moment the highest bound is one of the peak.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -18,12 +18,12 @@ use crate::proof::Quantity;
 /// Spans at the start.
 const FIRST_SPANS: u32 = 32;
 
-/// A span of the crank angle in turns, and what the squared load in it cannot exceed.
+/// A span of the crank angle in turns, and a bound of the squared load in it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub from: f64,
     pub to: f64,
-    pub reach: f64,
+    pub bound: f64,
 }
 
 impl PartialEq for Span {
@@ -42,7 +42,7 @@ impl PartialOrd for Span {
 
 impl Ord for Span {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.reach.total_cmp(&other.reach)
+        self.bound.total_cmp(&other.bound)
     }
 }
 
@@ -67,12 +67,12 @@ pub(super) struct Search {
 }
 
 impl Search {
-    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
+    pub fn new(engine: &Engine, quantity: Quantity) -> Self {
         let direction = |angle: &Turn| Interval::around(angle.turns()).direction();
-        let still = Bodies::new(layout, quantity, &Interval::around, &direction);
+        let still = Bodies::new(engine, quantity, &Interval::around, &direction);
         let moving = still.map(&Jet::constant);
         let curved = moving.map(&Jet::constant);
-        let phases = phases(layout).iter().map(|phase| Interval::around(phase.turns())).collect();
+        let phases = phases(engine).iter().map(|phase| Interval::around(phase.turns())).collect();
         Search { still, moving, curved, phases }
     }
 
@@ -126,10 +126,10 @@ impl Search {
         let mut heap: BinaryHeap<Span> = spans.into();
         while let Some(top) = heap.peek().copied() {
             let middle = top.from + (top.to - top.from) / 2.0;
-            let is_known = top.reach <= low * (1.0 + tolerance) * (1.0 + tolerance);
+            let is_known = top.bound <= low * (1.0 + tolerance) * (1.0 + tolerance);
             if is_known || looked_at >= most || !(top.from < middle && middle < top.to) {
-                let spans = heap.into_iter().filter(|span| span.reach >= low).collect();
-                return Found { low, high: top.reach, spans, looked_at };
+                let spans = heap.into_iter().filter(|span| span.bound >= low).collect();
+                return Found { low, high: top.bound, spans, looked_at };
             }
             heap.pop();
             heap.extend(self.look(top.from, middle, &mut low));
@@ -139,7 +139,7 @@ impl Search {
         Found { low, high: low, spans: Vec::new(), looked_at }
     }
 
-    /// A span with what it reaches, if it may hold the peak; a load that is found there raises the lower bound.
+    /// A span with its bound, if it may hold the peak; a load that is found there raises the lower bound.
     fn look(&self, from: f64, to: f64, low: &mut f64) -> Option<Span> {
         let over = self.over(Interval { low: from, high: to });
         let at = self.at(from + (to - from) / 2.0);
@@ -147,7 +147,7 @@ impl Search {
         // Mean value theorem: from the middle the load changes at most by the slope times half the span, in radians.
         let change =
             Interval::point(over.slope.size()).times(&Interval::TAU.times(&Interval::point(to - from)).over(2));
-        let reach = over.value.high.min(at.plus(&change).high);
-        (over.slope.contains_zero() && reach >= *low).then_some(Span { from, to, reach })
+        let bound = over.value.high.min(at.plus(&change).high);
+        (over.slope.contains_zero() && bound >= *low).then_some(Span { from, to, bound })
     }
 }

@@ -85,12 +85,12 @@ impl LargestLoads {
     /// Of force and moment, and of the inertia torque where the file asks for it.
     ///
     /// # Errors
-    /// What the layout lacks for numbers.
-    pub fn new(layout: &Engine) -> Result<Self, Missing> {
+    /// What the engine lacks for numbers.
+    pub fn new(engine: &Engine) -> Result<Self, Missing> {
         Ok(LargestLoads {
-            force: largest(layout, Quantity::Force)?,
-            moment: largest(layout, Quantity::Moment)?,
-            torque: layout.effects().torque.then(|| largest(layout, Quantity::Torque)).transpose()?,
+            force: largest(engine, Quantity::Force)?,
+            moment: largest(engine, Quantity::Moment)?,
+            torque: engine.effects().torque.then(|| largest(engine, Quantity::Torque)).transpose()?,
         })
     }
 }
@@ -98,10 +98,10 @@ impl LargestLoads {
 /// The largest value of a load of the exact motion, within [`SURE`] of itself or as near as it was found.
 ///
 /// # Errors
-/// What the layout lacks for numbers.
-pub fn largest(layout: &Engine, quantity: Quantity) -> Result<Largest, Missing> {
-    let mut spectrum = Spectrum::new(layout)?;
-    if loads::vanishes_at_every_order(layout, quantity) {
+/// What the engine lacks for numbers.
+pub fn largest(engine: &Engine, quantity: Quantity) -> Result<Largest, Missing> {
+    let mut spectrum = Spectrum::new(engine)?;
+    if loads::vanishes_at_every_order(engine, quantity) {
         return Ok(Largest::Zero);
     }
     let (mut best, mut searched) = (Largest::Below(f64::INFINITY), false);
@@ -110,8 +110,8 @@ pub fn largest(layout: &Engine, quantity: Quantity) -> Result<Largest, Missing> 
         best = best.or(of_orders(&spectrum, quantity));
         // Where the orders fall slowly it is searched at once, before many of them are computed.
         let slow = spectrum.rest_above(quantity, ENOUGH) > SURE * best.at_most() && best.at_most().is_finite();
-        if (slow || highest == ENOUGH) && !searched && !best.is_sure() && layout.crankshaft().balancers.is_empty() {
-            best = best.or(of_motion(layout, quantity));
+        if (slow || highest == ENOUGH) && !searched && !best.is_sure() && engine.crankshaft().balancers.is_empty() {
+            best = best.or(of_motion(engine, quantity));
             searched = true;
         }
         if best.is_sure() {
@@ -131,10 +131,10 @@ fn of_orders(spectrum: &Spectrum, quantity: Quantity) -> Largest {
 }
 
 /// By intervals over the closed form.
-fn of_motion(layout: &Engine, quantity: Quantity) -> Largest {
-    let found = Search::new(layout, quantity).run(SURE, MOST_SPANS);
+fn of_motion(engine: &Engine, quantity: Quantity) -> Largest {
+    let found = Search::new(engine, quantity).run(SURE, MOST_SPANS);
     let ends = Interval { low: found.low.sqrt().next_down(), high: found.high.sqrt().next_up() };
-    let highest = found.spans.iter().max_by(|a, b| a.reach.total_cmp(&b.reach));
+    let highest = found.spans.iter().max_by(|a, b| a.bound.total_cmp(&b.bound));
     let angle = highest.map(|span| (span.from + (span.to - span.from) / 2.0) * 360.0);
     Largest::of(f64::midpoint(ends.low, ends.high), angle, (ends.high - ends.low) / 2.0)
 }

@@ -9,7 +9,7 @@ use super::branch::{Found, Search};
 use super::orders::Orders;
 use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
-use super::timing::measured;
+use super::timing::{Timing, measured};
 use crate::engine::Engine;
 use crate::loads::{self, Missing};
 use crate::motion::Enclosure;
@@ -79,23 +79,23 @@ pub struct Study {
     pub rows: Vec<Row>,
 }
 
-/// Finds the peak of a load by all methods, and their times if they are wanted.
+/// Finds the peak of a load by all methods, and the time of each where they are timed.
 ///
 /// # Errors
-/// What the layout lacks for numbers.
-pub fn study(layout: &Engine, quantity: Quantity, timed: bool) -> Result<Study, Missing> {
-    if !turning_masses(layout).iter().all(TurningMass::turns_with_the_crank) {
+/// What the engine lacks for numbers.
+pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Study, Missing> {
+    if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }
-    let orders = Orders::new(layout, quantity, SUMMED)?;
-    if loads::vanishes_at_every_order(layout, quantity) {
+    let orders = Orders::new(engine, quantity, SUMMED)?;
+    if loads::vanishes_at_every_order(engine, quantity) {
         return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new() });
     }
-    let fractions = Fractions::new(layout, quantity);
+    let fractions = Fractions::new(engine, quantity);
     let (steady, steady_rest) = match orders.steady() {
         false => (false, 0.0),
         true => {
-            let more = Orders::new(layout, quantity, SUMMED_OF_STEADY)?;
+            let more = Orders::new(engine, quantity, SUMMED_OF_STEADY)?;
             (more.steady(), more.bound(SUMMED_OF_STEADY))
         }
     };
@@ -103,9 +103,9 @@ pub fn study(layout: &Engine, quantity: Quantity, timed: bool) -> Result<Study, 
         true => fractions.at_zero().map(|at| widened(&at, steady_rest)),
         false => fractions.peak(orders.bound(0), orders.angle()),
     };
-    let (enclosure, time) = measured(timed, peak);
-    let search = Search::new(layout, quantity);
-    let searched = DIGITS.map(|digits| (digits, measured(timed, || search.run(ten_to_minus(digits), MOST_SPANS))));
+    let (enclosure, time) = measured(timing, peak);
+    let search = Search::new(engine, quantity);
+    let searched = DIGITS.map(|digits| (digits, measured(timing, || search.run(ten_to_minus(digits), MOST_SPANS))));
     // What any method guarantees holds for the yardstick, so that none is compared with a worse one than itself.
     let guaranteed = searched.iter().filter_map(|(_, (found, _))| ends(found)).chain(orders.enclosure());
     let nothing = || Missing::Motion("the peak cannot be enclosed: a crank comes too near the end of its reach".into());
@@ -117,7 +117,7 @@ pub fn study(layout: &Engine, quantity: Quantity, timed: bool) -> Result<Study, 
     let mut rows = Vec::new();
     for order in ORDERS {
         let waveform = orders.up_to(order);
-        let (value, time) = measured(timed, || orders.peak(&waveform));
+        let (value, time) = measured(timing, || orders.peak(&waveform));
         let bound = Some(orders.bound(order) / yardstick.size);
         rows.push(Row {
             method: Method::Orders(order),
@@ -128,16 +128,16 @@ pub fn study(layout: &Engine, quantity: Quantity, timed: bool) -> Result<Study, 
             time,
         });
     }
-    let doubles = Doubles::new(layout, quantity)?;
-    let singles = Singles::new(layout, quantity);
+    let doubles = Doubles::new(engine, quantity)?;
+    let singles = Singles::new(engine, quantity);
     for steps in STEPS {
-        let (value, time) = measured(timed, || doubles.peak(steps));
+        let (value, time) = measured(timing, || doubles.peak(steps));
         let looked_at = Some(steps as usize);
         let error = yardstick.error(value);
         rows.push(Row { method: Method::Doubles(steps), value, bound: None, error, looked_at, time });
     }
     for steps in STEPS {
-        let (value, time) = measured(timed, || singles.peak(steps));
+        let (value, time) = measured(timing, || singles.peak(steps));
         let looked_at = Some(steps as usize);
         let error = yardstick.error(value);
         rows.push(Row { method: Method::Singles(steps), value, bound: None, error, looked_at, time });

@@ -4,13 +4,13 @@
 //! accurate of them is the yardstick of all.
 //!
 //! ```standalone_crate
-//! use crankstar::accuracy::{self, Method};
+//! use crankstar::accuracy::{self, Method, Timing};
 //! use crankstar::proof::Quantity;
 //! use num_rational::BigRational;
 //!
 //! let i4 = crankstar::file::find("I4").unwrap().engine().unwrap();
-//! let i4 = accuracy::with_rod_ratio(&i4, &BigRational::new(3.into(), 10.into()));
-//! let force = accuracy::study(&i4, Quantity::Force, false).unwrap();
+//! let i4 = accuracy::with_rod_ratio(&i4, &BigRational::new(3.into(), 10.into())).unwrap();
+//! let force = accuracy::study(&i4, Quantity::Force, Timing::Off).unwrap();
 //! let second_order = force.rows.iter().find(|row| row.method == Method::Orders(2)).unwrap();
 //! assert!(0.02 < second_order.error && second_order.error < second_order.bound.unwrap());
 //! ```
@@ -35,12 +35,13 @@ use num_traits::Zero;
 pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};
+pub use timing::Timing;
 
 use crate::engine::{BuildError, Engine, Mechanism, Rod};
 
 /// The same engine with this rod ratio λ at every cylinder.
 ///
-/// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. A layout without rods gets rods without offset.
+/// The cranks stay as they are, so an offset δ = e/l grows with λ = r/l. An engine without rods gets rods without offset.
 ///
 /// # Errors
 /// A rod that is too short.

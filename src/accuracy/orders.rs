@@ -22,8 +22,8 @@ pub(super) struct Orders {
 }
 
 impl Orders {
-    pub fn new(layout: &Engine, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
-        let mut spectrum = Spectrum::new(layout)?.with_tails(Tails::with_coefficients(layout, highest)?);
+    pub fn new(engine: &Engine, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
+        let mut spectrum = Spectrum::new(engine)?.with_tails(Tails::with_coefficients(engine, highest)?);
         spectrum.raise(highest, quantity == Quantity::Torque);
         Ok(Orders {
             quantity,

@@ -39,31 +39,31 @@ const LAST_STEP: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Fractions {
     search: Search,
-    engine: Bodies<Jet<Fixed>>,
+    bodies: Bodies<Jet<Fixed>>,
     phases: Vec<Turn>,
     bits: u32,
 }
 
 impl Fractions {
-    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
+    pub fn new(engine: &Engine, quantity: Quantity) -> Self {
         let gap = |rod: &crate::engine::Rod| {
-            let reach: BigRational = &rod.ratio + rod.offset.abs();
-            let gap = BigRational::from_integer(1.into()) - reach;
+            let sum: BigRational = &rod.ratio + rod.offset.abs();
+            let gap = BigRational::from_integer(1.into()) - sum;
             (gap.denom().bits() as i64 - gap.numer().bits() as i64).clamp(0, 4096) as u32
         };
         // The motion divides by the third power of a root of the gap.
-        let bits = BITS + 4 * layout.rods().map(gap).max().unwrap_or(0);
+        let bits = BITS + 4 * engine.rods().map(gap).max().unwrap_or(0);
         let number = |number: &BigRational| Fixed::around(number, bits);
         let direction = |angle: &Turn| Fixed::direction(angle, bits);
-        let engine = Bodies::new(layout, quantity, &number, &direction).map(&Jet::constant);
-        Fractions { search: Search::new(layout, quantity), engine, phases: phases(layout), bits }
+        let bodies = Bodies::new(engine, quantity, &number, &direction).map(&Jet::constant);
+        Fractions { search: Search::new(engine, quantity), bodies, phases: phases(engine), bits }
     }
 
     /// The squared load at an angle, and its slope; none where nothing is known.
     fn at(&self, turns: &BigRational) -> Option<[[BigRational; 2]; 2]> {
         let angle = Turn::new(turns.clone());
         let cylinders = self.phases.iter().map(|phase| turning(&Fixed::direction(&(&angle + phase), self.bits)));
-        let load = self.engine.squared_load(&turning(&Fixed::direction(&angle, self.bits)), cylinders)?;
+        let load = self.bodies.squared_load(&turning(&Fixed::direction(&angle, self.bits)), cylinders)?;
         Some([load.value.ends()?, load.slope.ends()?])
     }
 
@@ -105,16 +105,16 @@ impl Fractions {
         let mut high = BigRational::zero();
         let few = places.len() <= MOST_PLACES;
         for place in places {
-            let reach = place.iter().map(|span| span.reach).fold(0.0, f64::max);
-            let known = BigRational::from_float(reach)?;
-            let reach = match few.then(|| self.concave(&place)).flatten() {
+            let bound = place.iter().map(|span| span.bound).fold(0.0, f64::max);
+            let known = BigRational::from_float(bound)?;
+            let bound = match few.then(|| self.concave(&place)).flatten() {
                 Some(tight) => {
                     low = low.max(tight.low);
                     tight.high.min(known)
                 }
                 None => known,
             };
-            high = high.max(reach);
+            high = high.max(bound);
         }
         Some(Enclosure { high: high.max(low.clone()), low })
     }

@@ -34,24 +34,24 @@ struct Piston {
 impl Doubles {
     /// # Errors
     /// A crank cannot turn round.
-    pub fn new(layout: &Engine, quantity: Quantity) -> Result<Self, Missing> {
+    pub fn new(engine: &Engine, quantity: Quantity) -> Result<Self, Missing> {
         let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let arm = |cylinder| match quantity {
-            Quantity::Moment => float(&layout.arm(cylinder)),
+            Quantity::Moment => float(&engine.arm(cylinder)),
             Quantity::Force | Quantity::Torque => 1.0,
         };
         let mut pistons = Vec::new();
-        for ((cylinder, rod), phase) in layout.cylinders().iter().zip(layout.rods()).zip(phases(layout)) {
+        for ((cylinder, rod), phase) in engine.cylinders().iter().zip(engine.rods()).zip(phases(engine)) {
             let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
             let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
-            let weight = float(&order::mass_radius(layout, cylinder)) * arm(cylinder);
+            let weight = float(&order::mass_radius(engine, cylinder)) * arm(cylinder);
             let part = match quantity {
                 Quantity::Torque => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
                 Quantity::Force | Quantity::Moment => numbers::direction(&cylinder.bank) * weight,
             };
             pistons.push(Piston { crank, phase: float(phase.turns()) * TAU, part });
         }
-        let rotating = turning(layout, quantity).into_iter();
+        let rotating = turning(engine, quantity).into_iter();
         let rotating = rotating.map(|(angle, weight)| numbers::direction(&angle) * float(&weight));
         Ok(Doubles { quantity, rotating: rotating.sum(), pistons })
     }
@@ -74,19 +74,19 @@ impl Doubles {
 /// An engine in single floats: IEEE 754 operations alone, so that errors are the same on every machine.
 #[derive(Clone, Debug)]
 pub(super) struct Singles {
-    engine: Bodies<f32>,
+    bodies: Bodies<f32>,
     phases: Vec<f32>,
 }
 
 impl Singles {
-    pub fn new(layout: &Engine, quantity: Quantity) -> Self {
+    pub fn new(engine: &Engine, quantity: Quantity) -> Self {
         let number = |number: &BigRational| number.to_f32().unwrap_or(f32::NAN);
         let direction = |angle: &Turn| {
             let direction = numbers::direction(angle);
             [direction.re as f32, direction.im as f32]
         };
-        let phases = phases(layout).iter().map(|phase| number(phase.turns())).collect();
-        Singles { engine: Bodies::new(layout, quantity, &number, &direction), phases }
+        let phases = phases(engine).iter().map(|phase| number(phase.turns())).collect();
+        Singles { bodies: Bodies::new(engine, quantity, &number, &direction), phases }
     }
 
     /// The largest length at so many angles.
@@ -94,7 +94,7 @@ impl Singles {
         let square = |place: u32| {
             let turns = place as f32 / angles as f32;
             let cylinders = self.phases.iter().map(|phase| single_direction(turns + phase));
-            self.engine.squared_load(&single_direction(turns), cylinders).unwrap_or(f32::NAN)
+            self.bodies.squared_load(&single_direction(turns), cylinders).unwrap_or(f32::NAN)
         };
         f64::from((0..angles).map(square).fold(0.0, f32::max).sqrt())
     }

@@ -11,13 +11,22 @@ const BATCH: Duration = Duration::from_micros(500);
 /// A longer evaluation is timed once.
 const LONGEST: Duration = Duration::from_millis(100);
 
+/// Whether evaluations are timed, which takes several of each and a clock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Timing {
+    /// Each is run once.
+    Off,
+    /// Each is run until its time is known.
+    On,
+}
+
 /// The result, and the median time where it is wanted.
-pub(super) fn measured<T>(timed: bool, run: impl Fn() -> T) -> (T, Option<Duration>) {
+pub(super) fn measured<T>(timing: Timing, run: impl Fn() -> T) -> (T, Option<Duration>) {
+    if timing == Timing::Off {
+        return (run(), None);
+    }
     let start = Instant::now();
     let result = run();
-    if !timed {
-        return (result, None);
-    }
     let first = start.elapsed().max(Duration::from_nanos(1));
     if first > LONGEST {
         return (result, Some(first));

@@ -3,11 +3,11 @@
 //! The crankshaft is taken as one straight beam of constant EI on rigid supports that do not clamp it (theory, section 8).
 //! The parts are then rational: found here without rounding, by the equation of three moments (Clapeyron 1857).
 
+mod error;
 mod load;
-mod mistake;
 mod spans;
 
-pub use mistake::Mistake;
+pub use error::BeamError;
 
 use load::Load;
 use num_bigint::BigInt;
@@ -38,16 +38,16 @@ impl Beam {
     /// # Errors
     ///
     /// Fewer than two supports, or two at one position.
-    pub fn new(supports: Vec<BigRational>) -> Result<Self, Mistake> {
+    pub fn new(supports: Vec<BigRational>) -> Result<Self, BeamError> {
         let mut order: Vec<usize> = (0..supports.len()).collect();
         // The sort is stable: of two supports at one position the one given first stays first.
         order.sort_by(|&a, &b| supports[a].cmp(&supports[b]));
         let (Some(&first), true) = (order.first(), supports.len() > 1) else {
-            return Err(Mistake::FewerThanTwoSupports(supports.len()));
+            return Err(BeamError::FewerThanTwoSupports(supports.len()));
         };
         if let Some(pair) = order.windows(2).find(|pair| supports[pair[0]] == supports[pair[1]]) {
             let at = supports[pair[0]].clone();
-            return Err(Mistake::CoincidingSupports { first: pair[0], second: pair[1], at });
+            return Err(BeamError::CoincidingSupports { first: pair[0], second: pair[1], at });
         }
         let origin = supports[first].clone();
         let distances: Vec<_> = order.iter().map(|&support| &supports[support] - &origin).collect();
@@ -62,12 +62,12 @@ impl Beam {
     /// # Errors
     ///
     /// A support that stands beyond an end.
-    pub fn with_ends(mut self, one: BigRational, other: BigRational) -> Result<Self, Mistake> {
+    pub fn with_ends(mut self, one: BigRational, other: BigRational) -> Result<Self, BeamError> {
         let ends = Box::new(if one <= other { [one, other] } else { [other, one] });
         for (&support, place) in self.order.iter().zip(&self.places) {
             let at = &self.origin + &self.unit * BigRational::from_integer(place.clone());
             if at < ends[0] || at > ends[1] {
-                return Err(Mistake::SupportBeyondShaft { support, at, ends });
+                return Err(BeamError::SupportBeyondShaft { support, at, ends });
             }
         }
         self.ends = Some(ends);
@@ -94,7 +94,7 @@ impl Beam {
     /// assert_eq!(parts(1), ["13/32", "11/16", "-3/32"]);
     /// assert_eq!(parts(2), ["0", "1", "0"]);
     /// ```
-    pub fn influence(&self, position: &BigRational) -> Result<Vec<BigRational>, Mistake> {
+    pub fn influence(&self, position: &BigRational) -> Result<Vec<BigRational>, BeamError> {
         let place = self.place(position)?;
         let load = Load::new(&place, &self.places);
         let parts = self.spans.reactions(&load);
@@ -112,7 +112,7 @@ impl Beam {
     /// # Errors
     ///
     /// A load beyond the ends of the shaft, where they were given.
-    pub fn determinate(&self, position: &BigRational) -> Result<Vec<BigRational>, Mistake> {
+    pub fn determinate(&self, position: &BigRational) -> Result<Vec<BigRational>, BeamError> {
         let place = self.place(position)?;
         let span = load::span_of(&place, &self.places);
         let [left, right] = [&self.places[span], &self.places[span + 1]];
@@ -124,10 +124,10 @@ impl Beam {
     }
 
     /// A position in units from the first support.
-    fn place(&self, position: &BigRational) -> Result<BigRational, Mistake> {
+    fn place(&self, position: &BigRational) -> Result<BigRational, BeamError> {
         match &self.ends {
             Some(ends) if *position < ends[0] || *position > ends[1] => {
-                Err(Mistake::LoadBeyondShaft { at: position.clone(), ends: ends.clone() })
+                Err(BeamError::LoadBeyondShaft { at: position.clone(), ends: ends.clone() })
             }
             _ => Ok((position - &self.origin) / &self.unit),
         }

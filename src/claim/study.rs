@@ -18,7 +18,7 @@ use crate::file::{Key, Layout, LayoutError, Template, parse_number};
 use crate::numbers::{self, Form};
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{self, Subject};
-use crate::sweep::{self, Geometry, Parameter, Point, Sweep, Zeros};
+use crate::sweep::{self, Geometry, Parameter, Sweep, SweptEngine, Zeros};
 use crate::text::Untrusted;
 
 /// A study, every family computed and every check answered.
@@ -44,7 +44,7 @@ pub struct Studied {
     /// The same of its rotating masses alone.
     pub rotating: Option<Sweep>,
     /// The engine in line that stands for the value 0, with its title.
-    pub in_line: Option<(Untrusted, Point)>,
+    pub in_line: Option<(Untrusted, SweptEngine)>,
     /// End view times length in cubes of the crank radius: of the engine in line, where there is one, and of each point.
     pub volumes: Vec<Option<f64>>,
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use crankstar::accuracy;
+use crankstar::accuracy::{self, Timing};
 use crankstar::file::{self, Layout};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
@@ -39,31 +39,31 @@ fn ratio(text: &str) -> Result<BigRational, String> {
 impl Accuracy {
     /// Measures all methods and prints what they find, or writes the page.
     pub fn run(&self) -> Result<(), Failure> {
-        let Layout::Known(layout, _) = layouts::read(&self.layout)? else {
+        let Layout::Known(engine, _) = layouts::read(&self.layout)? else {
             return Err(Failure::new("peaks need an engine without unknowns; give them values below [values]"));
         };
-        if layout.mechanisms().is_empty() && self.rod_ratio.is_empty() {
+        if engine.mechanisms().is_empty() && self.rod_ratio.is_empty() {
             return Err(Failure::new("the layout says nothing of its rods; name some with --rod-ratio 0.3"));
         }
         let engines = match self.rod_ratio.as_slice() {
-            [] => vec![layout.as_ref().clone()],
+            [] => vec![engine.as_ref().clone()],
             ratios => {
-                let engines = ratios.iter().map(|ratio| accuracy::with_rod_ratio(&layout, ratio));
+                let engines = ratios.iter().map(|ratio| accuracy::with_rod_ratio(&engine, ratio));
                 engines.collect::<Result<_, _>>().map_err(Failure::new)?
             }
         };
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
         let spinner = progress::spinner("finding each peak by all methods");
-        let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, true));
+        let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, Timing::On));
         let cases = cases.collect::<Result<Vec<_>, _>>();
         spinner.finish_and_clear();
         let cases = cases.map_err(Failure::new)?;
         if let Some(folder) = &self.output {
-            folder::write(folder, &report::accuracy_page(&layout, &cases))?;
+            folder::write(folder, &report::accuracy_page(&engine, &cases))?;
         }
         if self.json {
-            return print_json(&report::accuracy_document(&layout, &cases));
+            return print_json(&report::accuracy_document(&engine, &cases));
         }
-        write::to_stdout(&terminal::accuracy(&layout, &cases))
+        write::to_stdout(&terminal::accuracy(&engine, &cases))
     }
 }

@@ -33,7 +33,7 @@ impl Atlas {
             }
         }
         bar.finish_and_clear();
-        let files = report::atlas(&engines, &stars)?;
+        let files = report::atlas(&engines, &stars).map_err(Failure::new)?;
         folder::write(&self.output, &files)?;
         let names: Vec<String> = files.iter().map(|file| layouts::shown(&self.output.join(&file.name))).collect();
         write::to_stdout(&format!("Written: {}\n", names.join(", ")))

@@ -7,13 +7,13 @@ use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
 use super::failure::Failure;
-use super::{Subject, folder, print_json, terminal, write};
+use super::{EngineAndOrders, folder, print_json, terminal, write};
 
 /// Arguments of `bearings`.
 #[derive(clap::Args)]
 pub struct Bearings {
     #[command(flatten)]
-    subject: Subject,
+    about: EngineAndOrders,
     /// Print the loads as JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,
@@ -25,18 +25,18 @@ pub struct Bearings {
 impl Bearings {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, orders) = self.subject.read()?;
-        let Layout::Known(layout, _) = engine else {
+        let (layout, orders) = self.about.read()?;
+        let Layout::Known(engine, _) = layout else {
             return Err(Failure::new("bearing loads need an engine without unknowns; give them values below [values]"));
         };
-        let solve = |method| bearing_loads(&layout, &orders, method).map_err(Failure::new);
+        let solve = |method| bearing_loads(&engine, &orders, method).map_err(Failure::new);
         let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
         if self.json {
-            return print_json(&report::bearings_document(&layout, &continuous, &determinate));
+            return print_json(&report::bearings_document(&engine, &continuous, &determinate));
         }
-        let mut text = terminal::bearings(&layout, &continuous, &determinate);
+        let mut text = terminal::bearings(&engine, &continuous, &determinate);
         if let Some(folder) = &self.output {
-            let files = report::bearings_page(&layout, &continuous, &determinate);
+            let files = report::bearings_page(&engine, &continuous, &determinate);
             folder::write(folder, &files)?;
             text += &format!("\n{}", folder::written(folder, &files));
         }

@@ -10,13 +10,13 @@ use crankstar::verdict;
 use super::failure::Failure;
 use super::masses::Masses;
 use super::verify::proved;
-use super::{Subject, terminal, write};
+use super::{EngineAndOrders, terminal, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]
 pub struct Classify {
     #[command(flatten)]
-    subject: Subject,
+    about: EngineAndOrders,
     #[command(flatten)]
     masses: Masses,
     /// Print the verdicts with their certificates as JSON
@@ -33,20 +33,20 @@ pub struct Classify {
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, orders) = self.subject.read()?;
-        let layout = match engine {
-            Layout::Known(layout, _) => layout,
+        let (layout, orders) = self.about.read()?;
+        let engine = match layout {
+            Layout::Known(engine, _) => engine,
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
         let torque = self.torque.then_some(Quantity::Torque);
         let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
-        let judged = self.masses.judge(&layout, &orders, &quantities)?;
+        let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
-            return write::to_stdout(&terminal::summary(&layout, &judged));
+            return write::to_stdout(&terminal::summary(&engine, &judged));
         }
-        let theorem = self.all_orders.then(|| verdict::theorem(&layout, judged.masses));
+        let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
-        let document = report::document(&layout, judged.masses, &judged.orders, &quantities, theorem.as_ref());
+        let document = report::document(&engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
         write::to_stdout(&proved(&document)?)
     }
 

@@ -37,13 +37,13 @@ impl Compare {
     pub fn run(&self) -> Result<(), Failure> {
         let engines = self.read()?;
         let mut orders = match self.orders.as_slice() {
-            [] => engines.iter().flat_map(|(_, layout)| usual_orders(layout)).collect(),
+            [] => engines.iter().flat_map(|(_, engine)| usual_orders(engine)).collect(),
             asked => asked.to_vec(),
         };
         orders.sort_unstable();
         orders.dedup();
         let compared: Vec<Compared> =
-            engines.iter().map(|(name, layout)| Compared::new(name.clone(), layout, &orders)).collect();
+            engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders)).collect();
         if self.json {
             let document = report::compare_document(&compared);
             return write::to_stdout(&proved_or_without(document, CompareDocument::without_evidence)?);
@@ -78,7 +78,7 @@ impl Compare {
         let named = |(argument, name): (&PathBuf, &String)| {
             let name = if is_unique(name) { name.clone() } else { layouts::shown(argument) };
             match layouts::read(argument)? {
-                Layout::Known(layout, _) => Ok((Untrusted::new(name), *layout)),
+                Layout::Known(engine, _) => Ok((Untrusted::new(name), *engine)),
                 Layout::Open(family) => Err(Failure::new(format!(
                     "`{}` has unknowns: {}; engines are compared without, so give values below [values]",
                     layouts::shown(argument),

@@ -7,12 +7,12 @@ use crankstar::text::Format;
 use super::failure::Failure;
 use super::write;
 
-/// Prints the catalogue, a line an engine: name, number of cylinders, title.
+/// Prints the catalogue, one line per engine: name, number of cylinders, title.
 pub fn run() -> Result<(), Failure> {
     let engines = file::catalogue()?;
     let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);
-    let line = |(entry, layout): &(file::Entry, engine::Engine)| {
-        format!("{:widest$}  {:2}  {}\n", entry.name, layout.cylinders().len(), layout.title().escaped(Format::Plain))
+    let line = |(entry, engine): &(file::Entry, engine::Engine)| {
+        format!("{:widest$}  {:2}  {}\n", entry.name, engine.cylinders().len(), engine.title().escaped(Format::Plain))
     };
     write::to_stdout(&engines.iter().map(line).collect::<String>())
 }

@@ -9,7 +9,7 @@ use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
 use super::verify::proved_or_without;
-use super::{Subject, terminal, write};
+use super::{EngineAndOrders, terminal, write};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -18,7 +18,7 @@ const USUAL_PERCENT: &str = "0.1";
 #[derive(clap::Args)]
 pub struct Loads {
     #[command(flatten)]
-    subject: Subject,
+    about: EngineAndOrders,
     /// Print the loads as JSON
     #[arg(long)]
     json: bool,
@@ -59,8 +59,8 @@ fn percent(text: &str) -> Result<f64, String> {
 
 impl Auto {
     /// The orders that the accuracy needs; none where it was not asked for.
-    pub fn needed(&self, layout: &Engine) -> Result<Option<Needed>, Failure> {
-        let needed = self.auto.map(|percent| loads::needed_orders(layout, percent / 100.0));
+    pub fn needed(&self, engine: &Engine) -> Result<Option<Needed>, Failure> {
+        let needed = self.auto.map(|percent| loads::needed_orders(engine, percent / 100.0));
         needed.transpose().map_err(Failure::new)
     }
 }
@@ -68,18 +68,18 @@ impl Auto {
 impl Loads {
     /// Prints the loads.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, orders) = self.subject.read()?;
-        let Layout::Known(layout, _) = engine else {
+        let (layout, orders) = self.about.read()?;
+        let Layout::Known(engine, _) = layout else {
             return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
         };
-        let needed = self.auto.needed(&layout)?;
-        let numbers = Numbers::new(&layout, &orders, needed.as_ref()).map_err(Failure::new)?;
+        let needed = self.auto.needed(&engine)?;
+        let numbers = Numbers::new(&engine, &orders, needed.as_ref()).map_err(Failure::new)?;
         match self.json {
             true => {
-                let document = report::loads_document(&layout, &numbers, needed.as_ref());
+                let document = report::loads_document(&engine, &numbers, needed.as_ref());
                 write::to_stdout(&proved_or_without(document, LoadsDocument::without_evidence)?)
             }
-            false => write::to_stdout(&terminal::loads(&layout, &numbers, needed.as_ref())),
+            false => write::to_stdout(&terminal::loads(&engine, &numbers, needed.as_ref())),
         }
     }
 }

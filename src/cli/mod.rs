@@ -60,7 +60,7 @@ Exit status: 0 done, whatever the verdicts are; 1 the input is wrong, a certific
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the catalogue, a line an engine
+    /// List the catalogue, one line per engine
     List,
     /// Judge force and moment of an engine, order by order
     Classify(classify::Classify),
@@ -100,7 +100,7 @@ enum Command {
 
 /// The engine and the orders that a command is about.
 #[derive(clap::Args)]
-struct Subject {
+struct EngineAndOrders {
     /// A name of the catalogue, or the path of a layout file
     layout: PathBuf,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6 and what exists and matters besides]
@@ -108,18 +108,18 @@ struct Subject {
     orders: Vec<u32>,
 }
 
-impl Subject {
-    /// The engine, and the orders to judge, rising, each once.
+impl EngineAndOrders {
+    /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
-        let engine = layouts::read(&self.layout)?;
-        let mut orders = match (self.orders.as_slice(), &engine) {
-            ([], Layout::Known(layout, _)) => usual_orders(layout),
+        let layout = layouts::read(&self.layout)?;
+        let mut orders = match (self.orders.as_slice(), &layout) {
+            ([], Layout::Known(engine, _)) => usual_orders(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (asked, _) => asked.to_vec(),
         };
         orders.sort_unstable();
         orders.dedup();
-        Ok((engine, orders))
+        Ok((layout, orders))
     }
 }
 

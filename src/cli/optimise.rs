@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use super::Subject;
+use super::EngineAndOrders;
 use super::failure::Failure;
 
 /// Arguments of `optimise`.
 #[derive(clap::Args)]
 pub struct Optimise {
     #[command(flatten)]
-    subject: Subject,
+    about: EngineAndOrders,
     /// What may be left of the first-order couple that turns with the crank: zero, or a bound in N·m
     #[arg(long, value_name = "zero|N·m", default_value = "zero")]
     couple: String,
@@ -28,7 +28,7 @@ pub struct Optimise {
 impl Optimise {
     /// Says what the program lacks.
     pub fn run(&self) -> Result<(), Failure> {
-        let Optimise { subject: _, couple: _, points: _, json: _, output: _ } = self;
+        let Optimise { about: _, couple: _, points: _, json: _, output: _ } = self;
         Err(Failure::new("this program was built without its optimiser; build it with --features optimise"))
     }
 }
@@ -49,8 +49,8 @@ mod run {
     impl Optimise {
         /// Prints the front, and writes page and layout files into the folder.
         pub fn run(&self) -> Result<(), Failure> {
-            let (engine, orders) = self.subject.read()?;
-            let Layout::Known(layout, _) = engine else {
+            let (layout, orders) = self.about.read()?;
+            let Layout::Known(engine, _) = layout else {
                 return Err(Failure::new(
                     "bearing loads need an engine without unknowns; give them values below [values]",
                 ));
@@ -60,15 +60,15 @@ mod run {
             }
             let wish = Wish { couple: couple(&self.couple)?, points: self.points, orders };
             let spinner = progress::spinner("finding the best counterweights");
-            let front = front(&layout, &wish);
+            let front = front(&engine, &wish);
             spinner.finish_and_clear();
             let front = front.map_err(Failure::new)?;
             if self.json {
-                return print_json(&report::optimise_document(&layout, &front, &wish.couple));
+                return print_json(&report::optimise_document(&engine, &front, &wish.couple));
             }
-            let mut text = terminal::optimise(&layout, &front, &wish.couple);
+            let mut text = terminal::optimise(&engine, &front, &wish.couple);
             if let Some(folder) = &self.output {
-                let files = report::optimise_files(&layout, &front, &wish.couple);
+                let files = report::optimise_files(&engine, &front, &wish.couple);
                 folder::write(folder, &files)?;
                 text += &format!("\n{}", folder::written(folder, &files));
             }

@@ -12,20 +12,20 @@ use num_traits::Signed;
 
 use super::failure::Failure;
 use super::verify::proved;
-use super::{Subject, folder, terminal, write};
+use super::{EngineAndOrders, folder, terminal, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
 pub struct Remedy {
     #[command(flatten)]
-    subject: Subject,
+    about: EngineAndOrders,
     /// Two planes for counterweights and couples, positions along the crankshaft [default: the outermost throws]
     #[arg(long, value_name = "Z1,Z2", value_delimiter = ',', allow_hyphen_values = true)]
     planes: Vec<String>,
-    /// Counterweights on each throw with this balance factor: one for all throws, or one a throw
+    /// Counterweights on each throw with this balance factor: one for all throws, or one per throw
     #[arg(long, value_name = "FACTORS", value_delimiter = ',')]
     balance_factor: Vec<String>,
-    /// How far those are turned on from opposite to their throw, in degrees: one for all throws, or one a throw
+    /// How far those are turned on from opposite to their throw, in degrees: one for all throws, or one per throw
     #[arg(long, value_name = "ANGLES", value_delimiter = ',', allow_hyphen_values = true, requires = "balance_factor")]
     skew: Vec<String>,
     /// Print the remedy as JSON with its certificates, for `verify`
@@ -39,25 +39,25 @@ pub struct Remedy {
 impl Remedy {
     /// Prints the remedy.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, orders) = self.subject.read()?;
-        let Layout::Known(layout, _) = engine else {
+        let (layout, orders) = self.about.read()?;
+        let Layout::Known(engine, _) = layout else {
             return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
         };
-        let remedy = remedy::remedy(&layout, &self.wish(&layout, orders)?).map_err(Failure::new)?;
+        let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
         if self.json {
             return write::to_stdout(&proved(&report::remedy_document(&remedy))?);
         }
-        let summary = terminal::remedy(&layout, &remedy);
+        let summary = terminal::remedy(&engine, &remedy);
         let Some(folder) = &self.output else { return write::to_stdout(&summary) };
         let files = report::remedy_files(&remedy, Dialect::GithubMarkdown);
         folder::write(folder, &files)?;
         write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
     }
 
-    fn wish(&self, layout: &Engine, orders: Vec<u32>) -> Result<Wish, Failure> {
+    fn wish(&self, engine: &Engine, orders: Vec<u32>) -> Result<Wish, Failure> {
         let planes = match self.planes.as_slice() {
             [] => None,
-            [first, second] => Some([plane(layout, first)?, plane(layout, second)?]),
+            [first, second] => Some([plane(engine, first)?, plane(engine, second)?]),
             more => {
                 let message = format!("--planes: {} positions; two are needed, such as 0.12,-0.12", more.len());
                 return Err(Failure::new(message));
@@ -82,11 +82,11 @@ fn factor(text: &str) -> Result<BigRational, Failure> {
     }
 }
 
-/// A position in the unit of the layout.
-fn plane(layout: &Engine, text: &str) -> Result<BigRational, Failure> {
+/// A position in the unit of the engine.
+fn plane(engine: &Engine, text: &str) -> Result<BigRational, Failure> {
     let refused = |right: &str| Failure::new(format!("--planes: cannot read `{text}`: {right}"));
     let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
-    if unit == LengthUnit::Metre && !layout.positions_given() {
+    if unit == LengthUnit::Metre && !engine.positions_given() {
         return Err(refused("the cylinders stand one spacing apart, and positions count in spacings"));
     }
     Ok(value)

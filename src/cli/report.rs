@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crankstar::accuracy::Timing;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::Layout;
@@ -11,13 +12,13 @@ use crankstar::report::{self, AccuracyCase, Dialect};
 use super::failure::Failure;
 use super::loads::Auto;
 use super::masses::Masses;
-use super::{Format, Math, Subject, folder, progress, terminal, write};
+use super::{EngineAndOrders, Format, Math, folder, progress, terminal, write};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
 pub struct Report {
     #[command(flatten)]
-    subject: Subject,
+    about: EngineAndOrders,
     #[command(flatten)]
     masses: Masses,
     /// Language of the report
@@ -36,11 +37,11 @@ pub struct Report {
     accuracy: bool,
 }
 
-fn accuracy_of(layout: &Engine) -> Result<AccuracyCase, Failure> {
-    let torque = layout.effects().torque.then_some(Quantity::Torque);
+fn accuracy_of(engine: &Engine) -> Result<AccuracyCase, Failure> {
+    let torque = engine.effects().torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
     let spinner = progress::spinner("finding each peak by all methods");
-    let case = AccuracyCase::of(layout, &quantities, false);
+    let case = AccuracyCase::of(engine, &quantities, Timing::Off);
     spinner.finish_and_clear();
     case.map_err(Failure::new)
 }
@@ -48,30 +49,30 @@ fn accuracy_of(layout: &Engine) -> Result<AccuracyCase, Failure> {
 impl Report {
     /// Writes the report into the folder and the summary to the terminal, or the text alone to the terminal.
     pub fn run(&self) -> Result<(), Failure> {
-        let (engine, orders) = self.subject.read()?;
+        let (layout, orders) = self.about.read()?;
         let dialect = match (self.format, self.math) {
             (Format::Latex, _) => Dialect::Latex,
             (Format::Markdown, Math::Github) => Dialect::GithubMarkdown,
             (Format::Markdown, Math::Dollars) => Dialect::DollarMarkdown,
         };
-        let (files, summary) = match &engine {
-            Layout::Known(layout, family) => {
-                let needed = self.auto.needed(layout)?;
+        let (files, summary) = match &layout {
+            Layout::Known(engine, family) => {
+                let needed = self.auto.needed(engine)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
-                let judged = self.masses.judge(layout, orders, &[Quantity::Force, Quantity::Moment])?;
+                let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
                 // Where the rods differ nothing is said of other values than those given.
                 let family = family.as_ref().filter(|family| family::comparable(family).is_ok());
                 let open = family.map(|family| (family.as_ref(), family::classify(family, orders)));
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
-                let accuracy = self.accuracy.then(|| accuracy_of(layout)).transpose()?;
+                let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;
                 let subject = report::Subject {
-                    engine: layout,
+                    engine,
                     judged: &judged,
                     family,
                     needed: needed.as_ref(),
                     accuracy: accuracy.as_ref(),
                 };
-                (report::report(subject, dialect), terminal::summary(layout, &judged))
+                (report::report(subject, dialect), terminal::summary(engine, &judged))
             }
             Layout::Open(_) if self.masses.are_given() => {
                 return Err(Failure::new("--masses needs an engine without unknowns; give them values below [values]"));

@@ -30,7 +30,7 @@ pub struct Search {
     /// A V of this many degrees on shared pins, instead of an in-line engine
     #[arg(long, value_name = "DEGREES")]
     bank_angle: Option<String>,
-    /// For a V: the number of different directions of its pins [default: one a pin]
+    /// For a V: the number of different directions of its pins [default: one per pin]
     #[arg(long, value_name = "COUNT")]
     directions: Option<u32>,
     /// Throws at any multiples of 1/N turn, as often as they like, with balanced first-order force
@@ -42,7 +42,7 @@ pub struct Search {
     /// Keep every finished piece in this file, and go on from it; interrupt at will
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
-    /// Number of threads [default: one a core]
+    /// Number of threads [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Print the front as JSON

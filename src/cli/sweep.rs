@@ -31,7 +31,7 @@ pub struct Sweep {
     /// The balance factor of the counterweights
     #[arg(long, value_name = "RANGE")]
     balance_factor: Option<String>,
-    /// The speed in revolutions a minute
+    /// The speed in revolutions per minute
     #[arg(long, value_name = "RANGE")]
     speed: Option<String>,
     /// Any key of the layout file: vee.bank_offset=0..0.02:0.001, vee.throws.2=0..120:10; a second sweep makes a map
@@ -50,7 +50,7 @@ pub struct Sweep {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
-    /// A row a point
+    /// One row per point
     Csv,
     /// The points, and the exact zeros
     Json,

@@ -79,22 +79,22 @@ pub fn open_summary(family: &Family, orders: &[OpenOrder]) -> String {
     )
 }
 
-/// The title and a table of the largest values, a row an order, with the peaks of the sums.
-pub fn loads(layout: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> String {
-    let table = coloured(report::loads_rows(layout, &numbers.loads));
-    let lines = report::loads_lines(layout, numbers, needed).join("\n");
-    format!("{}\n{table}\n{lines}\n", layout.title().escaped(Format::Plain))
+/// The title and a table of the largest values, one row per order, with the peaks of the sums.
+pub fn loads(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> String {
+    let table = coloured(report::loads_rows(engine, &numbers.loads));
+    let lines = report::loads_lines(engine, numbers, needed).join("\n");
+    format!("{}\n{table}\n{lines}\n", engine.title().escaped(Format::Plain))
 }
 
 /// The title, the peaks of every bearing, and the largest value of each order.
-pub fn bearings(layout: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
-    let peaks = coloured(report::bearings_rows(layout, continuous, determinate));
+pub fn bearings(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
+    let peaks = coloured(report::bearings_rows(engine, continuous, determinate));
     let orders = coloured(report::bearings_tables(continuous));
     let lines = report::bearings_lines(continuous, determinate).join("\n");
-    format!("{}\n{peaks}\n{orders}\n{lines}\n", layout.title().escaped(Format::Plain))
+    format!("{}\n{peaks}\n{orders}\n{lines}\n", engine.title().escaped(Format::Plain))
 }
 
-/// Engines side by side: a column an engine.
+/// Engines side by side: one column per engine.
 pub fn compare(engines: &[Compared]) -> String {
     let mut rows = report::compare_rows(engines);
     // One part of a remedy a line: columns stay narrow.
@@ -105,9 +105,9 @@ pub fn compare(engines: &[Compared]) -> String {
     format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
 }
 
-/// A table a rod ratio and load: a row a method.
-pub fn accuracy(layout: &Engine, cases: &[AccuracyCase]) -> String {
-    let mut out = format!("{}\n", layout.title().escaped(Format::Plain));
+/// One table per rod ratio and load, with one row per method.
+pub fn accuracy(engine: &Engine, cases: &[AccuracyCase]) -> String {
+    let mut out = format!("{}\n", engine.title().escaped(Format::Plain));
     for case in cases {
         for study in &case.studies {
             out.push_str(&format!("\n{}\n", report::accuracy_heading(case, study)));
@@ -116,7 +116,7 @@ pub fn accuracy(layout: &Engine, cases: &[AccuracyCase]) -> String {
             }
             let mut table = ruled();
             table.set_header(report::ACCURACY_HEADER);
-            for row in report::accuracy_rows(layout, study) {
+            for row in report::accuracy_rows(engine, study) {
                 table.add_row(row);
             }
             out.push_str(&format!("{table}\n"));
@@ -127,30 +127,30 @@ pub fn accuracy(layout: &Engine, cases: &[AccuracyCase]) -> String {
 }
 
 /// The title and a table of weights, with what they come to.
-pub fn remedy(layout: &Engine, remedy: &Remedy) -> String {
+pub fn remedy(engine: &Engine, remedy: &Remedy) -> String {
     let lines = report::remedy_lines(remedy).join("\n");
     let rows = report::remedy_rows(remedy);
     if rows.rows.is_empty() {
-        return format!("{}\n{lines}\n", layout.title().escaped(Format::Plain));
+        return format!("{}\n{lines}\n", engine.title().escaped(Format::Plain));
     }
     let mut table = ruled();
     table.set_header(rows.header);
     for row in rows.rows {
         table.add_row(row);
     }
-    format!("{}\n{table}\n{lines}\n", layout.title().escaped(Format::Plain))
+    format!("{}\n{table}\n{lines}\n", engine.title().escaped(Format::Plain))
 }
 
 /// The title, the front, and what uniform balance factors reach.
 #[cfg(feature = "optimise")]
-pub fn optimise(layout: &Engine, front: &crankstar::optimise::Front, couple: &crankstar::optimise::Couple) -> String {
-    let points = coloured(report::optimise_rows(layout, front));
-    let lines = report::optimise_lines(layout, front, couple).join("\n");
+pub fn optimise(engine: &Engine, front: &crankstar::optimise::Front, couple: &crankstar::optimise::Couple) -> String {
+    let points = coloured(report::optimise_rows(engine, front));
+    let lines = report::optimise_lines(engine, front, couple).join("\n");
     let compared = match front.uniform.is_empty() {
         true => String::new(),
-        false => format!("{}\n", coloured(report::optimise_compared(layout, front))),
+        false => format!("{}\n", coloured(report::optimise_compared(engine, front))),
     };
-    format!("{}\n{points}\n{compared}{lines}\n", layout.title().escaped(Format::Plain))
+    format!("{}\n{points}\n{compared}{lines}\n", engine.title().escaped(Format::Plain))
 }
 
 /// A table whose zeros are coloured as what is proved.

@@ -16,11 +16,11 @@ use crate::text::Untrusted;
 /// An engine that is not checked yet: [`Draft::build`] makes it one.
 ///
 /// ```
-/// use crankstar::engine::{Cylinder, Draft};
-/// use crankstar::exact::Turn;
+/// use crankstar::{BigRational, Cylinder, Draft, Turn};
 /// let mut draft = Draft::new("V-twin of 90 degrees");
 /// for bank in [-1, 1] {
-///     draft.cylinders.push(Cylinder::new(Turn::zero(), Turn::fraction(bank, 8), 0.into(), 0));
+///     let position = BigRational::from_integer(0.into());
+///     draft.cylinders.push(Cylinder::new(Turn::zero(), Turn::fraction(bank, 8), position, 0));
 /// }
 /// let engine = draft.build().unwrap();
 /// assert_eq!(engine.cylinders()[1].name, "2");

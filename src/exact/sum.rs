@@ -8,6 +8,7 @@ use num_traits::Zero;
 use super::collected::IntegerSum;
 use super::decide;
 use super::turn::Turn;
+use crate::proof::Vector;
 
 /// One rotating vector: `weight · e^{2πi·angle}`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,6 +57,12 @@ impl PhasorSum {
     /// The terms as given, before collecting.
     pub fn terms(&self) -> &[Term] {
         &self.terms
+    }
+
+    /// The terms as given, in the words of the checker.
+    pub fn vectors(&self) -> Vec<Vector> {
+        let vector = |term: &Term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() };
+        self.terms.iter().map(vector).collect()
     }
 
     /// The same sum with each direction once, no weight zero, in order of the angles.

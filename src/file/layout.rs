@@ -78,8 +78,8 @@ pub enum Layout {
 ///
 /// ```standalone_crate
 /// let i4 = crankstar::file::parse("i4.toml", "inline.throws = [0, 180, 180, 0]").unwrap();
-/// assert_eq!(i4.cylinders.len(), 4);
-/// assert_eq!(i4.arm(&i4.cylinders[0]).to_string(), "3/2");
+/// assert_eq!(i4.cylinders().len(), 4);
+/// assert_eq!(i4.arm(&i4.cylinders()[0]).to_string(), "3/2");
 /// ```
 ///
 /// # Errors

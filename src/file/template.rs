@@ -64,8 +64,8 @@ impl<'a> Template<'a> {
     /// use crankstar::file::{Layout, Key, Template};
     /// let vee = Template::new("v.toml", "[vee]\nbank_angle = 60\nthrows = [0]").unwrap();
     /// let key = Key::parse("vee.bank_angle").unwrap();
-    /// let Ok(Engine::Known(layout, _)) = vee.engine(&[(&key, "90")]) else { panic!() };
-    /// assert_eq!(layout.cylinders[1].bank.degrees().to_string(), "45");
+    /// let Ok(Layout::Known(engine, _)) = vee.layout(&[(&key, "90")]) else { panic!() };
+    /// assert_eq!(engine.cylinders()[1].bank.degrees().to_string(), "45");
     /// ```
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::beam::Mistake;
+use crate::beam::BeamError;
 use crate::engine;
 use crate::order::NotComparable;
 
@@ -24,7 +24,7 @@ pub enum Missing {
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
-    Beam(Mistake),
+    Beam(BeamError),
 }
 
 impl fmt::Display for Missing {

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::bearing::Method;
-use crate::beam::{Beam, Mistake};
+use crate::beam::{Beam, BeamError};
 use crate::order::OrderSum;
 
 /// The parts that the bearings carry of a load, by its position; each position is solved once.
@@ -39,7 +39,7 @@ impl Shares {
         self.known.into_inner()
     }
 
-    fn solve(&self, position: &BigRational) -> Result<Vec<BigRational>, Mistake> {
+    fn solve(&self, position: &BigRational) -> Result<Vec<BigRational>, BeamError> {
         match self.method {
             Method::Continuous => self.beam.influence(position),
             Method::Determinate => self.beam.determinate(position),

@@ -3,14 +3,14 @@
 use num_traits::ToPrimitive;
 
 use super::bound::Bound;
-use super::design::{Design, Left, measure, note, weight};
+use super::design::{Design, Residual, measure, note, weight};
 use super::direction::Directions;
+use super::error::OptimiseError;
 use super::exact::{Steps, counterweights, mass_radii};
 use super::file;
-use super::front::{Point, decimal};
+use super::front::{Optimum, decimal};
 use super::place::{Place, places};
 use super::problem::Problem;
-use super::refused::Refused;
 use super::sample::Samples;
 use super::solve::{Goal, Least, Solution};
 use super::{Couple, Wish};
@@ -22,7 +22,7 @@ pub(super) const SLACK: f64 = 1e-6;
 
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
-    layout: &'a Engine,
+    engine: &'a Engine,
     wish: &'a Wish,
     pub places: Vec<Place>,
     problem: Problem,
@@ -32,16 +32,16 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(layout: &'a Engine, wish: &'a Wish) -> Result<Self, Refused> {
-        let places = places(layout);
-        let mut problem = Problem::new(layout, &places, wish)?;
-        let own = throws(layout).into_iter().map(|throw| throw.angle);
+    pub fn new(engine: &'a Engine, wish: &'a Wish) -> Result<Self, OptimiseError> {
+        let places = places(engine);
+        let mut problem = Problem::new(engine, &places, wish)?;
+        let own = throws(engine).into_iter().map(|throw| throw.angle);
         let others = problem.exact.iter().flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
         let directions = Directions::new(&own.chain(others).collect::<Vec<Turn>>());
-        let radius = layout.dimensions().crank_radius.clone().ok_or(Refused::NoMasses)?;
+        let radius = engine.dimensions().crank_radius.clone().ok_or(OptimiseError::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
         if let Some(most) = problem.most_couple {
-            // What rounding may add: half a step along each of two directions a weight, which the closing weight takes over.
+            // What rounding may add: half a step along each of two directions per weight, which the closing weight takes over.
             let step = (&steps.mass_radius / &problem.unit).to_f64().unwrap_or(0.0);
             let longest = problem.arms.iter().map(|arm| arm.abs()).fold(0.0, f64::max);
             let moved: f64 = problem.arms.iter().map(|arm| arm.abs() + longest).sum();
@@ -49,15 +49,15 @@ impl<'a> Search<'a> {
             problem.most_couple = Some(most - step * moved).filter(|left| *left > most / 2.0);
         }
         let samples = Samples::new(&problem);
-        Ok(Search { layout, wish, places, problem, samples, directions, steps })
+        Ok(Search { engine, wish, places, problem, samples, directions, steps })
     }
 
-    fn solve(&mut self, least: Least, mass: Option<f64>, peak: Option<f64>) -> Result<Solution, Refused> {
+    fn solve(&mut self, least: Least, mass: Option<f64>, peak: Option<f64>) -> Result<Solution, OptimiseError> {
         self.samples.solve(&self.problem, Goal { least, mass, peak })
     }
 
     /// The masses of the ends of the front: the lightest crankshaft, and the lightest with the least load.
-    pub fn ends(&mut self) -> Result<[f64; 2], Refused> {
+    pub fn ends(&mut self) -> Result<[f64; 2], OptimiseError> {
         let lightest = self.solve(Least::Mass, None, None)?.mass;
         let least = self.solve(Least::Peak, None, None)?.peak;
         let last = self.solve(Least::Mass, None, Some(least * (1.0 + SLACK)))?.mass;
@@ -65,7 +65,7 @@ impl<'a> Search<'a> {
     }
 
     /// The least mass with which no bearing load is larger than this; none where no mass does that.
-    pub fn lightest(&mut self, peak: f64) -> Result<Option<f64>, Refused> {
+    pub fn lightest(&mut self, peak: f64) -> Result<Option<f64>, OptimiseError> {
         let least = self.solve(Least::Peak, None, None)?.peak;
         if peak < least * (1.0 + SLACK) {
             return Ok(None);
@@ -75,7 +75,7 @@ impl<'a> Search<'a> {
 
     /// The crankshaft of this mass with the least load; of all that reach it within a millionth that with the least sum of
     /// squares of its mass-radii, which is one alone, so that roundings do not choose among equals.
-    pub fn best(&mut self, mass: f64, name: &str) -> Result<Point, Refused> {
+    pub fn best(&mut self, mass: f64, name: &str) -> Result<Optimum, OptimiseError> {
         let best = self.solve(Least::Peak, Some(mass), None)?;
         let bound = Bound::new(&self.problem, self.samples.all(), &best);
         let peak = Some(best.peak * (1.0 + SLACK));
@@ -83,17 +83,17 @@ impl<'a> Search<'a> {
         let exact = mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
         let pairs = self.places.iter().zip(&exact);
         let weights: Vec<_> = pairs.map(|(place, sum)| counterweights(place, sum, &self.steps.mass)).collect();
-        let draft = self.layout.with_counterweights(weights.iter().flatten().cloned().collect());
-        let draft = draft.map_err(|error| Refused::Unsolved(error.to_string()))?;
+        let draft = self.engine.with_counterweights(weights.iter().flatten().cloned().collect());
+        let draft = draft.map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
         let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
-        let layout = file::with_counterweights(self.layout, &weights, &head, &notes)?;
-        let design = measure(&layout, &self.places, &self.wish.orders)?;
+        let engine = file::with_counterweights(self.engine, &weights, &head, &notes)?;
+        let design = measure(&engine, &self.places, &self.wish.orders)?;
         if !keeps(&design, &self.wish.couple) {
-            return Err(Refused::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
+            return Err(OptimiseError::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
         }
         let least = bound.at(design.mass.to_f64().unwrap_or(f64::INFINITY));
-        Ok(Point { layout, design, least })
+        Ok(Optimum { engine, design, least })
     }
 }
 
@@ -104,11 +104,11 @@ their masses add up to its own, and their common centre of gravity stands within
 /// Whether force and couple are what was asked for, proved.
 fn keeps(design: &Design, couple: &Couple) -> bool {
     let bounded = match (design.couple, couple) {
-        (Left::Zero, _) => true,
-        (Left::Between(_, high), Couple::AtMost(most)) => high <= most.to_f64().unwrap_or(0.0),
-        (Left::Between(..), Couple::Zero) => false,
+        (Residual::Zero, _) => true,
+        (Residual::Between(_, high), Couple::AtMost(most)) => high <= most.to_f64().unwrap_or(0.0),
+        (Residual::Between(..), Couple::Zero) => false,
     };
-    bounded && design.force == Left::Zero
+    bounded && design.force == Residual::Zero
 }
 
 fn condition(couple: &Couple) -> String {

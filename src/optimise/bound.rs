@@ -14,7 +14,7 @@ use super::solve::{Sample, Solution};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bound {
     constant: f64,
-    /// Multiples of m r ω² a kilogram of counterweights.
+    /// Multiples of m r ω² per kilogram of counterweights.
     slope: f64,
     bare_mass: f64,
 }

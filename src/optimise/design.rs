@@ -1,14 +1,14 @@
 //! What does a crankshaft with these counterweights weigh, what do its bearings feel, and is it balanced?
 //!
-//! All of it is read from the layout alone, whoever made it: the search has no part in these figures.
+//! All of it is read from the engine alone, whoever made it: the search has no part in these figures.
 
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use super::error::OptimiseError;
 use super::place::Place;
 use super::problem::direct;
-use super::refused::Refused;
 use crate::engine::{Engine, throws};
 use crate::exact::{PhasorSum, Term};
 use crate::loads::{Arm, Method, Scale, bearing_loads};
@@ -25,12 +25,12 @@ pub struct Design {
     /// Indices of the bearings with the largest.
     pub worst: Vec<usize>,
     /// What stands at each place.
-    pub weights: Vec<Weight>,
+    pub weights: Vec<PlacedWeight>,
     /// What is left of the first-order force that turns with the crank, in newtons (else multiples of m r ω²).
-    pub force: Left,
+    pub force: Residual,
     /// What is left of its couple about the reference plane, in newton-metres (else multiples of m r ω² times the unit of the
     /// positions).
-    pub couple: Left,
+    pub couple: Residual,
     /// What turns multiples into newtons.
     pub scale: Option<Scale>,
 }
@@ -44,7 +44,7 @@ impl Design {
 
 /// A counterweight: all that stands at one place.
 #[derive(Clone, Debug)]
-pub struct Weight {
+pub struct PlacedWeight {
     /// Where.
     pub place: Place,
     /// `U e^{iγ}` in kilogram-metres.
@@ -59,34 +59,34 @@ pub struct Weight {
 
 /// What is left of a vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Left {
+pub enum Residual {
     /// Nothing, proved: its exact sum vanishes.
     Zero,
     /// Something, proved, and its length is between these two, by an enclosure of the exact sum.
     Between(f64, f64),
 }
 
-/// Measures a layout with counterweights at these places, at these orders.
+/// Measures an engine with counterweights at these places, at these orders.
 ///
 /// # Errors
-/// What the layout lacks; [`Refused::Offset`].
-pub fn measure(layout: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, Refused> {
-    let loads = bearing_loads(layout, orders, Method::Continuous)?;
-    let (Some(mass), Some(radius)) = (layout.crankshaft_mass(), &layout.dimensions().crank_radius) else {
-        return Err(Refused::NoMasses);
+/// What the engine lacks; [`OptimiseError::Offset`].
+pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, OptimiseError> {
+    let loads = bearing_loads(engine, orders, Method::Continuous)?;
+    let (Some(mass), Some(radius)) = (engine.crankshaft_mass(), &engine.dimensions().crank_radius) else {
+        return Err(OptimiseError::NoMasses);
     };
-    let unit = unit_mass(layout) * radius;
-    let arm = |position: &BigRational| position - layout.reference_plane();
+    let unit = unit_mass(engine) * radius;
+    let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
     let in_units = |sum: PhasorSum, factor: f64| left(&sum.scaled(&unit.recip()), factor);
-    let couple_scale = if Arm::of(layout) == Arm::Metre { newtons } else { 1.0 };
+    let couple_scale = if Arm::of(engine) == Arm::Metre { newtons } else { 1.0 };
     Ok(Design {
         mass,
         peaks: loads.bearings.iter().map(|bearing| bearing.peak.value).collect(),
         worst: loads.worst,
-        weights: places.iter().map(|place| weight(layout, place)).collect(),
-        force: in_units(direct(layout, &|_| BigRational::one(), &unit)?, newtons),
-        couple: in_units(direct(layout, &arm, &unit)?, couple_scale),
+        weights: places.iter().map(|place| weight(engine, place)).collect(),
+        force: in_units(direct(engine, &|_| BigRational::one(), &unit)?, newtons),
+        couple: in_units(direct(engine, &arm, &unit)?, couple_scale),
         scale: loads.scale,
     })
 }
@@ -96,12 +96,12 @@ const BITS: u32 = 192;
 /// Part that the floats of a product may be off by.
 const ROUNDING: f64 = 1e-12;
 
-fn left(sum: &PhasorSum, factor: f64) -> Left {
+fn left(sum: &PhasorSum, factor: f64) -> Residual {
     if sum.vanishes() {
-        return Left::Zero;
+        return Residual::Zero;
     }
     let parts = numbers::enclose(sum, BITS);
-    let reach = |(low, high): &(BigRational, BigRational), largest: bool| {
+    let end = |(low, high): &(BigRational, BigRational), largest: bool| {
         let inside = low.is_negative() && high.is_positive();
         let (near, far) = if low.abs() < high.abs() { (low.abs(), high.abs()) } else { (high.abs(), low.abs()) };
         let value = if largest {
@@ -113,22 +113,22 @@ fn left(sum: &PhasorSum, factor: f64) -> Left {
         };
         value.to_f64().unwrap_or(f64::INFINITY)
     };
-    let [low, high] = [false, true].map(|largest| reach(&parts[0], largest).hypot(reach(&parts[1], largest)) * factor);
-    Left::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
+    let [low, high] = [false, true].map(|largest| end(&parts[0], largest).hypot(end(&parts[1], largest)) * factor);
+    Residual::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
 }
 
 /// What stands at a place.
-pub(super) fn weight(layout: &Engine, place: &Place) -> Weight {
-    let here = || layout.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
+pub(super) fn weight(engine: &Engine, place: &Place) -> PlacedWeight {
+    let here = || engine.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
     let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));
     let mass = here().map(|weight| &weight.mass).sum();
     let of_throw = place.throw.and_then(|index| {
-        let whole = layout.throw_mass_radii()?.get(index)?.to_f64().filter(|whole| *whole > 0.0)?;
-        Some((whole, numbers::direction(&throws(layout).get(index)?.angle.opposite())))
+        let whole = engine.throw_mass_radii()?.get(index)?.to_f64().filter(|whole| *whole > 0.0)?;
+        Some((whole, numbers::direction(&throws(engine).get(index)?.angle.opposite())))
     });
     let turned = |(_, opposite): (f64, Complex<f64>)| (mass_radius * opposite.conj()).arg().to_degrees();
-    Weight {
+    PlacedWeight {
         factor: of_throw.map(|(whole, _)| mass_radius.norm() / whole),
         skew: of_throw.filter(|_| mass_radius.norm() > 0.0).map(turned),
         place: place.clone(),
@@ -138,7 +138,7 @@ pub(super) fn weight(layout: &Engine, place: &Place) -> Weight {
 }
 
 /// A weight in words, for the file that holds it.
-pub(super) fn note(weight: &Weight) -> String {
+pub(super) fn note(weight: &PlacedWeight) -> String {
     let owner = weight.place.throw.map_or_else(|| "On its own".to_owned(), |throw| format!("Throw {}", throw + 1));
     let amount = format!("{:.4e} kg m, {:.4} kg", weight.mass_radius.norm(), weight.mass.to_f64().unwrap_or(f64::NAN));
     let share = weight.factor.map(|factor| format!(", balance factor {factor:.4}")).unwrap_or_default();

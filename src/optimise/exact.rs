@@ -118,8 +118,8 @@ fn length_above(sum: &PhasorSum) -> BigRational {
     }
     let [re, im] = numbers::enclose(sum, 128);
     let square = |(low, high): &(BigRational, BigRational)| {
-        let reach = if low.abs() > high.abs() { low.abs() } else { high.abs() };
-        &reach * &reach
+        let largest = if low.abs() > high.abs() { low.abs() } else { high.abs() };
+        &largest * &largest
     };
     let square = square(&re) + square(&im);
     // A square root from above in steps of 2⁻⁹⁶.

@@ -3,21 +3,21 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::refused::Refused;
+use super::error::OptimiseError;
 use crate::engine::{Counterweight, Engine};
 use crate::file::parse;
 
-/// The layout with these counterweights, read back from its own file: what is written is what is measured.
+/// The engine with these counterweights, read back from its own file: what is written is what is measured.
 ///
 /// # Errors
-/// [`Refused::File`] where the file names its counterweights in a way that this writer does not find.
+/// [`OptimiseError::File`] where the file names its counterweights in a way that this writer does not find.
 pub(super) fn with_counterweights(
-    layout: &Engine,
+    engine: &Engine,
     weights: &[Vec<Counterweight>],
     head: &str,
     notes: &[String],
-) -> Result<Engine, Refused> {
-    let mut text = format!("{}{}\n", comment(head), without_counterweights(layout.file().written()).trim_end());
+) -> Result<Engine, OptimiseError> {
+    let mut text = format!("{}{}\n", comment(head), without_counterweights(engine.file().written()).trim_end());
     for (parts, note) in weights.iter().zip(notes) {
         if !parts.is_empty() {
             text += &format!("\n{}", comment(note));
@@ -26,16 +26,16 @@ pub(super) fn with_counterweights(
             text += &table(part);
         }
     }
-    let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key a line";
-    let read = parse("the new file", &text).map_err(|_| Refused::File(advice.to_owned()))?;
+    let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key per line";
+    let read = parse("the new file", &text).map_err(|_| OptimiseError::File(advice.to_owned()))?;
     let meant: Vec<&Counterweight> = weights.iter().flatten().collect();
     let is_meant = read.crankshaft().counterweights.iter().eq(meant)
-        && read.cylinders() == layout.cylinders()
-        && read.dimensions() == layout.dimensions()
-        && read.bearings() == layout.bearings()
+        && read.cylinders() == engine.cylinders()
+        && read.dimensions() == engine.dimensions()
+        && read.bearings() == engine.bearings()
         && (&read.crankshaft().pins, &read.crankshaft().webs, &read.crankshaft().balancers)
-            == (&layout.crankshaft().pins, &layout.crankshaft().webs, &layout.crankshaft().balancers);
-    if is_meant { Ok(read) } else { Err(Refused::File(advice.to_owned())) }
+            == (&engine.crankshaft().pins, &engine.crankshaft().webs, &engine.crankshaft().balancers);
+    if is_meant { Ok(read) } else { Err(OptimiseError::File(advice.to_owned())) }
 }
 
 fn comment(text: &str) -> String {

@@ -6,15 +6,15 @@ use num_traits::ToPrimitive;
 use super::Wish;
 use super::best::{SLACK, Search};
 use super::design::{Design, measure};
+use super::error::OptimiseError;
 use super::place::{Place, uniform};
-use super::refused::Refused;
 use crate::engine::Engine;
 
 /// A crankshaft of the front.
 #[derive(Clone, Debug)]
-pub struct Point {
-    /// The layout with its counterweights, as its own file says.
-    pub layout: Engine,
+pub struct Optimum {
+    /// The engine with its counterweights, as its own file says.
+    pub engine: Engine,
     /// What it weighs and does.
     pub design: Design,
     /// No crankshaft of this mass that keeps the conditions has a lower largest bearing load, in multiples of m r ω²: by weak
@@ -30,27 +30,27 @@ pub struct Uniform {
     /// What it weighs and does.
     pub design: Design,
     /// The best crankshaft of the same mass; none where no crankshaft so light keeps the conditions.
-    pub best: Option<Point>,
+    pub best: Option<Optimum>,
     /// The lightest crankshaft that keeps the conditions with no larger a load, but for the rounding of its weights; none
     /// where there is none.
-    pub lightest: Option<Point>,
+    pub lightest: Option<Optimum>,
 }
 
-/// The best crankshafts of a layout.
+/// The best crankshafts of an engine.
 #[derive(Clone, Debug)]
 pub struct Front {
     /// Where counterweights may stand.
     pub places: Vec<Place>,
     /// From the lightest crankshaft that keeps the conditions to the one with the least load.
-    pub points: Vec<Point>,
+    pub points: Vec<Optimum>,
     /// Those with uniform balance factors 0, 0.65 and 1, where every throw has counterweights.
     pub uniform: Vec<Uniform>,
 }
 
-/// Finds the front of a layout.
+/// Finds the front of an engine.
 ///
 /// ```standalone_crate
-/// use crankstar::optimise::{Couple, Left, Wish, front};
+/// use crankstar::optimise::{Couple, Residual, Wish, front};
 /// let file = "speed = 6000\nbearings = [1.5, 0.5, -0.5, -1.5]\n[inline]\nthrows = [0, 120, 240]\n[mechanism]\n\
 ///     reciprocating_mass = 0.65\nrotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n\
 ///     [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '45 mm'\nweb_offset = 0.2";
@@ -59,17 +59,17 @@ pub struct Front {
 /// let front = front(&i3, &wish).unwrap();
 /// let [lightest, calmest] = front.points.as_slice() else { panic!() };
 /// assert!(lightest.design.mass < calmest.design.mass && lightest.design.peak() > calmest.design.peak());
-/// assert_eq!((lightest.design.force, lightest.design.couple), (Left::Zero, Left::Zero));
+/// assert_eq!((lightest.design.force, lightest.design.couple), (Residual::Zero, Residual::Zero));
 /// assert!(calmest.least > 0.999 * calmest.design.peak());
 /// ```
 ///
 /// # Errors
-/// [`Refused`] says what is missing.
-pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, Refused> {
+/// [`OptimiseError`] says what is missing.
+pub fn front(engine: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
     if wish.points == 0 {
-        return Err(Refused::NoPoints);
+        return Err(OptimiseError::NoPoints);
     }
-    let mut search = Search::new(layout, wish)?;
+    let mut search = Search::new(engine, wish)?;
     let ends = search.ends()?;
     // Where the least load comes with the least mass, there is one point.
     let steps = if ends[1] - ends[0] > 2.0 * SLACK * ends[0] { wish.points - 1 } else { 0 };
@@ -82,7 +82,7 @@ pub fn front(layout: &Engine, wish: &Wish) -> Result<Front, Refused> {
     }
     let mut compared = Vec::new();
     for factor in [(0, 1), (13, 20), (1, 1)].map(|(over, under)| BigRational::new(over.into(), under.into())) {
-        let Some(uniform) = uniform(layout, &factor) else { continue };
+        let Some(uniform) = uniform(engine, &factor) else { continue };
         let design = measure(&uniform, &search.places, &wish.orders)?;
         let mass = design.mass.to_f64().unwrap_or(f64::INFINITY);
         // The lightest one has room to be solved in, as among the points.

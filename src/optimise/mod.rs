@@ -1,13 +1,13 @@
 //! Which counterweights are best: the least load of the main bearings for each mass of the crankshaft?
 //!
-//! The places of the counterweights are those of the layout: their planes and the radius of their centres of gravity.
+//! The places of the counterweights are those of the engine: their planes and the radius of their centres of gravity.
 //! Chosen are their mass-radii `U_i`, complex: how large, and in which direction, so that both the balance factor of each
 //! weight and its skew are free. A larger radius makes the same `U_i` of less mass, so that the radius is never a choice.
 //!
 //! **What is convex, and what is not.** For one mass of the crankshaft, the largest of `|R_j(θ)|` over bearings j and crank
 //! angles θ is a convex function of the `U_i`: each R_j(θ) is affine in them (theory, section 8). Masses `m_i ≥ |U_i|/r_i` are
 //! second-order cones, force and couple are linear. So each point of the front is the least there is, not a local one, and
-//! the multipliers of the cones prove it ([`Point::least`]). The crank angles are samples: those where the peak of a
+//! the multipliers of the cones prove it ([`Optimum::least`]). The crank angles are samples: those where the peak of a
 //! solution stands higher are added until the two agree. Rounding to whole units of mass-radius (a gram-millimetre for a car
 //! engine) is not convex and costs some hundred-thousandths of the peak; two weights are then solved anew, exactly, so that force and
 //! couple vanish in the field of the throws' directions and not in decimals.
@@ -16,21 +16,21 @@ mod best;
 mod bound;
 mod design;
 mod direction;
+mod error;
 mod exact;
 mod file;
 mod front;
 mod place;
 mod problem;
-mod refused;
 mod sample;
 mod solve;
 
 use num_rational::BigRational;
 
-pub use design::{Design, Left, Weight, measure};
-pub use front::{Front, Point, Uniform, front};
+pub use design::{Design, PlacedWeight, Residual, measure};
+pub use error::OptimiseError;
+pub use front::{Front, Optimum, Uniform, front};
 pub use place::{Place, places, uniform};
-pub use refused::Refused;
 
 /// What is asked of the counterweights.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! Where may counterweights stand? Where those of the layout do.
+//! Where may counterweights stand? Where those of the engine do.
 
 use num_rational::BigRational;
 
@@ -7,7 +7,7 @@ use crate::engine::{Counterweight, Engine, throws};
 /// A plane of the crankshaft with room for a counterweight.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// Position along the crankshaft, in the unit of the layout's positions.
+    /// Position along the crankshaft, in the unit of the engine's positions.
     pub position: BigRational,
     /// Distance of a weight's centre of gravity from the axis, in metres.
     pub radius: BigRational,
@@ -15,10 +15,10 @@ pub struct Place {
     pub throw: Option<usize>,
 }
 
-/// The places of the layout's counterweights, one a position, in the order of the file; what they weigh does not matter.
-pub fn places(layout: &Engine) -> Vec<Place> {
+/// The places of the engine's counterweights, one per position, in the order of the file; what they weigh does not matter.
+pub fn places(engine: &Engine) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
-    for weight in &layout.crankshaft().counterweights {
+    for weight in &engine.crankshaft().counterweights {
         if places.iter().all(|place| place.position != weight.position) {
             let Counterweight { throw, radius, position, .. } = weight.clone();
             places.push(Place { position, radius, throw });
@@ -27,17 +27,17 @@ pub fn places(layout: &Engine) -> Vec<Place> {
     places
 }
 
-/// The layout with counterweights opposite to each throw, of one balance factor for all: those of a throw share it evenly.
+/// The engine with counterweights opposite to each throw, of one balance factor for all: those of a throw share it evenly.
 ///
-/// `None` where a throw has no place for one, or the layout gives no masses.
-pub fn uniform(layout: &Engine, factor: &BigRational) -> Option<Engine> {
-    let (places, mut weights) = (places(layout), Vec::new());
-    for (index, throw) in throws(layout).iter().enumerate() {
+/// `None` where a throw has no place for one, or the engine gives no masses.
+pub fn uniform(engine: &Engine, factor: &BigRational) -> Option<Engine> {
+    let (places, mut weights) = (places(engine), Vec::new());
+    for (index, throw) in throws(engine).iter().enumerate() {
         let own: Vec<&Place> = places.iter().filter(|place| place.throw == Some(index)).collect();
         if own.is_empty() {
             return None;
         }
-        let each = layout.throw_mass_radii()?.get(index)? * factor / BigRational::from_integer(own.len().into());
+        let each = engine.throw_mass_radii()?.get(index)? * factor / BigRational::from_integer(own.len().into());
         weights.extend(own.into_iter().map(|place| Counterweight {
             throw: place.throw,
             angle: throw.angle.opposite(),
@@ -46,5 +46,5 @@ pub fn uniform(layout: &Engine, factor: &BigRational) -> Option<Engine> {
             position: place.position.clone(),
         }));
     }
-    layout.with_counterweights(weights).ok()
+    engine.with_counterweights(weights).ok()
 }

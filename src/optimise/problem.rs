@@ -4,8 +4,8 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
+use super::error::OptimiseError;
 use super::place::Place;
-use super::refused::Refused;
 use super::{Couple, Wish};
 use crate::beam::Beam;
 use crate::engine::Engine;
@@ -39,33 +39,35 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    pub fn new(layout: &Engine, places: &[Place], wish: &Wish) -> Result<Self, Refused> {
+    pub fn new(engine: &Engine, places: &[Place], wish: &Wish) -> Result<Self, OptimiseError> {
         match places {
-            [] => return Err(Refused::NoPlaces),
-            [only] => return Err(Refused::OnePlane(only.position.to_string())),
+            [] => return Err(OptimiseError::NoPlaces),
+            [only] => return Err(OptimiseError::OnePlane(only.position.to_string())),
             _ => {}
         }
         if !wish.orders.contains(&1) {
-            return Err(Refused::NoFirstOrder);
+            return Err(OptimiseError::NoFirstOrder);
         }
-        let bare = layout.with_counterweights(Vec::new()).map_err(|error| Refused::Unsolved(error.to_string()))?;
+        let bare =
+            engine.with_counterweights(Vec::new()).map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let loads = bearing_loads(&bare, &wish.orders, Method::Continuous)?;
         let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.dimensions().crank_radius.clone()) else {
-            return Err(Refused::NoMasses);
+            return Err(OptimiseError::NoMasses);
         };
         let unit = unit_mass(&bare) * radius;
         let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
         let most_couple = match (&wish.couple, &loads.scale) {
             (Couple::Zero, _) => None,
             (Couple::AtMost(most), _) if !most.is_positive() => None,
-            (Couple::AtMost(most), Some(scale)) if Arm::of(layout) == Arm::Metre => Some(float(most) / scale.force()),
-            (Couple::AtMost(_), _) => return Err(Refused::NoSpeed),
+            (Couple::AtMost(most), Some(scale)) if Arm::of(engine) == Arm::Metre => Some(float(most) / scale.force()),
+            (Couple::AtMost(_), _) => return Err(OptimiseError::NoSpeed),
         };
-        let beam =
-            Beam::new(bare.bearings().to_vec()).map_err(|mistake| Refused::Missing(loads::Missing::Beam(mistake)))?;
+        let beam = Beam::new(bare.bearings().to_vec())
+            .map_err(|mistake| OptimiseError::Missing(loads::Missing::Beam(mistake)))?;
         let mut parts = vec![Vec::new(); bare.bearings().len()];
         for place in places {
-            let shares = beam.influence(&place.position).map_err(|m| Refused::Missing(loads::Missing::Beam(m)))?;
+            let shares =
+                beam.influence(&place.position).map_err(|m| OptimiseError::Missing(loads::Missing::Beam(m)))?;
             parts.iter_mut().zip(&shares).for_each(|(of_bearing, share)| of_bearing.push(float(share)));
         }
         let arm = |position: &BigRational| position - bare.reference_plane();
@@ -100,17 +102,17 @@ impl Problem {
 
 /// Half the direct first-order sum, which is the vector itself, in kilogram-metres.
 ///
-/// The sums of a layout stand for `P⁺ = 2 · vector` (theory, section 3).
+/// The sums of an engine stand for `P⁺ = 2 · vector` (theory, section 3).
 pub(super) fn direct(
-    layout: &Engine,
+    engine: &Engine,
     weighing: &dyn Fn(&BigRational) -> BigRational,
     unit: &BigRational,
-) -> Result<PhasorSum, Refused> {
+) -> Result<PhasorSum, OptimiseError> {
     let half = unit / BigRational::from_integer(2.into());
-    let all = OrderSum::new(order::contributions(layout, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
+    let all = OrderSum::new(order::contributions(engine, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
     match all.only() {
         None if all.vanishes() => Ok(PhasorSum::new(Vec::new())),
         Some((Factor::One, sum)) => Ok(sum.scaled(&half)),
-        _ => Err(Refused::Offset),
+        _ => Err(OptimiseError::Offset),
     }
 }

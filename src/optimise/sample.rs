@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::error::OptimiseError;
 use super::problem::Problem;
-use super::refused::Refused;
 use super::solve::{Goal, Sample, Solution, solve};
 use crate::loads::Circle;
 
@@ -32,7 +32,7 @@ impl Samples {
     }
 
     /// Solves for a goal, with more samples until the true peak is that of the samples.
-    pub fn solve(&mut self, problem: &Problem, goal: Goal) -> Result<Solution, Refused> {
+    pub fn solve(&mut self, problem: &Problem, goal: Goal) -> Result<Solution, OptimiseError> {
         let mut solution = solve(problem, &self.0, goal)?;
         for _ in 0..MOST_ROUNDS {
             let limit = goal.peak.unwrap_or(0.0).max(solution.peak) * (1.0 + AGREES);
@@ -55,6 +55,6 @@ impl Samples {
             }
             solution = solve(problem, &self.0, goal)?;
         }
-        Err(Refused::Unsolved(format!("the peaks still move after {MOST_ROUNDS} rounds")))
+        Err(OptimiseError::Unsolved(format!("the peaks still move after {MOST_ROUNDS} rounds")))
     }
 }

@@ -4,8 +4,8 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use num_complex::Complex;
 
+use super::error::OptimiseError;
 use super::problem::Problem;
-use super::refused::Refused;
 
 /// What is to be least.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ impl Rows {
 }
 
 /// Solves the problem for these samples.
-pub(super) fn solve(problem: &Problem, samples: &[Sample], goal: Goal) -> Result<Solution, Refused> {
+pub(super) fn solve(problem: &Problem, samples: &[Sample], goal: Goal) -> Result<Solution, OptimiseError> {
     let places = problem.places();
     // Columns: real and imaginary parts of the mass-radii, their lengths, and the largest load.
     let (re, im, length, peak) = (|i: usize| 2 * i, |i: usize| 2 * i + 1, |i: usize| 2 * places + i, 3 * places);
@@ -136,7 +136,7 @@ pub(super) fn solve(problem: &Problem, samples: &[Sample], goal: Goal) -> Result
     let quadratic = CscMatrix::new_from_triplets(columns, columns, squares.clone(), squares, ones);
     let (row, column, value) = rows.entries;
     let matrix = CscMatrix::new_from_triplets(rows.right.len(), columns, row, column, value);
-    let fail = |reason: String| Refused::Unsolved(reason);
+    let fail = |reason: String| OptimiseError::Unsolved(reason);
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
         .max_threads(1)

@@ -23,6 +23,7 @@ pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, Shaft, shaft, shafts};
 pub use subject::Subject;
+#[cfg(feature = "report")]
 pub(crate) use weight::is_negative;
 pub use weight::{Weight, with_counterweights};
 

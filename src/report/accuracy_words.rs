@@ -26,8 +26,8 @@ impl AccuracyCase {
     ///
     /// # Errors
     /// What the layout lacks for numbers.
-    pub fn of(engine: &Engine, quantities: &[Quantity], timed: bool) -> Result<Self, loads::Missing> {
-        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timed));
+    pub fn of(engine: &Engine, quantities: &[Quantity], timing: accuracy::Timing) -> Result<Self, loads::Missing> {
+        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timing));
         let mut rods = engine.rods().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));

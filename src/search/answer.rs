@@ -1,10 +1,10 @@
 //! What does a search answer? The front with its counts, or every value there is.
 
 use super::found::{self, FoundStar, Standing};
-use super::front::{Census, Point};
+use super::front::{Census, StarValues};
 use super::judged;
 use super::piece::{self, Counts};
-use super::problem::{Mistake, Problem};
+use super::problem::{Problem, ProblemError};
 use super::space::Space;
 use super::tables::Tables;
 
@@ -21,7 +21,7 @@ pub struct Front {
     pub judged: u64,
     /// Starts left out with all their completions.
     pub cut: u64,
-    points: Vec<Point>,
+    points: Vec<StarValues>,
 }
 
 impl Front {
@@ -29,10 +29,10 @@ impl Front {
     ///
     /// # Errors
     /// If this is no star of the question.
-    pub fn standing(&self, throws: &[u16]) -> Result<Standing, Mistake> {
+    pub fn standing(&self, throws: &[u16]) -> Result<Standing, ProblemError> {
         let space = Space::new(&self.problem)?;
         if !space.holds(throws) {
-            return Err(Mistake::new("these throws are no star of the question"));
+            return Err(ProblemError::new("these throws are no star of the question"));
         }
         let point = judged::judge(&space, &Tables::new(&space), throws);
         Ok(found::standing(&self.points, &point))
@@ -43,7 +43,7 @@ impl Front {
 ///
 /// # Errors
 /// If the question makes no sense.
-pub fn every_value(problem: &Problem) -> Result<Front, Mistake> {
+pub fn every_value(problem: &Problem) -> Result<Front, ProblemError> {
     let space = Space::new(problem)?;
     let tables = Tables::new(&space);
     let (mut census, mut counts) = (Census::default(), Counts::default());
@@ -56,8 +56,8 @@ pub fn every_value(problem: &Problem) -> Result<Front, Mistake> {
     Ok(answer(problem, &space, census.points, counts))
 }
 
-pub(super) fn answer(problem: &Problem, space: &Space, mut points: Vec<Point>, counts: Counts) -> Front {
-    points.sort_by(Point::rank);
+pub(super) fn answer(problem: &Problem, space: &Space, mut points: Vec<StarValues>, counts: Counts) -> Front {
+    points.sort_by(StarValues::rank);
     let stars = points.iter().map(|point| FoundStar::new(problem, point)).collect();
     let (all, judged, cut) = (space.count(), counts.judged, counts.cut);
     Front { problem: problem.clone(), stars, all, judged, cut, points }

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::engine::Cycle;
+use crate::engine::{Cycle, Firing, Shot};
 use crate::exact::Turn;
 
 use super::problem::Problem;
@@ -76,6 +76,16 @@ fn extend(candidates: &[Vec<usize>], order: &mut Vec<usize>, count: usize, best:
 
 fn are_neighbours(one: Option<&usize>, other: Option<&usize>) -> bool {
     one.zip(other).is_some_and(|(one, other)| one.abs_diff(*other) == 1)
+}
+
+/// The firings of an even order, whose first cylinder fires at 0.
+pub(super) fn even(order: &[usize], cycle: Cycle) -> Firing {
+    let interval = cycle.turns() / BigRational::from_integer(order.len().into());
+    let shot = |(step, &cylinder): (usize, &usize)| Shot {
+        cylinder,
+        angle: &interval * BigRational::from_integer(step.into()),
+    };
+    Firing { cycle, shots: order.iter().enumerate().map(shot).collect() }
 }
 
 /// The name of a cycle in a layout file.

@@ -5,15 +5,14 @@ use std::fmt::Write;
 
 use num_rational::BigRational;
 
-use crate::engine::Engine;
+use crate::engine::{self, BuildError, Cycle, Cylinder, Draft, Engine, Firing};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::file::{self, LayoutError};
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::Sense;
 
 use super::firing;
-use super::front::Point;
+use super::front::StarValues;
 use super::problem::Problem;
 
 /// The moment of one order: a vector `|C|`, in m r ω² c_k times the spacing, of the direct and of the reverse sense.
@@ -54,7 +53,7 @@ pub struct FoundStar {
 }
 
 impl FoundStar {
-    pub(super) fn new(problem: &Problem, point: &Point) -> Self {
+    pub(super) fn new(problem: &Problem, point: &StarValues) -> Self {
         let (directions, _) = problem.supply();
         let throws: Vec<Turn> =
             point.throws.iter().map(|&throw| Turn::fraction(throw.into(), directions.into())).collect();
@@ -73,7 +72,7 @@ impl FoundStar {
     pub fn layout_file(&self, problem: &Problem) -> String {
         let quoted: Vec<String> = self.throws.iter().map(|throw| format!("\"{} turn\"", throw.turns())).collect();
         let form = if problem.bank_angle.is_some() { "vee" } else { "inline" };
-        let mut text = format!("title = \"{} found by search\"\ncycle = \"{}\"\n", name(problem), cycle(problem));
+        let mut text = format!("title = \"{}\"\ncycle = \"{}\"\n", title(problem), cycle(problem));
         if let Some(order) = &self.firing_order {
             let _ = writeln!(text, "firing_order = \"{}\"", dashed(order));
         }
@@ -84,13 +83,39 @@ impl FoundStar {
         text
     }
 
-    /// The engine.
+    /// The engine: the one that [`FoundStar::layout_file`] describes.
     ///
     /// # Errors
-    /// Those of a layout file, though none is known to arise.
-    pub fn engine(&self, problem: &Problem) -> Result<Engine, LayoutError> {
-        file::parse("star.toml", &self.layout_file(problem))
+    /// What does not fit, where the star is none of the question.
+    pub fn engine(&self, problem: &Problem) -> Result<Engine, BuildError> {
+        let mut draft = Draft::new(&title(problem));
+        draft.form = if problem.bank_angle.is_some() { engine::Form::Vee } else { engine::Form::Inline };
+        for bank in problem.banks() {
+            let pins = self.throws.iter().enumerate();
+            let cylinder = |(pin, throw): (usize, &Turn)| {
+                Cylinder::new(throw.clone(), bank.clone(), arm(pin, self.throws.len()), pin)
+            };
+            draft.cylinders.extend(pins.map(cylinder));
+        }
+        draft.positions_given = self.throws.len() == 1;
+        draft.cycle = Some(problem.cycle);
+        draft.firing = match &self.firing_order {
+            Some(order) => Some(firing::even(order, problem.cycle)),
+            None if problem.cycle == Cycle::TwoStroke => Some(Firing::two_stroke(&draft.cylinders)),
+            None => None,
+        };
+        draft.build()
     }
+}
+
+/// What the engine is called.
+fn title(problem: &Problem) -> String {
+    format!("{} found by search", name(problem))
+}
+
+/// Distance of a throw from the middle of so many, one spacing apart, the first at the free end.
+fn arm(place: usize, throws: usize) -> BigRational {
+    BigRational::new((throws as i64 - 1 - 2 * place as i64).into(), 2.into())
 }
 
 /// `1-3-4-2`.
@@ -112,13 +137,12 @@ pub(super) fn name(problem: &Problem) -> String {
 
 /// The vectors of an order: one for an in-line engine, direct and reverse for a V.
 fn moments(throws: &[Turn], banks: &[Turn], order: u32) -> Vec<Moment> {
-    let arm = |place: usize| BigRational::new((throws.len() as i64 - 1 - 2 * place as i64).into(), 2.into());
     let moment = |sense: Option<Sense>| {
         // Without banks both vectors are alike.
         let angle = |throw: &Turn, bank: &Turn| order::phase_of(throw, bank, order, sense.or(Some(Sense::Direct)));
         let places = throws.iter().enumerate();
         let terms = places.flat_map(|(place, throw)| {
-            let term = move |bank: &Turn| Term { angle: angle(throw, bank), weight: arm(place) };
+            let term = move |bank: &Turn| Term { angle: angle(throw, bank), weight: arm(place, throws.len()) };
             banks.iter().map(term).collect::<Vec<_>>()
         });
         let sum = PhasorSum::new(terms.collect());
@@ -141,7 +165,7 @@ pub enum Standing {
 }
 
 /// The place of a point among those of a front.
-pub(super) fn standing(front: &[Point], point: &Point) -> Standing {
+pub(super) fn standing(front: &[StarValues], point: &StarValues) -> Standing {
     match front.iter().any(|other| other.compare(point) == Some(Ordering::Equal)) {
         true => Standing::On,
         false => Standing::Beaten,

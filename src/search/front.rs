@@ -9,13 +9,13 @@ pub(super) trait Judge {
     /// Whether every star with squares of at least these lower bounds can be left out.
     fn hopeless(&self, low: &[i128]) -> bool;
     /// A star that may matter.
-    fn take(&mut self, point: Point);
+    fn take(&mut self, point: StarValues);
 }
 
 /// The values of a star, and how many stars share them.
 #[derive(Clone, Debug)]
-pub(super) struct Point {
-    /// One value an order.
+pub(super) struct StarValues {
+    /// One value per order.
     pub values: Vec<Value>,
     /// Neighbours that fire in succession; 0 where they do not count.
     pub neighbours: usize,
@@ -27,9 +27,9 @@ pub(super) struct Point {
     pub stars: u64,
 }
 
-impl Point {
+impl StarValues {
     /// Whether it is no worse in anything (then less or equal), no better in anything (then greater or equal), or neither.
-    pub fn compare(&self, other: &Point) -> Option<Ordering> {
+    pub fn compare(&self, other: &StarValues) -> Option<Ordering> {
         let mut sign = self.neighbours.cmp(&other.neighbours);
         for (own, theirs) in self.values.iter().zip(&other.values) {
             match (sign, own.compare(theirs)) {
@@ -43,14 +43,14 @@ impl Point {
     }
 
     /// Value by value, then neighbours: the order of a printed front.
-    pub fn rank(&self, other: &Point) -> Ordering {
+    pub fn rank(&self, other: &StarValues) -> Ordering {
         let mut pairs = self.values.iter().zip(&other.values).map(|(own, theirs)| own.compare(theirs));
         let first = pairs.find(|ordering| *ordering != Ordering::Equal).unwrap_or(Ordering::Equal);
         first.then(self.neighbours.cmp(&other.neighbours))
     }
 
     /// Counts the stars of an equal point too.
-    pub fn join(&mut self, other: Point) {
+    pub fn join(&mut self, other: StarValues) {
         self.classes += other.classes;
         self.stars += other.stars;
         if other.throws < self.throws {
@@ -62,18 +62,18 @@ impl Point {
 /// Points none of which is beaten by another.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pareto {
-    points: Vec<Point>,
+    points: Vec<StarValues>,
 }
 
 impl Pareto {
     /// The points, in no order.
-    pub fn points(&self) -> &[Point] {
+    pub fn points(&self) -> &[StarValues] {
         &self.points
     }
 
     /// The same front with nothing counted yet.
     pub fn uncounted(&self) -> Self {
-        let points = self.points.iter().map(|point| Point { classes: 0, stars: 0, ..point.clone() });
+        let points = self.points.iter().map(|point| StarValues { classes: 0, stars: 0, ..point.clone() });
         Pareto { points: points.collect() }
     }
 }
@@ -88,7 +88,7 @@ impl Judge for Pareto {
         })
     }
 
-    fn take(&mut self, point: Point) {
+    fn take(&mut self, point: StarValues) {
         let mut at = 0;
         while at < self.points.len() {
             match self.points[at].compare(&point) {
@@ -104,10 +104,10 @@ impl Judge for Pareto {
     }
 }
 
-/// Every value there is, each once, in the order of [`Point::rank`].
+/// Every value there is, each once, in the order of [`StarValues::rank`].
 #[derive(Default)]
 pub(super) struct Census {
-    pub points: Vec<Point>,
+    pub points: Vec<StarValues>,
 }
 
 impl Judge for Census {
@@ -115,7 +115,7 @@ impl Judge for Census {
         false
     }
 
-    fn take(&mut self, point: Point) {
+    fn take(&mut self, point: StarValues) {
         match self.points.binary_search_by(|known| known.rank(&point)) {
             Ok(at) => self.points[at].join(point),
             Err(at) => self.points.insert(at, point),

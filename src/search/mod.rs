@@ -35,5 +35,5 @@ pub use answer::{Front, every_value};
 pub use best::{Best, best_in_line};
 pub use document::{FrontDocument, MomentDocument, StarDocument, document};
 pub use found::{FoundStar, Moment, Standing};
-pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Mistake, Problem};
+pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Problem, ProblemError};
 pub use run::{Options, Progress, SearchError, search};

@@ -1,6 +1,6 @@
 //! Which pieces is a search cut into, and what comes of one?
 
-use super::front::{Judge, Point};
+use super::front::{Judge, StarValues};
 use super::space::Space;
 use super::symmetry::Same;
 use super::tables::Tables;
@@ -19,7 +19,7 @@ pub(super) struct Piece {
 /// What came of a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
-    /// Stars judged, one a class of rotation, mirror and reversal.
+    /// Stars judged, one per class of rotation, mirror and reversal.
     pub judged: u64,
     /// Starts left out with all their completions, by the bound.
     pub cut: u64,
@@ -61,5 +61,5 @@ impl Judge for Everything {
     fn hopeless(&self, _: &[i128]) -> bool {
         false
     }
-    fn take(&mut self, _: Point) {}
+    fn take(&mut self, _: StarValues) {}
 }

@@ -41,19 +41,21 @@ pub struct Problem {
 
 /// Why a question has no answer: what is wrong, and what would be right.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mistake(String);
+pub struct ProblemError(String);
 
-impl Mistake {
+impl ProblemError {
     pub(super) fn new(message: impl Into<String>) -> Self {
-        Mistake(message.into())
+        ProblemError(message.into())
     }
 }
 
-impl fmt::Display for Mistake {
+impl fmt::Display for ProblemError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)
     }
 }
+
+impl std::error::Error for ProblemError {}
 
 impl Problem {
     /// An in-line engine that fires evenly, compared by the moments of these orders.
@@ -95,23 +97,25 @@ impl Problem {
     }
 
     /// Whether the question makes sense.
-    pub fn check(&self) -> Result<(), Mistake> {
+    pub fn check(&self) -> Result<(), ProblemError> {
         self.check_engine()?;
         self.check_star()?;
         self.check_orders()
     }
 
-    fn check_engine(&self) -> Result<(), Mistake> {
+    fn check_engine(&self) -> Result<(), ProblemError> {
         let cylinders = self.cylinders;
         if cylinders == 0 {
-            return Err(Mistake::new("an engine without cylinders has no crank star; give 1 or more"));
+            return Err(ProblemError::new("an engine without cylinders has no crank star; give 1 or more"));
         }
         if let Some(angle) = &self.bank_angle {
             if *angle == Turn::zero() {
-                return Err(Mistake::new("a V of 0° has both banks in one place; give an angle between 0 and 360"));
+                return Err(ProblemError::new(
+                    "a V of 0° has both banks in one place; give an angle between 0 and 360",
+                ));
             }
             if !cylinders.is_multiple_of(2) {
-                return Err(Mistake::new(format!(
+                return Err(ProblemError::new(format!(
                     "a V on shared pins has an even number of cylinders, and {cylinders} is odd"
                 )));
             }
@@ -119,35 +123,37 @@ impl Problem {
         if self.throws() > MOST_THROWS {
             let what = if self.bank_angle.is_some() { "cylinders in V" } else { "cylinders in line" };
             let most = MOST_THROWS * (cylinders / self.throws());
-            return Err(Mistake::new(format!("up to {most} {what} are searched; {cylinders} have too many stars")));
+            return Err(ProblemError::new(format!(
+                "up to {most} {what} are searched; {cylinders} have too many stars"
+            )));
         }
         Ok(())
     }
 
-    fn check_star(&self) -> Result<(), Mistake> {
+    fn check_star(&self) -> Result<(), ProblemError> {
         let throws = self.throws();
         if let Some(directions) = self.directions {
             if self.bank_angle.is_none() {
-                return Err(Mistake::new("even firing fixes the directions of an in-line engine; leave them out"));
+                return Err(ProblemError::new("even firing fixes the directions of an in-line engine; leave them out"));
             }
             if self.grid.is_some() {
-                return Err(Mistake::new("a grid already says which directions there are; give one of the two"));
+                return Err(ProblemError::new("a grid already says which directions there are; give one of the two"));
             }
             if directions == 0 || !throws.is_multiple_of(directions) {
-                return Err(Mistake::new(format!("{throws} pins cannot share {directions} directions equally")));
+                return Err(ProblemError::new(format!("{throws} pins cannot share {directions} directions equally")));
             }
         }
         if self.neighbours && (self.bank_angle.is_some() || self.grid.is_some()) {
-            return Err(Mistake::new(
+            return Err(ProblemError::new(
                 "neighbours firing in succession are counted for in-line engines that fire evenly",
             ));
         }
         let Some(grid) = self.grid else { return Ok(()) };
         if grid == 0 || grid > FINEST_GRID {
-            return Err(Mistake::new(format!("a grid has 1 to {FINEST_GRID} directions, and not {grid}")));
+            return Err(ProblemError::new(format!("a grid has 1 to {FINEST_GRID} directions, and not {grid}")));
         }
         if u128::from(grid).pow(throws - 1) > MOST_GRID_STARS {
-            return Err(Mistake::new(format!(
+            return Err(ProblemError::new(format!(
                 "{throws} throws on {grid} directions make {grid}^{} stars; up to 10^12 are searched",
                 throws - 1
             )));
@@ -155,18 +161,21 @@ impl Problem {
         Ok(())
     }
 
-    fn check_orders(&self) -> Result<(), Mistake> {
+    fn check_orders(&self) -> Result<(), ProblemError> {
         if self.orders.is_empty() || self.orders.len() > MOST_ORDERS {
-            return Err(Mistake::new(format!("1 to {MOST_ORDERS} orders are compared, and not {}", self.orders.len())));
+            return Err(ProblemError::new(format!(
+                "1 to {MOST_ORDERS} orders are compared, and not {}",
+                self.orders.len()
+            )));
         }
         if self.orders[0] == 0 || self.orders.iter().any(|&order| order > HIGHEST_ORDER) {
-            return Err(Mistake::new(format!("orders from 1 to {HIGHEST_ORDER} are compared")));
+            return Err(ProblemError::new(format!("orders from 1 to {HIGHEST_ORDER} are compared")));
         }
         if self.orders.windows(2).any(|pair| pair[0] >= pair[1]) {
-            return Err(Mistake::new("orders are given rising, each once"));
+            return Err(ProblemError::new("orders are given rising, each once"));
         }
         match self.orders.iter().all(|&order| self.cancels(order)) {
-            true => Err(Mistake::new("at this bank angle the moments of these orders vanish for every star")),
+            true => Err(ProblemError::new("at this bank angle the moments of these orders vanish for every star")),
             false => Ok(()),
         }
     }

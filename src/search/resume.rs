@@ -9,7 +9,7 @@ use std::{fs, io};
 use serde::{Deserialize, Serialize};
 
 use super::firing;
-use super::front::Point;
+use super::front::StarValues;
 use super::judged;
 use super::piece::{Counts, Piece};
 use super::problem::Problem;
@@ -24,7 +24,7 @@ const LARGEST_FILE: u64 = 64 << 20;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Done {
     /// The stars it adds to the front, with their counts.
-    pub points: Vec<Point>,
+    pub points: Vec<StarValues>,
     /// What it came to.
     pub counts: Counts,
 }
@@ -114,7 +114,7 @@ fn digest_of(body: &[u8]) -> String {
 /// A piece as it was written, if it can have come of this piece.
 fn finished(written: &WrittenPiece, piece: &Piece, space: &Space, tables: &Tables) -> Option<Done> {
     let counts = Counts { judged: written.judged, cut: written.cut };
-    let mut points: Vec<Point> = Vec::new();
+    let mut points: Vec<StarValues> = Vec::new();
     let mut classes = 0_u64;
     for star in &written.stars {
         let begins = |(at, &(a, b)): (usize, &(usize, usize))| {
@@ -125,7 +125,11 @@ fn finished(written: &WrittenPiece, piece: &Piece, space: &Space, tables: &Table
         let is_counted = star.classes > 0 && (star.classes..=star.classes.checked_mul(4)?).contains(&star.stars);
         let point = is_here.then(|| judged::judge(space, tables, &star.throws))?;
         let is_new = points.iter().all(|known| known.compare(&point).is_none());
-        points.push((is_counted && is_new).then_some(Point { classes: star.classes, stars: star.stars, ..point })?);
+        points.push((is_counted && is_new).then_some(StarValues {
+            classes: star.classes,
+            stars: star.stars,
+            ..point
+        })?);
         classes = classes.checked_add(star.classes)?;
     }
     (classes <= counts.judged && is_possible(counts, space)).then_some(Done { points, counts })
@@ -139,7 +143,8 @@ fn is_possible(counts: Counts, space: &Space) -> bool {
 
 /// Writes the finished pieces: under another name first, so that the file is whole whenever the program stops.
 pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>, count: usize) -> Result<(), String> {
-    let star = |point: &Point| WrittenStar { throws: point.throws.clone(), classes: point.classes, stars: point.stars };
+    let star =
+        |point: &StarValues| WrittenStar { throws: point.throws.clone(), classes: point.classes, stars: point.stars };
     let piece = |done: &Done| WrittenPiece {
         judged: done.counts.judged,
         cut: done.counts.cut,

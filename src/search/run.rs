@@ -14,7 +14,7 @@ use std::thread;
 use super::answer::{self, Front};
 use super::front::{Judge, Pareto};
 use super::piece::{self, Counts, Piece};
-use super::problem::{Mistake, Problem};
+use super::problem::{Problem, ProblemError};
 use super::resume::{self, Done};
 use super::space::Space;
 use super::tables::Tables;
@@ -44,7 +44,7 @@ pub struct Options<'a> {
 }
 
 impl Default for Options<'_> {
-    /// One thread an available core, nothing kept, nothing told.
+    /// One thread per available core, nothing kept, nothing told.
     fn default() -> Self {
         let threads = thread::available_parallelism().map_or(1, usize::from);
         Options { threads, resume: None, progress: &|_| ControlFlow::Continue(()) }
@@ -55,7 +55,7 @@ impl Default for Options<'_> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SearchError {
     /// The question makes no sense.
-    Question(Mistake),
+    Problem(ProblemError),
     /// The state file cannot be read or written.
     State(String),
     /// Stopped by the progress callback.
@@ -65,19 +65,21 @@ pub enum SearchError {
 impl fmt::Display for SearchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            SearchError::Question(mistake) => mistake.fmt(f),
+            SearchError::Problem(mistake) => mistake.fmt(f),
             SearchError::State(message) => f.write_str(message),
             SearchError::Stopped => f.write_str("stopped"),
         }
     }
 }
 
+impl std::error::Error for SearchError {}
+
 /// Finds the exact Pareto front of a question: complete, ties counted.
 ///
 /// # Errors
 /// If the question makes no sense, the state file cannot be read or written, or the progress callback stops the search.
 pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
-    let space = Space::new(problem).map_err(SearchError::Question)?;
+    let space = Space::new(problem).map_err(SearchError::Problem)?;
     let tables = Tables::new(&space);
     let pieces = piece::pieces(&space, &tables);
     let read = |path| resume::read(path, problem, &space, &tables, &pieces);
@@ -131,7 +133,8 @@ impl Hall<'_> {
         };
         thread::scope(|scope| {
             let helpers = self.options.threads.min(open.len()).saturating_sub(1);
-            (0..helpers).for_each(|_| drop(scope.spawn(work)));
+            // Where no thread is to be had the work is done here.
+            (0..helpers).for_each(|_| drop(thread::Builder::new().spawn_scoped(scope, work)));
             work();
         });
         held(state).map_or(Ok(()), Err)

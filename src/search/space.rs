@@ -1,7 +1,7 @@
 //! Which stars are there? Places along the crankshaft, directions to fill them with, and the order of filling.
 
 use super::firing;
-use super::problem::{Mistake, Problem};
+use super::problem::{Problem, ProblemError};
 
 /// All stars of a problem. Cylinder 1 has direction 0, which takes one star of each class of rotations.
 pub(super) struct Space {
@@ -22,7 +22,7 @@ pub(super) struct Space {
 }
 
 impl Space {
-    pub fn new(problem: &Problem) -> Result<Self, Mistake> {
+    pub fn new(problem: &Problem) -> Result<Self, ProblemError> {
         problem.check()?;
         let places = problem.throws() as usize;
         let (directions, supply) = problem.supply();

@@ -108,7 +108,7 @@ fn cosine(angle: &Turn) -> i64 {
     (numbers::direction(angle).re * (1_i64 << BITS) as f64).round() as i64
 }
 
-/// How often each direction is left, from the code with one digit a direction.
+/// How often each direction is left, from the code with one digit per direction.
 fn counts(mut code: usize, supply: usize, directions: usize) -> Vec<usize> {
     let digit = |_| {
         let count = code % (supply + 1);

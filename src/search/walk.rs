@@ -17,7 +17,7 @@ pub(super) struct Walk<'a, J> {
     pub counts: Counts,
     throws: Vec<usize>,
     left: Vec<usize>,
-    /// One digit a direction: how often it is left.
+    /// One digit per direction: how often it is left.
     code: usize,
     digits: Vec<usize>,
     /// Projections of what is placed, after each pair.
@@ -120,13 +120,13 @@ impl<'a, J: Judge> Walk<'a, J> {
         let left = if self.space.supply.is_some() { self.code } else { placed };
         let mut low = [0_i128; MOST_ORDERS];
         for (order, low) in low.iter_mut().enumerate().take(count) {
-            let reach = self.sums(placed, order).iter().zip(self.tables.bounds(left, order));
-            let least = reach.map(|(sum, bound)| sum.abs() - bound).max().unwrap_or(0) - self.tables.doubt;
+            let lengths = self.sums(placed, order).iter().zip(self.tables.bounds(left, order));
+            let least = lengths.map(|(sum, bound)| sum.abs() - bound).max().unwrap_or(0) - self.tables.doubt;
             *low = value::square(least.max(0), 0, 0).0;
         }
         let cannot_balance = self.space.supply.is_none() && {
-            let reach = (self.space.places - 2 * placed) as i64 * ((1 << super::tables::BITS) + 1);
-            self.sums(placed, count).iter().any(|sum| sum.abs() > reach + self.tables.doubt)
+            let longest = (self.space.places - 2 * placed) as i64 * ((1 << super::tables::BITS) + 1);
+            self.sums(placed, count).iter().any(|sum| sum.abs() > longest + self.tables.doubt)
         };
         let matters = !cannot_balance && !self.judge.hopeless(&low[..count]);
         self.counts.cut += u64::from(!matters);

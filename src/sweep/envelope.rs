@@ -11,7 +11,7 @@ use crate::loads::Arm;
 pub struct Geometry {
     /// Bore D; 2 is that of an engine whose bore is its stroke.
     pub bore: f64,
-    /// Rod ratio where the layout names none.
+    /// Rod ratio where the engine names none.
     pub rod_ratio: f64,
     /// Half the width of a bank across its axis, in bores.
     pub half_width: f64,
@@ -19,7 +19,7 @@ pub struct Geometry {
     pub above_pin: f64,
     /// Radius of the crankcase.
     pub crankcase: f64,
-    /// Distance of neighbouring cylinders of a bank where the layout gives no length, in bores.
+    /// Distance of neighbouring cylinders of a bank where the engine gives no length, in bores.
     pub spacing: f64,
     /// Length beyond the centres of the outermost cylinders, both ends together, in bores.
     pub ends: f64,
@@ -40,7 +40,7 @@ impl Default for Geometry {
 }
 
 impl Geometry {
-    /// The assumptions in words, a line each.
+    /// The assumptions in words, one line each.
     pub fn words(&self) -> Vec<String> {
         let Geometry { bore, rod_ratio, half_width, above_pin, crankcase, spacing, ends } = self;
         vec![
@@ -64,21 +64,21 @@ pub struct Envelope {
     pub breadth: f64,
     /// Along it.
     pub height: f64,
-    /// Metres a crank radius, where the layout gives it.
+    /// Metres per crank radius, where the engine gives it.
     pub metres: Option<f64>,
 }
 
 /// The box round an engine; none for one with cylinders of different strokes.
-pub fn envelope(layout: &Engine, geometry: &Geometry) -> Option<Envelope> {
+pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
-    if layout.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
+    if engine.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
         return None;
     }
     let bore = geometry.bore;
     let half = geometry.half_width * bore;
-    let reach = geometry.crankcase;
-    let (mut left, mut right, mut low, mut high) = (-reach, reach, -reach, reach);
-    for cylinder in layout.cylinders() {
+    let radius = geometry.crankcase;
+    let (mut left, mut right, mut low, mut high) = (-radius, radius, -radius, radius);
+    for cylinder in engine.cylinders() {
         let ratio = cylinder.rod().map_or(geometry.rod_ratio, |rod| rod.ratio.to_f64().unwrap_or(0.0));
         if ratio <= 0.0 {
             return None;
@@ -91,11 +91,11 @@ pub fn envelope(layout: &Engine, geometry: &Geometry) -> Option<Envelope> {
             (low, high) = (low.min(up), high.max(up));
         }
     }
-    let positions = || layout.cylinders().iter().map(|cylinder| &cylinder.position);
+    let positions = || engine.cylinders().iter().map(|cylinder| &cylinder.position);
     let between = (positions().max()? - positions().min()?).to_f64()?;
     let metres =
-        layout.dimensions().crank_radius.as_ref().filter(|radius| !radius.is_zero()).and_then(ToPrimitive::to_f64);
-    let length = match (Arm::of(layout), metres) {
+        engine.dimensions().crank_radius.as_ref().filter(|radius| !radius.is_zero()).and_then(ToPrimitive::to_f64);
+    let length = match (Arm::of(engine), metres) {
         (Arm::Spacing, _) => Some(between * geometry.spacing * bore),
         // All cylinders in one plane are so in any unit.
         (Arm::Metre, _) if between == 0.0 => Some(0.0),
@@ -115,10 +115,10 @@ const RAYS: u32 = 3600;
 /// Area of the end view, of all banks and the crankcase together, in r²: times the length it is what the engine fills.
 ///
 /// Every bank and the crankcase are seen whole from the shaft, so that the area is `½ ∫ ρ² dθ` over the farthest of them.
-pub fn section(layout: &Engine, geometry: &Geometry) -> Option<f64> {
+pub fn section(engine: &Engine, geometry: &Geometry) -> Option<f64> {
     let half = geometry.half_width * geometry.bore;
     let mut banks = Vec::new();
-    for cylinder in layout.cylinders() {
+    for cylinder in engine.cylinders() {
         let ratio = cylinder.rod().map_or(Some(geometry.rod_ratio), |rod| rod.ratio.to_f64())?;
         let bank = (cylinder.bank.turns().to_f64()?, 1.0 + 1.0 / ratio + geometry.above_pin * geometry.bore);
         if !banks.contains(&bank) {
@@ -128,11 +128,11 @@ pub fn section(layout: &Engine, geometry: &Geometry) -> Option<f64> {
     let step = std::f64::consts::TAU / f64::from(RAYS);
     let ray = |index: u32| {
         let direction = (f64::from(index) + 0.5) * step;
-        let reach = |(bank, top): &(f64, f64)| {
+        let distance = |(bank, top): &(f64, f64)| {
             let (sin, cos) = (direction - std::f64::consts::TAU * bank).sin_cos();
             if cos <= 0.0 { 0.0 } else { (top / cos).min(half / sin.abs()) }
         };
-        banks.iter().map(reach).fold(geometry.crankcase, f64::max)
+        banks.iter().map(distance).fold(geometry.crankcase, f64::max)
     };
     Some((0..RAYS).map(|index| ray(index).powi(2)).sum::<f64>() * step / 2.0)
 }

@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
-use super::whole::Whole;
+use super::integers::IntegerEngine;
 use crate::engine::{Cycle, Engine};
 
 /// The longest and the shortest interval between firings, in turns of the crank.
@@ -33,13 +33,13 @@ const MOST_CYLINDERS: usize = 12;
 ///
 /// In a four-stroke engine each cylinder fires at every other of its top dead centres: all choices are tried for up to 12
 /// cylinders, and of those with the least difference the one with the shortest longest interval is taken.
-pub fn evenness(layout: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
-    evenness_of(layout, cycle, None)
+pub fn evenness(engine: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
+    evenness_of(engine, cycle, None)
 }
 
 /// The same for an engine whose whole numbers may be known already.
-pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&Whole>) -> Option<Evenness> {
-    if let Some(firing) = layout.firing() {
+pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&IntegerEngine>) -> Option<Evenness> {
+    if let Some(firing) = engine.firing() {
         let intervals = firing.intervals();
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
         return Some(Evenness { longest, shortest, of_the_file: true });
@@ -47,7 +47,7 @@ pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&
     let cycle = cycle?;
     let (whole, length) = match known {
         Some(known) => known.top_dead_centres(),
-        None => top_dead_centres(layout)?,
+        None => top_dead_centres(engine)?,
     };
     let (revolutions, choices) = match cycle {
         Cycle::TwoStroke => (1, 1),
@@ -69,10 +69,10 @@ pub(super) fn evenness_of(layout: &Engine, cycle: Option<Cycle>, known: Option<&
 }
 
 /// Top dead centres after that of the first cylinder over their common denominator, which is a turn.
-fn top_dead_centres(layout: &Engine) -> Option<(Vec<i64>, i64)> {
-    let first = layout.cylinders().first()?.top_dead_centre();
+fn top_dead_centres(engine: &Engine) -> Option<(Vec<i64>, i64)> {
+    let first = engine.cylinders().first()?.top_dead_centre();
     let centres: Vec<BigRational> =
-        layout.cylinders().iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();
+        engine.cylinders().iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();
     let turn = centres.iter().fold(BigInt::one(), |turn, centre| turn.lcm(centre.denom()));
     let whole = |centre: &BigRational| (centre.numer() * (&turn / centre.denom())).to_i64();
     let whole = centres.iter().map(whole).collect::<Option<_>>()?;

@@ -8,20 +8,20 @@
 mod counterweight;
 mod envelope;
 mod evenness;
+mod integers;
 mod parameter;
-mod point;
 mod range;
 mod run;
-mod whole;
+mod swept_engine;
 mod zeros;
 
 pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope, section};
 pub use evenness::{Evenness, evenness};
 pub use parameter::{Parameter, SHORT_CUTS};
-pub use point::{Amplitudes, OrderPoint, Part, Point, judge};
 pub use range::{MOST_POINTS, Range};
 pub use run::{Sweep, sweep};
+pub use swept_engine::{Amplitude, Amplitudes, SweptEngine, SweptOrder, judge};
 pub use zeros::{ZeroSet, Zeros, zeros};
 
 use std::fmt;
@@ -30,26 +30,26 @@ use crate::file::LayoutError;
 
 /// Why a sweep is refused.
 #[derive(Clone, Debug)]
-pub struct Refused(String);
+pub struct SweepError(String);
 
-impl Refused {
+impl SweepError {
     pub(super) fn new(message: impl Into<String>) -> Self {
-        Refused(message.into())
+        SweepError(message.into())
     }
 
     /// A layout that cannot be read with these values, which `at` names.
     fn at(at: &str, error: &LayoutError) -> Self {
         match error.span().filter(|span| !span.is_empty()) {
-            Some(_) => Refused(format!("with {at} the layout cannot be read:\n{error}")),
-            None => Refused(format!("with {at}: {}; {}", error.message(), error.right())),
+            Some(_) => SweepError(format!("with {at} the layout cannot be read:\n{error}")),
+            None => SweepError(format!("with {at}: {}; {}", error.message(), error.right())),
         }
     }
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for SweepError {}

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::Refused;
+use super::SweepError;
 use super::range::Range;
 use crate::file::{Key, Template};
 
@@ -58,13 +58,13 @@ impl Parameter {
     ///
     /// # Errors
     /// What cannot be read.
-    pub fn parse(text: &str) -> Result<Self, Refused> {
+    pub fn parse(text: &str) -> Result<Self, SweepError> {
         let (key, range) = text.split_once('=').ok_or_else(|| {
-            Refused::new(format!("`{text}` sets nothing; write KEY=FROM..TO:STEP, such as vee.bank_angle=0..180:10"))
+            SweepError::new(format!("`{text}` sets nothing; write KEY=FROM..TO:STEP, such as vee.bank_angle=0..180:10"))
         })?;
-        let key = Key::parse(key.trim()).map_err(Refused::new)?;
+        let key = Key::parse(key.trim()).map_err(SweepError::new)?;
         if key.to_string().split('.').any(|part| TEXTS.contains(&part)) {
-            return Err(Refused::new(format!("`{key}` holds no quantity; such as vee.bank_angle=0..180:10")));
+            return Err(SweepError::new(format!("`{key}` holds no quantity; such as vee.bank_angle=0..180:10")));
         }
         Ok(Parameter { label: key.name().replace('_', " "), key, range: Range::parse(range)?, instead_of: &[] })
     }
@@ -73,18 +73,18 @@ impl Parameter {
     ///
     /// # Errors
     /// A form that has no such key, or a range that cannot be read.
-    pub fn short_cut(flag: &str, range: &str, template: &Template) -> Result<Self, Refused> {
+    pub fn short_cut(flag: &str, range: &str, template: &Template) -> Result<Self, SweepError> {
         let found = SHORT_CUTS.iter().find(|known| known.flag == flag);
-        let Some(known) = found else { return Err(Refused::new(format!("there is no flag --{flag}"))) };
+        let Some(known) = found else { return Err(SweepError::new(format!("there is no flag --{flag}"))) };
         let form = template.form().unwrap_or_default();
         let key = known.keys.iter().find(|(of, _)| *of == "*" || *of == form).map(|(_, key)| *key);
         let Some(key) = key else {
             let forms: Vec<String> = known.keys.iter().map(|(form, _)| format!("[{form}]")).collect();
             let message = format!("--{flag} is for layouts of the form {}, and this one is [{form}]", forms.join(", "));
-            return Err(Refused::new(format!("{message}; --set KEY={range} takes any key of the file")));
+            return Err(SweepError::new(format!("{message}; --set KEY={range} takes any key of the file")));
         };
-        let range = Range::parse(range).map_err(|error| Refused::new(format!("--{flag}: {error}")))?;
-        let key = Key::parse(key).map_err(Refused::new)?;
+        let range = Range::parse(range).map_err(|error| SweepError::new(format!("--{flag}: {error}")))?;
+        let key = Key::parse(key).map_err(SweepError::new)?;
         Ok(Parameter { label: flag.replace('-', " "), key, range, instead_of: known.instead_of })
     }
 

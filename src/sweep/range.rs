@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::Refused;
+use super::SweepError;
 use crate::file::parse_number;
 
 /// More points than this are refused by name: at some kilobytes each they would fill a memory.
@@ -30,9 +30,9 @@ impl Range {
     ///
     /// # Errors
     /// What cannot be read, a step of 0, a range that is empty, or one of more than [`MOST_POINTS`] points.
-    pub fn parse(text: &str) -> Result<Self, Refused> {
+    pub fn parse(text: &str) -> Result<Self, SweepError> {
         let example = "write FROM..TO:STEP, such as 0..180:10 or 80..120:5 mm";
-        let refuse = |what: String| Refused::new(format!("the range `{}` {what}", shown(text)));
+        let refuse = |what: String| SweepError::new(format!("the range `{}` {what}", shown(text)));
         let (from, rest) = text.split_once("..").ok_or_else(|| refuse(format!("has no `..`; {example}")))?;
         let (to, rest) = rest.split_once(':').ok_or_else(|| refuse(format!("has no step; {example}")))?;
         let rest = rest.trim();

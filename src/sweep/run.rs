@@ -9,9 +9,9 @@ use num_rational::BigRational;
 
 use super::envelope::Geometry;
 use super::parameter::Parameter;
-use super::point::{Motions, Point, judge_with};
 use super::range::MOST_POINTS;
-use super::{Refused, ZeroSet, zeros};
+use super::swept_engine::{Motions, SweptEngine, judge_with};
+use super::{SweepError, ZeroSet, zeros};
 use crate::engine::Engine;
 use crate::file::{Key, Layout, Template};
 use crate::loads::{self, Arm};
@@ -25,16 +25,16 @@ const MOST_OF_CURVE: usize = 2000;
 /// A sweep over one parameter, or over two.
 #[derive(Clone, Debug)]
 pub struct Sweep {
-    /// Title of the layout.
+    /// Title of the engine.
     pub title: Untrusted,
     /// The parameters; the last one runs fastest.
     pub parameters: Vec<Parameter>,
     /// The orders, rising.
     pub orders: Vec<u32>,
     /// The points, in order.
-    pub points: Vec<Point>,
+    pub points: Vec<SweptEngine>,
     /// For one parameter: points on the grid, between its points, and at the exact zeros, from which curves are drawn.
-    pub curve: Vec<Point>,
+    pub curve: Vec<SweptEngine>,
     /// For one angle: where each vector vanishes, exactly; none for other parameters.
     pub zeros: Option<Vec<ZeroSet>>,
     /// What moments are counted in.
@@ -54,16 +54,16 @@ pub fn sweep(
     parameters: &[Parameter],
     orders: &[u32],
     geometry: &Geometry,
-) -> Result<Sweep, Refused> {
+) -> Result<Sweep, SweepError> {
     let count = match parameters {
-        [] => return Err(Refused::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
+        [] => return Err(SweepError::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
         [one] => Some(one.range.count()),
         [one, other] if one.key == other.key => {
-            return Err(Refused::new(format!("`{}` is swept twice; two different keys make a map", one.key)));
+            return Err(SweepError::new(format!("`{}` is swept twice; two different keys make a map", one.key)));
         }
         [one, other] => one.range.count().checked_mul(other.range.count()),
         _ => {
-            return Err(Refused::new(format!(
+            return Err(SweepError::new(format!(
                 "{} parameters are swept; one makes curves, two a map",
                 parameters.len()
             )));
@@ -72,7 +72,7 @@ pub fn sweep(
     let Some(count) = count.filter(|count| *count <= MOST_POINTS) else {
         let sizes: Vec<String> = parameters.iter().map(|parameter| parameter.range.count().to_string()).collect();
         let message = format!("the map has {} points; up to {MOST_POINTS} are computed", sizes.join(" × "));
-        return Err(Refused::new(message));
+        return Err(SweepError::new(message));
     };
     let reader = Reader::new(template, parameters);
     let first = reader.engine(&reader.values(0))?;
@@ -101,7 +101,7 @@ pub fn sweep(
     let between = at_zeros
         .difference(&known)
         .map(|value| reader.point(std::slice::from_ref(*value), orders, geometry, &mut motions));
-    let between = between.collect::<Result<Vec<Point>, Refused>>()?;
+    let between = between.collect::<Result<Vec<SweptEngine>, SweepError>>()?;
     curve.extend(between);
     curve.sort_by(|a, b| a.values.cmp(&b.values));
     Ok(Sweep {
@@ -117,7 +117,7 @@ pub fn sweep(
     })
 }
 
-/// Reads the layouts of a sweep.
+/// Reads the engines of a sweep.
 pub(super) struct Reader<'a> {
     template: Template<'a>,
     /// The file without a firing order, for values whose throws cannot fire in it.
@@ -146,8 +146,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The layout with these values.
-    pub fn engine(&self, values: &[BigRational]) -> Result<Engine, Refused> {
+    /// The engine with these values.
+    pub fn engine(&self, values: &[BigRational]) -> Result<Engine, SweepError> {
         let pairs = || self.parameters.iter().zip(values);
         let texts: Vec<String> = pairs().map(|(parameter, value)| parameter.range.written(value)).collect();
         let put: Vec<(&Key, &str)> =
@@ -157,12 +157,12 @@ impl<'a> Reader<'a> {
             None => Err(error),
         });
         let at = || pairs().map(|(parameter, value)| parameter.at(value)).collect::<Vec<_>>().join(", ");
-        match read.map_err(|error| Refused::at(&at(), &error))? {
-            Layout::Known(layout, _) => Ok(*layout),
+        match read.map_err(|error| SweepError::at(&at(), &error))? {
+            Layout::Known(engine, _) => Ok(*engine),
             Layout::Open(family) => {
                 let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
                 let message = format!("the layout leaves {} open; give values below [values]", unknowns.join(", "));
-                Err(Refused::new(message))
+                Err(SweepError::new(message))
             }
         }
     }
@@ -173,19 +173,19 @@ impl<'a> Reader<'a> {
         orders: &[u32],
         geometry: &Geometry,
         motions: &mut Motions,
-    ) -> Result<Point, Refused> {
-        let layout = self.engine(values)?;
-        let judged = judge_with(&layout, self.template.cycle(), orders, geometry, motions);
-        let judged = judged.map_err(|missing| Refused::new(missing.to_string()))?;
-        Ok(Point { values: values.to_vec(), ..judged })
+    ) -> Result<SweptEngine, SweepError> {
+        let engine = self.engine(values)?;
+        let judged = judge_with(&engine, self.template.cycle(), orders, geometry, motions);
+        let judged = judged.map_err(|missing| SweepError::new(missing.to_string()))?;
+        Ok(SweptEngine { values: values.to_vec(), ..judged })
     }
 }
 
 /// Computes so many points on all cores; the first that fails is the one to tell.
 fn all(
     count: usize,
-    point: &(dyn Fn(usize, &mut Motions) -> Result<Point, Refused> + Sync),
-) -> Result<Vec<Point>, Refused> {
+    point: &(dyn Fn(usize, &mut Motions) -> Result<SweptEngine, SweepError> + Sync),
+) -> Result<Vec<SweptEngine>, SweepError> {
     let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(64)).max(1);
     let failed = AtomicBool::new(false);
     let part = |thread: usize| {
@@ -206,7 +206,7 @@ fn all(
         }
         Ok(points)
     };
-    let parts: Vec<Result<Vec<Point>, Refused>> = thread::scope(|scope| {
+    let parts: Vec<Result<Vec<SweptEngine>, SweepError>> = thread::scope(|scope| {
         let part = &part;
         let others: Vec<_> = (1..threads).map(|thread| scope.spawn(move || part(thread))).collect();
         let first = part(0);

@@ -81,15 +81,15 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     for order in family::classify(&open, orders) {
         for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
             for of in Zeros::ALL {
-                if is_gone(&engine, order.order) {
+                if !has_order(&engine, order.order) {
                     sets.push(ZeroSet { exists: false, ..ZeroSet::everywhere(quantity, order.order, of) });
                     continue;
                 }
                 let found = find(&open, quantity, order.order, verdicts, of);
                 let turns = same_rods && !with_turning_masses(&engine, order.order, of);
                 let is_so = |value: &BigRational| {
-                    let layout = reader.engine(std::slice::from_ref(value));
-                    layout.is_ok_and(|layout| vanishes(&layout, quantity, order.order, of))
+                    let engine = reader.engine(std::slice::from_ref(value));
+                    engine.is_ok_and(|engine| vanishes(&engine, quantity, order.order, of))
                 };
                 let by_points = || {
                     let mut places = distinct(&open, order.order, &per_unit);
@@ -171,26 +171,26 @@ fn find(open: &engine::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
     }
 }
 
-/// Whether an order has the coefficient 0: the odd ones of centric rods.
-fn is_gone(layout: &Engine, order: u32) -> bool {
-    let balanced = layout.crankshaft().balancers.iter().all(|shaft| shaft.order != order);
-    balanced && !layout.pistons_have_order(Quantity::Force, order)
+/// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
+fn has_order(engine: &Engine, order: u32) -> bool {
+    let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
+    balanced || engine.pistons_have_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.
-fn with_turning_masses(layout: &Engine, order: u32, of: Zeros) -> bool {
+fn with_turning_masses(engine: &Engine, order: u32, of: Zeros) -> bool {
     let enters = |sense: Sense| match of {
         Zeros::Direct => sense == Sense::Direct,
         Zeros::Reverse => sense == Sense::Reverse,
         _ => true,
     };
-    order::turning_masses(layout).iter().any(|mass| mass.order == order && enters(mass.sense))
+    order::turning_masses(engine).iter().any(|mass| mass.order == order && enters(mass.sense))
 }
 
 /// Whether a vector of this engine vanishes, decided exactly.
-fn vanishes(layout: &Engine, quantity: Quantity, order: u32, of: Zeros) -> bool {
+fn vanishes(engine: &Engine, quantity: Quantity, order: u32, of: Zeros) -> bool {
     let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
+        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
     match of {
         Zeros::Direct => direct.vanishes(),
         Zeros::Reverse => reverse.vanishes(),

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs, thread};
 
-use crankstar::accuracy::{self, Method, Row, Study};
+use crankstar::accuracy::{self, Method, Row, Study, Timing};
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
 use crankstar::loads::Missing;
@@ -40,7 +40,7 @@ fn fraction(numerator: i64, denominator: i64) -> BigRational {
 }
 
 fn study(layout: &Engine, quantity: Quantity) -> Study {
-    accuracy::study(layout, quantity, false).expect("it has numbers")
+    accuracy::study(layout, quantity, Timing::Off).expect("it has numbers")
 }
 
 fn row(study: &Study, method: Method) -> &Row {
@@ -116,7 +116,7 @@ fn engines_with_balancer_shafts_are_refused_with_words() {
     let shaft = "[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0\n";
     let layout =
         file::parse("x.toml", &format!("inline.throws = [0, 180, 180, 0]\n{numbers}{shaft}")).expect("it reads");
-    let refused = accuracy::study(&layout, Quantity::Force, false).map(|_| ());
+    let refused = accuracy::study(&layout, Quantity::Force, Timing::Off).map(|_| ());
     assert_eq!(refused, Err(Missing::BalancerShafts));
 }
 
@@ -229,7 +229,7 @@ fn a_load_of_one_length_is_known_without_a_search() {
 #[test]
 fn what_a_layout_lacks_is_told() {
     let layout = file::find("I4").expect("it is known").engine().expect("it reads");
-    assert_eq!(accuracy::study(&layout, Quantity::Force, false).map(|_| ()), Err(Missing::Rods));
+    assert_eq!(accuracy::study(&layout, Quantity::Force, Timing::Off).map(|_| ()), Err(Missing::Rods));
     assert!(accuracy::with_rod_ratio(&example("i6-offset"), &fraction(999, 1000)).is_err());
 }
 
@@ -237,14 +237,14 @@ fn what_a_layout_lacks_is_told() {
 fn times_are_measured_only_where_they_are_asked_for() {
     let layout = catalogue("I1", &fraction(3, 10));
     assert!(study(&layout, Quantity::Force).rows.iter().all(|row| row.time.is_none()));
-    let timed = accuracy::study(&layout, Quantity::Force, true).expect("it has numbers");
+    let timed = accuracy::study(&layout, Quantity::Force, Timing::On).expect("it has numbers");
     assert!(timed.rows.iter().all(|row| row.time.is_some()));
 }
 
 #[test]
 fn the_section_of_a_report_has_no_times_in_any_dialect() {
     let layout = catalogue("I2-180", &fraction(3, 10));
-    let case = AccuracyCase::of(&layout, &[Quantity::Force, Quantity::Torque], false).expect("it has numbers");
+    let case = AccuracyCase::of(&layout, &[Quantity::Force, Quantity::Torque], Timing::Off).expect("it has numbers");
     for dialect in [Dialect::GithubMarkdown, Dialect::DollarMarkdown, Dialect::Latex] {
         let section = report::accuracy_section(dialect, std::slice::from_ref(&case));
         assert_eq!(section.tables.len(), 4);
@@ -263,7 +263,7 @@ fn page() -> BTreeMap<String, String> {
     let cases = |(layout, quantities): (Engine, [Quantity; 2])| {
         let case = |ratio: &BigRational| {
             let changed = accuracy::with_rod_ratio(&layout, ratio).expect("it turns round");
-            AccuracyCase::of(&changed, &quantities, false).expect("it has numbers")
+            AccuracyCase::of(&changed, &quantities, Timing::Off).expect("it has numbers")
         };
         let cases = thread::scope(|scope| {
             let running: Vec<_> = ratios.iter().map(|ratio| scope.spawn(|| case(ratio))).collect();

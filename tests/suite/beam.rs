@@ -1,6 +1,6 @@
 //! Do the main bearings carry what a continuous beam's supports carry?
 
-use crankstar::beam::{Beam, Mistake};
+use crankstar::beam::{Beam, BeamError};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -251,7 +251,7 @@ fn supports_and_loads_that_make_no_beam_are_told_with_what_would_be_right() {
     assert_eq!(message(vec![whole(3)]), "1 support does not hold the beam: it needs two or more");
     let coinciding = vec![ratio(5, 2), whole(1), whole(0), ratio(10, 4)];
     assert_eq!(message(coinciding.clone()), "supports 1 and 4 both stand at 5/2: each needs a position of its own");
-    let mistake = Mistake::CoincidingSupports { first: 0, second: 3, at: ratio(5, 2) };
+    let mistake = BeamError::CoincidingSupports { first: 0, second: 3, at: ratio(5, 2) };
     assert_eq!(Beam::new(coinciding).expect_err("no beam"), mistake);
 }
 

@@ -1,7 +1,7 @@
 //! Are the largest values true? Those printed without any flag, against the motion itself sampled in time, for engines of every form.
 use std::f64::consts::TAU;
 
-use crankstar::accuracy::{self, Largest, LargestLoads, Method, largest};
+use crankstar::accuracy::{self, Largest, LargestLoads, Method, Timing, largest};
 use crankstar::claim;
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
@@ -290,7 +290,7 @@ fn no_method_is_compared_with_a_reference_that_is_worse_than_itself() {
         "[inline]\nthrows = [0, 144, 216, 288, 72]\n[mechanism]\nrod_ratio = 0.3\nreciprocating_mass = 1\n",
     ];
     for text in cases {
-        let study = accuracy::study(&engine(text), Quantity::Force, false).expect("a study");
+        let study = accuracy::study(&engine(text), Quantity::Force, Timing::Off).expect("a study");
         for row in &study.rows {
             // Bounds leave out the roundings of doubles.
             let bound = row.bound.unwrap_or(f64::INFINITY);

@@ -19,6 +19,7 @@ mod decision_laws;
 mod document_limits;
 mod document_mutations;
 mod documents_verify;
+mod examples;
 mod firmness;
 mod fuzzed;
 mod grigoryev;

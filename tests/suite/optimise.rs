@@ -14,7 +14,9 @@ use crankstar::beam::Beam;
 use crankstar::engine::{Draft, Engine};
 use crankstar::file::parse;
 use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, loads};
-use crankstar::optimise::{Couple, Front, Left, Place, Point, Refused, Uniform, Wish, front, measure, places, uniform};
+use crankstar::optimise::{
+    Couple, Front, OptimiseError, Optimum, Place, Residual, Uniform, Wish, front, measure, places, uniform,
+};
 use crankstar::report;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -50,7 +52,7 @@ fn whole(number: i64) -> BigRational {
     BigRational::from_integer(number.into())
 }
 
-fn newtons(point: &Point) -> f64 {
+fn newtons(point: &Optimum) -> f64 {
     point.design.peak() * point.design.scale.as_ref().map_or(1.0, Scale::force)
 }
 
@@ -71,7 +73,7 @@ fn measured(engine: &str) -> Front {
     let point = |file: &str| {
         let layout = read(engine, file);
         let design = measure(&layout, &places, layout.orders()).expect("a design");
-        Point { layout, design, least: 0.0 }
+        Optimum { engine: layout, design, least: 0.0 }
     };
     let compared = |(over, under): (i64, i64)| {
         let factor = BigRational::new(over.into(), under.into());
@@ -101,7 +103,7 @@ fn assert_close(one: f64, other: f64, part: f64, what: &str) {
 }
 
 /// Every crankshaft of a front that was found.
-fn all(front: &Front) -> impl Iterator<Item = &Point> {
+fn all(front: &Front) -> impl Iterator<Item = &Optimum> {
     front.points.iter().chain(front.uniform.iter().flat_map(|uniform| uniform.best.iter().chain(&uniform.lightest)))
 }
 
@@ -113,7 +115,7 @@ fn compare(engine: &str) {
         // The bound is weak duality of any multipliers: that the two meet proves both.
         let peak = point.design.peak();
         assert!(point.least <= peak * (1.0 + 1e-9) && peak <= point.least * 1.0001, "{engine}: {peak} {}", point.least);
-        assert_eq!((point.design.force, point.design.couple), (Left::Zero, Left::Zero));
+        assert_eq!((point.design.force, point.design.couple), (Residual::Zero, Residual::Zero));
     }
     if renews() {
         for file in report::optimise_files(&layout, &found, &Couple::Zero) {
@@ -182,7 +184,7 @@ fn every_stored_point_is_proved_balanced_by_the_verdict_of_all_its_masses() {
     for engine in ENGINES {
         let front = stored(engine);
         for point in all(&front) {
-            let loads = loads(&point.layout, &[1]).expect("loads");
+            let loads = loads(&point.engine, &[1]).expect("loads");
             let [order] = loads.orders.as_slice() else { panic!("one order") };
             assert_eq!(order.force.direct.outcome, Outcome::Zero, "{engine}");
             assert_eq!(order.moment.direct.outcome, Outcome::Zero, "{engine}");
@@ -201,7 +203,7 @@ fn parts_of_a_weight_weigh_what_it_weighs_and_stand_within_its_radius() {
             }
             let of_weights: BigRational = point.design.weights.iter().map(|weight| &weight.mass).sum();
             assert_eq!(
-                point.layout.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
+                point.engine.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
                     + of_weights,
                 point.design.mass
             );
@@ -300,7 +302,7 @@ fn a_random_search_among_balanced_crankshafts_of_the_same_mass_finds_nothing_bet
         let unit = 0.65 * 0.045;
         let positions: Vec<f64> = places.iter().map(|place| float(&place.position)).collect();
         let front = stored(engine);
-        let vectors = |point: &Point| -> Vec<Complex<f64>> {
+        let vectors = |point: &Optimum| -> Vec<Complex<f64>> {
             point.design.weights.iter().map(|weight| weight.mass_radius / unit).collect()
         };
         let mass = |weights: &[Complex<f64>]| weights.iter().map(|weight| weight.norm()).sum::<f64>();
@@ -378,15 +380,15 @@ fn a_bounded_couple_is_kept_and_makes_a_lighter_crankshaft() {
     let zero = solved(&i3, Couple::Zero, 2);
     let bounded = solved(&i3, Couple::AtMost(whole(200)), 2);
     for point in &bounded.points {
-        assert_eq!(point.design.force, Left::Zero);
-        let Left::Between(low, high) = point.design.couple else { panic!("a couple is left") };
+        assert_eq!(point.design.force, Residual::Zero);
+        let Residual::Between(low, high) = point.design.couple else { panic!("a couple is left") };
         assert!(0.0 < low && low <= high && high <= 200.0, "{low} {high}");
         assert!(high - low < 1e-8, "{low} {high}");
-        let left = loads(&point.layout, &[1]).expect("loads");
+        let left = loads(&point.engine, &[1]).expect("loads");
         let newton_metres = left.orders[0].moment.direct.value.norm() / 2.0 * left.scale.expect("a scale").force();
         assert!((low..=high).contains(&newton_metres), "{newton_metres}");
     }
-    let Left::Between(_, high) = bounded.points[0].design.couple else { panic!("a couple is left") };
+    let Residual::Between(_, high) = bounded.points[0].design.couple else { panic!("a couple is left") };
     assert!(high > 199.0, "the lightest uses its bound: {high}");
     assert!(float(&bounded.points[0].design.mass) < float(&zero.points[0].design.mass) - 0.01);
     assert!(newtons(&bounded.points[1]) < newtons(&zero.points[1]) * (1.0 + 1e-4));
@@ -396,7 +398,7 @@ fn a_bounded_couple_is_kept_and_makes_a_lighter_crankshaft() {
 fn a_bound_below_what_rounding_leaves_is_kept_by_no_couple_at_all() {
     let i3 = engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS);
     for most in [whole(0), BigRational::new(1.into(), 1_000_000.into())] {
-        assert_eq!(solved(&i3, Couple::AtMost(most), 1).points[0].design.couple, Left::Zero);
+        assert_eq!(solved(&i3, Couple::AtMost(most), 1).points[0].design.couple, Residual::Zero);
     }
 }
 
@@ -424,7 +426,7 @@ fn throws_of_a_pentagon_or_an_uneven_pair_are_balanced_exactly_too() {
     ] {
         let front = solved(&engine(throws, bearings, WEBS), Couple::Zero, 1);
         let [point] = front.points.as_slice() else { panic!("one point") };
-        assert_eq!((point.design.force, point.design.couple), (Left::Zero, Left::Zero), "{throws}");
+        assert_eq!((point.design.force, point.design.couple), (Residual::Zero, Residual::Zero), "{throws}");
         assert!(point.design.peak() <= point.least * 1.001, "{throws}: {} {}", point.design.peak(), point.least);
     }
 }
@@ -450,19 +452,19 @@ fn what_is_missing_is_named() {
         front(layout, &wish(layout, couple, points)).err().map(|refused| refused.to_string()).unwrap_or_default()
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);
-    assert_eq!(refused(&i3, Couple::Zero, 0), Refused::NoPoints.to_string());
+    assert_eq!(refused(&i3, Couple::Zero, 0), OptimiseError::NoPoints.to_string());
     let no_first = front(&i3, &Wish { couple: Couple::Zero, points: 1, orders: vec![2] });
-    assert_eq!(no_first.err(), Some(Refused::NoFirstOrder));
+    assert_eq!(no_first.err(), Some(OptimiseError::NoFirstOrder));
     let no_bearings = Draft { bearings: Vec::new(), ..i3.clone().into_draft() }.build().expect("it holds");
     assert!(refused(&no_bearings, Couple::Zero, 1).contains("main bearings"));
-    assert_eq!(refused(&engine("[0, 120, 240]", beam, ""), Couple::Zero, 1), Refused::NoPlaces.to_string());
+    assert_eq!(refused(&engine("[0, 120, 240]", beam, ""), Couple::Zero, 1), OptimiseError::NoPlaces.to_string());
     let one = "[[counterweight]]\nthrow = 2\nmass = 1\nradius = 0.05";
     assert!(refused(&engine("[0, 120, 240]", beam, one), Couple::Zero, 1).contains("all counterweights stand at 0"));
     let no_speed = parse("no-speed.toml", &i3.file().written().replace("speed = 6000\n", "")).expect("it reads");
-    assert_eq!(refused(&no_speed, Couple::AtMost(whole(5)), 1), Refused::NoSpeed.to_string());
+    assert_eq!(refused(&no_speed, Couple::AtMost(whole(5)), 1), OptimiseError::NoSpeed.to_string());
     assert_eq!(refused(&no_speed, Couple::Zero, 1), "");
     let offset = WEBS.replace("[crankshaft]", "offset_ratio = 0.01\n[crankshaft]");
-    assert_eq!(refused(&engine("[0, 120, 240]", beam, &offset), Couple::Zero, 1), Refused::Offset.to_string());
+    assert_eq!(refused(&engine("[0, 120, 240]", beam, &offset), Couple::Zero, 1), OptimiseError::Offset.to_string());
     let inline = "crankshaft = { balance_factor = 1, counterweight_radius = 0.05, web_offset = 0.02 }\n";
     let text = format!("{inline}{}", engine("[0, 120, 240]", beam, "").file().written());
     let layout = parse("inline.toml", &text).expect("it reads");
@@ -521,13 +523,13 @@ fn the_command_refuses_what_is_no_bound() {
 fn a_crankshaft_that_is_balanced_already_needs_no_counterweights_to_be_lightest() {
     let i4 = engine("[0, 180, 180, 0]", "[0.2, 0.1, 0, -0.1, -0.2]", WEBS);
     let front = solved(&i4, Couple::Zero, 2);
-    assert!(front.points[0].layout.crankshaft().counterweights.iter().all(|weight| weight.mass.is_zero()));
+    assert!(front.points[0].engine.crankshaft().counterweights.iter().all(|weight| weight.mass.is_zero()));
     assert_eq!(
         front.points[0].design.mass,
         i4.with_counterweights(Vec::new()).expect("it holds").crankshaft_mass().expect("a mass")
     );
-    let waveform = |point: &Point| -> Vec<Waveform> {
-        let loads = bearing_loads(&point.layout, &[1, 2], Method::Continuous).expect("loads");
+    let waveform = |point: &Optimum| -> Vec<Waveform> {
+        let loads = bearing_loads(&point.engine, &[1, 2], Method::Continuous).expect("loads");
         loads.bearings.into_iter().map(|bearing| bearing.waveform).collect()
     };
     let peaks: Vec<f64> = waveform(&front.points[1]).iter().map(|waveform| waveform.peak().value).collect();

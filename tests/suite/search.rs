@@ -8,8 +8,9 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crankstar::engine::Cycle;
+use crankstar::engine::{Cycle, Draft, ReferencePlane};
 use crankstar::exact::Turn;
+use crankstar::file;
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::search::{FoundStar, Front, Options, Problem, Standing, document, every_value, search};
@@ -256,6 +257,28 @@ fn a_found_star_is_an_engine_with_the_moments_it_claims() {
             }
             let force = order::star(&layout, Quantity::Force, 1, Some(Sense::Direct));
             assert!(force.vanishes());
+        }
+    }
+}
+
+#[test]
+fn the_file_of_a_found_star_reads_as_its_engine() {
+    let vee = |orders: &[u32]| Problem::vee(8, Cycle::FourStroke, Turn::fraction(1, 5), orders);
+    let uneven = Problem { grid: Some(8), ..Problem::inline(4, Cycle::TwoStroke, &[2]) };
+    let mut problems = vec![vee(&[1]), Problem { directions: Some(2), ..vee(&[1, 2]) }, uneven];
+    for cycle in [Cycle::TwoStroke, Cycle::FourStroke] {
+        problems.extend((1..=7).map(|cylinders| Problem::inline(cylinders, cycle, &[1, 2])));
+        problems.push(Problem { grid: Some(5), ..Problem::inline(5, cycle, &[1, 2]) });
+    }
+    for problem in problems {
+        for star in found(&problem).stars {
+            let engine = star.engine(&problem).expect("an engine");
+            let read = file::parse("star.toml", &star.layout_file(&problem)).expect("a layout");
+            assert_eq!(engine.reference_plane(), read.reference_plane());
+            // One was read from a file, which may describe a family, and the other not.
+            let file = engine.file().clone();
+            let read = Draft { file, reference_plane: ReferencePlane::Middle, ..read.into_draft() };
+            assert_eq!(engine, read.build().expect("the same engine"), "{problem:?}");
         }
     }
 }

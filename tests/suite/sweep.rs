@@ -10,7 +10,7 @@ use crankstar::numbers::Form;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::remedy::{Subject, two_planes};
 use crankstar::report;
-use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Point, Range, Sweep, Zeros};
+use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Range, Sweep, SweptEngine, Zeros};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -188,7 +188,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
 }
 
 /// The amplitudes of a sweep against those of the room of loads, which sums exactly and encloses its coefficients.
-fn same_as_loads(point: &Point, layout: &engine::Engine, orders: &[u32]) {
+fn same_as_loads(point: &SweptEngine, layout: &engine::Engine, orders: &[u32]) {
     let loads = loads::loads(layout, orders).expect("loads");
     for (own, other) in point.orders.iter().zip(&loads.orders) {
         for (own, swing) in [(&own.force, &other.force), (&own.moment, &other.moment)] {
@@ -353,10 +353,10 @@ fn the_envelope_is_that_of_its_geometry() {
 fn any_key_is_swept_in_its_unit_and_two_make_a_map() {
     let text = format!("speed = 3000\n{V6}{MASSES}");
     let spaced = good(&text, &["vee.spacing=80..120:20 mm"], &[1]);
-    let couple = |point: &Point| point.orders[0].moment.largest.value;
+    let couple = |point: &SweptEngine| point.orders[0].moment.largest.value;
     assert!(close(couple(&spaced.points[2]) / couple(&spaced.points[0]), 1.5));
     let speed = good(&text, &["speed=1000..3000:1000"], &[1]);
-    let newtons = |point: &Point| point.newtons.expect("masses and speed");
+    let newtons = |point: &SweptEngine| point.newtons.expect("masses and speed");
     assert!(close(newtons(&speed.points[2]) / newtons(&speed.points[0]), 9.0));
     let masses = good(&text, &["mechanism.reciprocating_mass=0.5..1:0.5"], &[1]);
     assert!(close(newtons(&masses.points[1]) / newtons(&masses.points[0]), 2.0));

@@ -3,8 +3,7 @@
 use super::super::typeset::Amount;
 use super::super::{brief, left, typeset};
 use super::{ORDERS, REMEDIED};
-use crate::engine::{Cycle, Engine, LengthUnit};
-use crate::file::LayoutError;
+use crate::engine::{BuildError, Cycle, Engine, LengthUnit};
 use crate::order::Masses;
 use crate::proof::Quantity;
 use crate::proof::Shape;
@@ -80,7 +79,7 @@ impl EngineRow {
     }
 
     /// A star that was found.
-    pub fn found(best: &Best, star: &FoundStar) -> Result<Self, LayoutError> {
+    pub fn found(best: &Best, star: &FoundStar) -> Result<Self, BuildError> {
         let layout = star.engine(&best.problem)?;
         let ties = Ties { stars: star.stars, all: best.all, tied: best.tied };
         let (name, title) = (best.problem.cylinders.to_string(), Untrusted::new(throws(&layout)));

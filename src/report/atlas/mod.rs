@@ -9,8 +9,8 @@ use serde::Serialize;
 use super::dialect::Dialect;
 use super::folder::File;
 use super::{brief, render};
-use crate::engine::{Cycle, Engine};
-use crate::file::{Entry, LayoutError};
+use crate::engine::{BuildError, Cycle, Engine};
+use crate::file::Entry;
 use crate::search::Best;
 use entry::{EngineRow, Origin};
 
@@ -44,7 +44,7 @@ struct Section {
 ///
 /// # Errors
 /// Those of a layout file, for a star that is no engine; none is known to arise.
-pub fn atlas(engines: &[(Entry, Engine)], stars: &[Best]) -> Result<Vec<File>, LayoutError> {
+pub fn atlas(engines: &[(Entry, Engine)], stars: &[Best]) -> Result<Vec<File>, BuildError> {
     let mut all: Vec<EngineRow> = engines.iter().map(|(known, layout)| EngineRow::known(known.name, layout)).collect();
     for best in stars {
         for star in &best.stars {

@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 
 use super::super::typeset;
 use crate::loads::Scale;
-use crate::optimise::{Design, Left, Point};
+use crate::optimise::{Design, Optimum, Residual};
 
 /// What loads and couples are counted in.
 #[derive(Clone, Copy, Debug)]
@@ -60,10 +60,10 @@ pub(super) fn worst(design: &Design) -> String {
 }
 
 /// What is left of a couple: 0 is proved.
-pub(super) fn left(left: Left) -> String {
+pub(super) fn left(left: Residual) -> String {
     match left {
-        Left::Zero => "0".to_owned(),
-        Left::Between(_, high) => format!("≈ {}", four(high)),
+        Residual::Zero => "0".to_owned(),
+        Residual::Between(_, high) => format!("≈ {}", four(high)),
     }
 }
 
@@ -71,7 +71,7 @@ pub(super) fn left(left: Left) -> String {
 const STEPS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
 
 /// How near to the bound, in the steps of a ladder: `0.01 %`.
-pub(super) fn within(point: &Point) -> String {
+pub(super) fn within(point: &Optimum) -> String {
     let above = (point.design.peak() - point.least) / point.design.peak().max(f64::MIN_POSITIVE) * 100.0;
     match STEPS.iter().find(|step| above <= **step) {
         Some(step) => format!("{step} %"),

@@ -7,7 +7,7 @@ use super::amounts::Units;
 use super::tables;
 use crate::engine::Engine;
 use crate::numbers;
-use crate::optimise::{Couple, Design, Front, Left, Point, Uniform, Weight};
+use crate::optimise::{Couple, Design, Front, Optimum, PlacedWeight, Residual, Uniform};
 
 /// The best crankshafts, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -91,12 +91,12 @@ pub fn optimise_document(layout: &Engine, front: &Front, couple: &Couple) -> Opt
     }
 }
 
-fn point(point: &Point, units: Units) -> PointEntry {
+fn point(point: &Optimum, units: Units) -> PointEntry {
     PointEntry {
         design: design(&point.design, units),
         largest_load_at_least: point.least * units.newtons,
         counterweights: point.design.weights.iter().map(weight).collect(),
-        layout: point.layout.file().written().to_owned(),
+        layout: point.engine.file().written().to_owned(),
     }
 }
 
@@ -121,14 +121,14 @@ fn design(design: &Design, units: Units) -> DesignEntry {
     }
 }
 
-fn left(left: Left) -> LeftEntry {
+fn left(left: Residual) -> LeftEntry {
     match left {
-        Left::Zero => LeftEntry { vanishes: true, at_least: 0.0, at_most: 0.0 },
-        Left::Between(low, high) => LeftEntry { vanishes: false, at_least: low, at_most: high },
+        Residual::Zero => LeftEntry { vanishes: true, at_least: 0.0, at_most: 0.0 },
+        Residual::Between(low, high) => LeftEntry { vanishes: false, at_least: low, at_most: high },
     }
 }
 
-fn weight(weight: &Weight) -> WeightEntry {
+fn weight(weight: &PlacedWeight) -> WeightEntry {
     WeightEntry {
         position: weight.place.position.to_string(),
         radius_m: weight.place.radius.to_string(),

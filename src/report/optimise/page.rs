@@ -89,7 +89,7 @@ pub fn optimise_files(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Fi
     let mut layouts: Vec<File> = Vec::new();
     for (index, point) in front.points.iter().enumerate() {
         layouts
-            .push(File { name: format!("point-{}.toml", index + 1), text: point.layout.file().written().to_owned() });
+            .push(File { name: format!("point-{}.toml", index + 1), text: point.engine.file().written().to_owned() });
     }
     for uniform in &front.uniform {
         let factor = uniform.factor.to_f64().unwrap_or(f64::NAN);
@@ -97,7 +97,7 @@ pub fn optimise_files(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Fi
         let named = compared.into_iter().filter_map(|(as_what, point)| Some((as_what, point.as_ref()?)));
         layouts.extend(named.map(|(as_what, point)| File {
             name: format!("as-{as_what}-as-{factor}.toml"),
-            text: point.layout.file().written().to_owned(),
+            text: point.engine.file().written().to_owned(),
         }));
     }
     let page = Page {

@@ -6,7 +6,7 @@ use super::amounts::{self, Units};
 use crate::engine::{Engine, LengthUnit};
 use crate::loads::Arm;
 use crate::numbers;
-use crate::optimise::{Front, Weight};
+use crate::optimise::{Front, PlacedWeight};
 
 /// What the figures of a front are counted in.
 pub(super) fn units(layout: &Engine, front: &Front) -> Units {
@@ -26,7 +26,7 @@ pub fn optimise_rows(layout: &Engine, front: &Front) -> Rows {
         "First-order force, direct".into(),
         format!("Couple, direct, in {}", units.couple),
     ];
-    let row = |(index, point): (usize, &crate::optimise::Point)| {
+    let row = |(index, point): (usize, &crate::optimise::Optimum)| {
         vec![
             (index + 1).to_string(),
             amounts::kilograms(&point.design.mass),
@@ -87,7 +87,7 @@ pub(super) fn weights(layout: &Engine, front: &Front) -> Rows {
         format!("z = {}{unit}{throw}", typeset::number(&place.position))
     };
     let header = ["Point".to_owned()].into_iter().chain(front.places.iter().map(place)).collect();
-    let row = |(index, point): (usize, &crate::optimise::Point)| {
+    let row = |(index, point): (usize, &crate::optimise::Optimum)| {
         let cells = point.design.weights.iter().map(cell);
         [(index + 1).to_string()].into_iter().chain(cells).collect()
     };
@@ -95,7 +95,7 @@ pub(super) fn weights(layout: &Engine, front: &Front) -> Rows {
 }
 
 /// `0.5403, −6.9°`, or the mass-radius and its direction for a weight of no throw.
-fn cell(weight: &Weight) -> String {
+fn cell(weight: &PlacedWeight) -> String {
     if weight.mass_radius.norm() == 0.0 {
         return "none".to_owned();
     }

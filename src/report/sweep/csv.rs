@@ -6,7 +6,7 @@ use super::super::folder::File;
 use super::words::{amount, digits, exact, named, quantities, quantity_name};
 use crate::loads::Arm;
 use crate::proof::Quantity;
-use crate::sweep::{Point, Sweep};
+use crate::sweep::{Sweep, SweptEngine};
 
 /// The points as `sweep.csv`.
 ///
@@ -61,14 +61,14 @@ fn newtons_name(sweep: &Sweep, quantity: Quantity) -> &'static str {
     }
 }
 
-fn row(sweep: &Sweep, point: &Point) -> Vec<String> {
+fn row(sweep: &Sweep, point: &SweptEngine) -> Vec<String> {
     let mut row: Vec<String> = point.values.iter().map(exact).collect();
     let newtons = in_newtons(sweep);
     for order in &point.orders {
         for (_, amplitudes) in quantities(order) {
             row.extend(named(amplitudes).map(|(_, part)| amount(part)));
             if newtons {
-                let scaled = |(_, part): (_, crate::sweep::Part)| match point.newtons {
+                let scaled = |(_, part): (_, crate::sweep::Amplitude)| match point.newtons {
                     _ if part.vanishes => "0".to_owned(),
                     Some(newtons) => digits(part.value * newtons),
                     None => String::new(),

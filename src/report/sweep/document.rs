@@ -111,8 +111,8 @@ fn zeros(set: &ZeroSet) -> ZeroEntry {
     }
 }
 
-fn point(point: &crate::sweep::Point) -> PointEntry {
-    let amplitude = |part: crate::sweep::Part| AmplitudeEntry { value: part.value, proved_zero: part.vanishes };
+fn point(point: &crate::sweep::SweptEngine) -> PointEntry {
+    let amplitude = |part: crate::sweep::Amplitude| AmplitudeEntry { value: part.value, proved_zero: part.vanishes };
     let orders = point.orders.iter().flat_map(|order| {
         quantities(order).map(|(quantity, amplitudes)| OrderEntry {
             order: order.order,

@@ -9,7 +9,7 @@ use super::plots::{Drawn, amplitudes, drawings};
 use super::words::{exact, quantity_name, short, short_number, unit, value, zeros_name};
 use crate::engine::DOES_NOT_EXIST;
 use crate::proof::Quantity;
-use crate::sweep::{Point, Sweep, ZeroSet, Zeros};
+use crate::sweep::{Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// More points than this are left to the table in CSV.
 const MOST_ROWS: usize = 200;
@@ -110,7 +110,7 @@ pub(super) fn zero_cell(set: &ZeroSet) -> String {
 /// The points: amplitudes that are not zero everywhere, then firing, counterweights and envelope.
 pub(super) fn tables(sweep: &Sweep) -> Vec<Table> {
     let names = || sweep.parameters.iter().map(|parameter| super::words::axis(parameter, sweep.zeros.is_some()));
-    let values = |point: &Point| {
+    let values = |point: &SweptEngine| {
         let pairs = sweep.parameters.iter().zip(&point.values);
         pairs.map(|(_, at)| exact(at).replace('-', "−")).collect::<Vec<_>>()
     };
@@ -127,7 +127,7 @@ pub(super) fn tables(sweep: &Sweep) -> Vec<Table> {
         let columns = kept.iter().flat_map(|&place| {
             ["largest", "smallest", "along", "across"].map(|part| format!("{}: {part}", sweep.orders[place]))
         });
-        let row = |point: &Point| {
+        let row = |point: &SweptEngine| {
             let cells = kept.iter().filter_map(|&place| amplitudes(point, place, quantity));
             let cells = cells.flat_map(|a| [a.largest, a.smallest, a.along, a.across].map(short));
             values(point).into_iter().chain(cells).collect()
@@ -150,7 +150,7 @@ pub(super) fn tables(sweep: &Sweep) -> Vec<Table> {
     let degrees = |turns: &num_rational::BigRational| {
         format!("{}°", exact(&(turns * num_rational::BigRational::from_integer(360.into()))))
     };
-    let row = |point: &Point| {
+    let row = |point: &SweptEngine| {
         let dash = || "–".to_owned();
         let firing = point.evenness.as_ref();
         let envelope = point.envelope;

@@ -4,7 +4,7 @@ use super::super::figure::Figure;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::words::{axis, exact, float, quantity_name, unit};
 use crate::proof::Quantity;
-use crate::sweep::{Amplitudes, Point, Sweep, ZeroSet, Zeros};
+use crate::sweep::{Amplitudes, Sweep, SweptEngine, ZeroSet, Zeros};
 use crate::text::Format;
 
 /// A drawing with its name and what it shows.
@@ -25,7 +25,7 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
     let mut drawn = Vec::new();
     for quantity in [Quantity::Force, Quantity::Moment] {
         for (place, &order) in sweep.orders.iter().enumerate() {
-            let gone = |point: &Point| amplitudes(point, place, quantity).is_none_or(|a| a.largest.vanishes);
+            let gone = |point: &SweptEngine| amplitudes(point, place, quantity).is_none_or(|a| a.largest.vanishes);
             if sweep.points.iter().chain(&sweep.curve).all(gone) || sweep.points.len() < 2 {
                 continue;
             }
@@ -45,7 +45,7 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
     drawn
 }
 
-pub(super) fn amplitudes(point: &Point, place: usize, quantity: Quantity) -> Option<&Amplitudes> {
+pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) -> Option<&Amplitudes> {
     let order = point.orders.get(place)?;
     Some(if quantity == Quantity::Moment { &order.moment } else { &order.force })
 }
@@ -71,7 +71,8 @@ fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure
         ("across", |a| a.across.value),
     ];
     for (number, (name, part)) in parts.into_iter().enumerate() {
-        let point = |point: &Point| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
+        let point =
+            |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
         plot.curves.push(Curve::new(number, name, sweep.curve.iter().filter_map(point).collect()));
     }
     plot.marks = marks(sweep, quantity, order, place);
@@ -107,7 +108,7 @@ fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<Poi
 
 /// The points of the grid at which a part is proved to vanish.
 fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<PointMark> {
-    let mark = |point: &Point| {
+    let mark = |point: &SweptEngine| {
         let amplitudes = amplitudes(point, place, quantity)?;
         let name = match amplitudes {
             a if a.largest.vanishes => "all",
@@ -135,7 +136,7 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
         Axis::linear(axis(parameter, false)).within(first - half, last + half)
     };
-    let largest = |point: &Point| amplitudes(point, place, quantity).map_or(f64::NAN, |a| a.largest.value);
+    let largest = |point: &SweptEngine| amplitudes(point, place, quantity).map_or(f64::NAN, |a| a.largest.value);
     let mut rows: Vec<Vec<f64>> = sweep.points.chunks(columns).map(|row| row.iter().map(largest).collect()).collect();
     // The axes rise from the left and from below, whichever way the ranges run.
     if slow.range.value(0) > slow.range.last() {

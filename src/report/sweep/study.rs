@@ -18,7 +18,7 @@ use super::words::{axis, exact, float, quantity_name, short_number, zeros_name};
 use crate::claim::{Checked, Found, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
-use crate::sweep::{Envelope, Point, Sweep, ZeroSet, Zeros};
+use crate::sweep::{Envelope, Sweep, SweptEngine, ZeroSet, Zeros};
 use crate::text::{Format, Untrusted};
 
 #[derive(Serialize)]
@@ -168,7 +168,7 @@ fn row(check: &Checked, dialect: Dialect) -> [String; 4] {
 fn with_in_line(family: &Studied) -> Sweep {
     let mut whole = family.sweep.clone();
     if let Some((_, point)) = &family.in_line {
-        whole.points.insert(0, Point { values: vec![BigRational::zero()], ..point.clone() });
+        whole.points.insert(0, SweptEngine { values: vec![BigRational::zero()], ..point.clone() });
     }
     whole
 }
@@ -184,7 +184,8 @@ fn unbalanced(family: &Studied, quantity: Quantity) -> Plot {
     };
     plot.y = Axis::linear(format!("Amplitude in m r ω²{arm}, of order 2 times c₂"));
     let mut add = |name: String, of: &Sweep, place: usize, part: Amplitude| {
-        let point = |point: &Point| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
+        let point =
+            |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
         let points: Vec<(f64, f64)> = of.curve.iter().filter_map(point).collect();
         if points.iter().any(|(_, value)| *value != 0.0) {
             plot.curves.push(Curve::new(plot.curves.len(), name, points));
@@ -235,7 +236,7 @@ fn size(family: &Studied, whole: &Sweep) -> Plot {
     let sides: [(&str, Side); 3] =
         [("length", |e| e.length), ("breadth", |e| Some(e.breadth)), ("height", |e| Some(e.height))];
     for (name, side) in sides {
-        let value = |point: &Point| Some((float(point.values.first()?), side(point.envelope.as_ref()?)? / unit));
+        let value = |point: &SweptEngine| Some((float(point.values.first()?), side(point.envelope.as_ref()?)? / unit));
         add(&mut plot, name, name, whole.points.iter().map(value));
     }
     plot
@@ -246,7 +247,7 @@ fn mass(family: &Studied, whole: &Sweep) -> Plot {
     let mut plot = plot(&family.sweep, "what the mass follows");
     plot.y = Axis::linear("see the legend");
     let Some(unit) = family.volumes.first().copied().flatten() else { return plot };
-    let at = |point: &Point| point.values.first().map(float);
+    let at = |point: &SweptEngine| point.values.first().map(float);
     let volumes = whole.points.iter().zip(&family.volumes);
     add(&mut plot, "volume, in line 1", "volume", volumes.map(|(point, volume)| Some((at(point)?, (*volume)? / unit))));
     let weights = whole.points.iter().map(|point| Some((at(point)?, point.counterweight?.value)));

@@ -7,7 +7,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use crate::loads::Arm;
 use crate::proof::Quantity;
-use crate::sweep::{Amplitudes, OrderPoint, Parameter, Part, Sweep, Zeros};
+use crate::sweep::{Amplitude, Amplitudes, Parameter, Sweep, SweptOrder, Zeros};
 
 /// Digits of an amplitude.
 const DIGITS: usize = 10;
@@ -22,15 +22,15 @@ pub(super) fn digits(value: f64) -> String {
 }
 
 /// An amplitude: 0 is proved.
-pub(super) fn amount(part: Part) -> String {
+pub(super) fn amount(part: Amplitude) -> String {
     if part.vanishes { "0".to_owned() } else { digits(part.value) }
 }
 
 /// An amplitude in a page: 0 is proved, everything else is rounded to five digits.
-pub(super) fn short(part: Part) -> String {
+pub(super) fn short(part: Amplitude) -> String {
     match part {
-        Part { vanishes: true, .. } => "0".to_owned(),
-        Part { value, .. } => short_number(value),
+        Amplitude { vanishes: true, .. } => "0".to_owned(),
+        Amplitude { value, .. } => short_number(value),
     }
 }
 
@@ -86,7 +86,7 @@ pub(super) fn axis(parameter: &Parameter, is_angle: bool) -> String {
 }
 
 /// The amplitudes of an order by name, as columns and curves have them.
-pub(super) fn named(amplitudes: &Amplitudes) -> [(&'static str, Part); 6] {
+pub(super) fn named(amplitudes: &Amplitudes) -> [(&'static str, Amplitude); 6] {
     [
         ("largest", amplitudes.largest),
         ("smallest", amplitudes.smallest),
@@ -98,7 +98,7 @@ pub(super) fn named(amplitudes: &Amplitudes) -> [(&'static str, Part); 6] {
 }
 
 /// Force and moment of an order.
-pub(super) fn quantities(order: &OrderPoint) -> [(Quantity, &Amplitudes); 2] {
+pub(super) fn quantities(order: &SweptOrder) -> [(Quantity, &Amplitudes); 2] {
     [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)]
 }
 

@@ -4,10 +4,10 @@ use std::fmt;
 
 use crate::loads::Missing;
 
-/// Why a layout cannot be optimised.
+/// Why an engine cannot be optimised.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refused {
-    /// What the layout lacks for the loads of its bearings.
+pub enum OptimiseError {
+    /// What the engine lacks for the loads of its bearings.
     Missing(Missing),
     /// No counterweights, so no planes for them.
     NoPlaces,
@@ -29,40 +29,40 @@ pub enum Refused {
     File(String),
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for OptimiseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Refused::Missing(missing) => missing.fmt(f),
-            Refused::NoPlaces => f.write_str(
+            OptimiseError::Missing(missing) => missing.fmt(f),
+            OptimiseError::NoPlaces => f.write_str(
                 "the layout has no counterweights whose planes and radii could be taken; below [crankshaft], give balance_factor (any), counterweight_radius and web_offset, or list [[counterweight]] tables",
             ),
-            Refused::OnePlane(position) => write!(
+            OptimiseError::OnePlane(position) => write!(
                 f,
                 "all counterweights stand at {position}: in one plane they make no couple; give web_offset below [crankshaft], or [[counterweight]] tables in two planes or more"
             ),
-            Refused::NoMasses => f.write_str(
+            OptimiseError::NoMasses => f.write_str(
                 "the mass of the crankshaft is not known; below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius",
             ),
-            Refused::NoSpeed => f.write_str(
+            OptimiseError::NoSpeed => f.write_str(
                 "a couple in N·m needs speed and metres: give `speed` above the first table, and `spacing` or `positions` of the cylinders",
             ),
-            Refused::Offset => f.write_str(
+            OptimiseError::Offset => f.write_str(
                 "with pin offsets the first order has an irrational coefficient, which no counterweight of rational mass takes away exactly; leave pin_offset out",
             ),
-            Refused::NoFirstOrder => {
+            OptimiseError::NoFirstOrder => {
                 f.write_str("counterweights work on order 1, which is not among the orders; add it to `orders` or --orders")
             }
-            Refused::NoPoints => f.write_str("a front of 0 points; ask for 1 or more"),
-            Refused::Unsolved(reason) => write!(f, "the solver found no best counterweights: {reason}"),
-            Refused::File(reason) => write!(f, "the counterweights cannot be written into the layout file: {reason}"),
+            OptimiseError::NoPoints => f.write_str("a front of 0 points; ask for 1 or more"),
+            OptimiseError::Unsolved(reason) => write!(f, "the solver found no best counterweights: {reason}"),
+            OptimiseError::File(reason) => write!(f, "the counterweights cannot be written into the layout file: {reason}"),
         }
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for OptimiseError {}
 
-impl From<Missing> for Refused {
+impl From<Missing> for OptimiseError {
     fn from(missing: Missing) -> Self {
-        Refused::Missing(missing)
+        OptimiseError::Missing(missing)
     }
 }

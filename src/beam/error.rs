@@ -6,7 +6,7 @@ use num_rational::BigRational;
 
 /// Why supports, ends or a load make no beam. Supports are indices into the list as given; messages count from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Mistake {
+pub enum BeamError {
     /// This many supports, 0 or 1, do not hold a beam.
     FewerThanTwoSupports(usize),
     /// Two supports at one position: the span between them has no length.
@@ -36,22 +36,22 @@ pub enum Mistake {
     },
 }
 
-impl fmt::Display for Mistake {
+impl fmt::Display for BeamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Mistake::FewerThanTwoSupports(0) => write!(f, "no support holds the beam: it needs two or more"),
-            Mistake::FewerThanTwoSupports(count) => {
+            BeamError::FewerThanTwoSupports(0) => write!(f, "no support holds the beam: it needs two or more"),
+            BeamError::FewerThanTwoSupports(count) => {
                 write!(f, "{count} support does not hold the beam: it needs two or more")
             }
-            Mistake::CoincidingSupports { first, second, at } => {
+            BeamError::CoincidingSupports { first, second, at } => {
                 let (first, second) = (first + 1, second + 1);
                 write!(f, "supports {first} and {second} both stand at {at}: each needs a position of its own")
             }
-            Mistake::SupportBeyondShaft { support, at, ends } => {
+            BeamError::SupportBeyondShaft { support, at, ends } => {
                 let [from, to] = ends.as_ref();
                 write!(f, "support {} stands at {at}, off the shaft: from {from} to {to} is right", support + 1)
             }
-            Mistake::LoadBeyondShaft { at, ends } => {
+            BeamError::LoadBeyondShaft { at, ends } => {
                 let [from, to] = ends.as_ref();
                 write!(f, "the load stands at {at}, off the shaft: from {from} to {to} is right")
             }
@@ -59,4 +59,4 @@ impl fmt::Display for Mistake {
     }
 }
 
-impl std::error::Error for Mistake {}
+impl std::error::Error for BeamError {}

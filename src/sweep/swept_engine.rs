@@ -1,4 +1,4 @@
-//! What does one layout of a sweep come to? Its amplitudes in floats, its zeros exactly.
+//! What does one engine of a sweep come to? Its amplitudes in floats, its zeros exactly.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -10,7 +10,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness_of};
-use super::whole::{Pair, Whole};
+use super::integers::{IntegerEngine, Pair};
 use crate::engine::{Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
@@ -23,7 +23,7 @@ const SURELY_NOT_ZERO: f64 = 1e-9;
 
 /// An amplitude, zero to peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Part {
+pub struct Amplitude {
     /// In multiples of m r ω², for moments times the unit of the positions; of m r ω² c_k where no rod is given.
     pub value: f64,
     /// Whether it is proved to be zero.
@@ -34,22 +34,22 @@ pub struct Part {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Amplitudes {
     /// The half of P⁺ that turns with the crank.
-    pub direct: Part,
+    pub direct: Amplitude,
     /// The half of P⁻ that turns against it.
-    pub reverse: Part,
+    pub reverse: Amplitude,
     /// Largest length in a revolution.
-    pub largest: Part,
+    pub largest: Amplitude,
     /// Smallest length: zero where both vectors are equally long.
-    pub smallest: Part,
+    pub smallest: Amplitude,
     /// Along the reference direction: vertical.
-    pub along: Part,
+    pub along: Amplitude,
     /// Across it: horizontal.
-    pub across: Part,
+    pub across: Amplitude,
 }
 
 /// One order.
 #[derive(Clone, Debug, PartialEq)]
-pub struct OrderPoint {
+pub struct SweptOrder {
     /// The order k.
     pub order: u32,
     /// The shaking force.
@@ -58,22 +58,22 @@ pub struct OrderPoint {
     pub moment: Amplitudes,
 }
 
-/// One layout of a sweep.
+/// One engine of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct SweptEngine {
     /// The values of the parameters, in their units.
     pub values: Vec<BigRational>,
     /// The orders, rising.
-    pub orders: Vec<OrderPoint>,
-    /// Newtons a multiple of m r ω²; none where the layout does not say.
+    pub orders: Vec<SweptOrder>,
+    /// Newtons per multiple of m r ω²; none where the engine does not say.
     pub newtons: Option<f64>,
-    /// Kilograms a multiple of m; none where the layout does not say.
+    /// Kilograms per multiple of m; none where the engine does not say.
     pub kilograms: Option<f64>,
     /// How evenly the cylinders fire, where that is known.
     pub evenness: Option<Evenness>,
     /// Mass-radius, in multiples of m r, of the larger of two counterweights in the outermost throws that take away what
     /// of order 1 turns with the crank; none where one plane would have to hold a couple.
-    pub counterweight: Option<Part>,
+    pub counterweight: Option<Amplitude>,
     /// What the engine fits into.
     pub envelope: Option<Envelope>,
 }
@@ -85,7 +85,7 @@ pub(super) struct Motions(BTreeMap<Mechanism, Vec<Complex<f64>>>);
 impl Motions {
     fn coefficient(&mut self, mechanism: &Mechanism, order: u32, highest: u32) -> Complex<f64> {
         if !self.0.contains_key(mechanism) {
-            // A sweep over rods would collect one entry a point.
+            // A sweep over rods would collect one entry per point.
             if self.0.len() > 64 {
                 self.0.clear();
             }
@@ -105,88 +105,95 @@ fn coefficients(mechanism: &Mechanism, highest: u32) -> Vec<Complex<f64>> {
     (0..=highest).map(|order| crank.coefficient(order).to_complex()).collect()
 }
 
-/// Judges one layout at these orders.
+/// Judges one engine at these orders.
 ///
 /// # Errors
-/// What the layout lacks for its masses to be compared.
-pub fn judge(layout: &Engine, cycle: Option<Cycle>, orders: &[u32], geometry: &Geometry) -> Result<Point, Missing> {
-    judge_with(layout, cycle, orders, geometry, &mut Motions::default())
+/// What the engine lacks for its masses to be compared.
+pub fn judge(
+    engine: &Engine,
+    cycle: Option<Cycle>,
+    orders: &[u32],
+    geometry: &Geometry,
+) -> Result<SweptEngine, Missing> {
+    judge_with(engine, cycle, orders, geometry, &mut Motions::default())
 }
 
 pub(super) fn judge_with(
-    layout: &Engine,
+    engine: &Engine,
     cycle: Option<Cycle>,
     orders: &[u32],
     geometry: &Geometry,
     motions: &mut Motions,
-) -> Result<Point, Missing> {
-    order::comparable(layout)?;
+) -> Result<SweptEngine, Missing> {
+    order::comparable(engine)?;
     loads::are_orders(orders)?;
-    let whole = Whole::new(layout);
+    let whole = IntegerEngine::new(engine);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
         let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
             match whole.as_ref().filter(|whole| whole.knows(order)) {
-                Some(whole) => from_words(layout, whole, quantity, order, highest, motions),
-                None => from_sums(layout, quantity, order, highest, motions),
+                Some(whole) => from_words(engine, whole, quantity, order, highest, motions),
+                None => from_sums(engine, quantity, order, highest, motions),
             }
         });
-        OrderPoint { order, force, moment }
+        SweptOrder { order, force, moment }
     });
     let orders = judged.collect();
-    let mechanism = layout.dimensions();
-    let rods_known = !layout.mechanisms().is_empty();
-    Ok(Point {
+    let mechanism = engine.dimensions();
+    let rods_known = !engine.mechanisms().is_empty();
+    Ok(SweptEngine {
         values: Vec::new(),
         orders,
-        newtons: loads::scale(layout).filter(|_| rods_known).map(|scale| scale.force()),
-        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(layout).to_f64()),
-        evenness: evenness_of(layout, cycle, whole.as_ref()),
-        counterweight: counterweight_of(layout, whole.as_ref()),
-        envelope: envelope(layout, geometry),
+        newtons: loads::scale(engine).filter(|_| rods_known).map(|scale| scale.force()),
+        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(engine).to_f64()),
+        evenness: evenness_of(engine, cycle, whole.as_ref()),
+        counterweight: counterweight_of(engine, whole.as_ref()),
+        envelope: envelope(engine, geometry),
     })
 }
 
 fn from_words(
-    layout: &Engine,
-    whole: &Whole,
+    engine: &Engine,
+    whole: &IntegerEngine,
     quantity: Quantity,
     order: u32,
     highest: u32,
     motions: &mut Motions,
 ) -> Amplitudes {
-    let coefficient = match layout.mechanisms().first() {
+    let coefficient = match engine.mechanisms().first() {
         Some(mechanism) => motions.coefficient(mechanism, order, highest),
         None => Complex::new(1.0, 0.0),
     };
     if coefficient.is_zero() {
-        return gone();
+        return no_order();
     }
-    let Pair { direct, mirrored, zeros, reach } = whole.pair(quantity, order);
-    let reach = reach * coefficient.norm();
-    amplitudes(direct * coefficient, mirrored * coefficient, zeros, reach, &|| {
+    let Pair { direct, mirrored, zeros, total_length } = whole.pair(quantity, order);
+    let total_length = total_length * coefficient.norm();
+    amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
         let [direct, reverse] =
-            [Sense::Direct, Sense::Reverse].map(|sense| order::star(layout, quantity, order, Some(sense)));
+            [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, quantity, order, Some(sense)));
         direct.is_as_long_as(&reverse)
     })
 }
 
-/// An order whose coefficient is 0.
-fn gone() -> Amplitudes {
+/// An order that does not exist: its coefficient is 0.
+fn no_order() -> Amplitudes {
     amplitudes(Complex::zero(), Complex::zero(), [true; 4], 0.0, &|| true)
 }
 
 /// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally
-/// long is decided where it may be: where they differ by little of `reach`, the length of all their terms end to end.
+/// long is decided where it may be: where they differ by little of `total_length`, the length of all their terms end to end.
 fn amplitudes(
     direct: Complex<f64>,
     mirrored: Complex<f64>,
     [plus, minus, along, across]: [bool; 4],
-    reach: f64,
+    total_length: f64,
     equally_long: &dyn Fn() -> bool,
 ) -> Amplitudes {
-    let part =
-        |value: Complex<f64>, vanishes: bool| Part { value: if vanishes { 0.0 } else { value.norm() / 2.0 }, vanishes };
+    let part = |value: Complex<f64>, vanishes: bool| Amplitude {
+        value: if vanishes { 0.0 } else { value.norm() / 2.0 },
+        vanishes,
+    };
     let (one, other) = (part(direct, plus), part(mirrored, minus));
     let (direct, mirrored) =
         (if plus { Complex::zero() } else { direct }, if minus { Complex::zero() } else { mirrored });
@@ -194,20 +201,20 @@ fn amplitudes(
     let smallest = (one.value - other.value).abs();
     let none = plus && minus;
     // Where P⁺ = ±P̄⁻ both are equally long.
-    let flat = none || along || across || (smallest <= SURELY_NOT_ZERO * reach && equally_long());
+    let flat = none || along || across || (smallest <= SURELY_NOT_ZERO * total_length && equally_long());
     Amplitudes {
         direct: one,
         reverse: other,
-        largest: Part { value: largest, vanishes: none },
-        smallest: Part { value: if flat { 0.0 } else { smallest }, vanishes: flat },
+        largest: Amplitude { value: largest, vanishes: none },
+        smallest: Amplitude { value: if flat { 0.0 } else { smallest }, vanishes: flat },
         along: part(direct + mirrored, along),
         across: part(direct - mirrored, across),
     }
 }
 
-fn from_sums(layout: &Engine, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
+fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
     let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(layout, quantity, order, sense));
+        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
     let mirrored = reverse.mirrored();
     let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {
@@ -225,12 +232,14 @@ fn from_sums(layout: &Engine, quantity: Quantity, order: u32, highest: u32, moti
         sum.parts().iter().map(|(factor, sum)| coefficient(factor) * float(sum)).sum()
     };
     let (direct_value, mirrored_value) = (value(&direct), value(&mirrored));
-    let mut reach = 0.0;
+    let mut total_length = 0.0;
     for (factor, sum) in direct.parts().iter().chain(mirrored.parts()) {
         let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
-        reach += coefficient(factor).norm() * weights.sum::<f64>();
+        total_length += coefficient(factor).norm() * weights.sum::<f64>();
     }
-    amplitudes(direct_value, mirrored_value, [plus, minus, along, across], reach, &|| direct.is_as_long_as(&mirrored))
+    amplitudes(direct_value, mirrored_value, [plus, minus, along, across], total_length, &|| {
+        direct.is_as_long_as(&mirrored)
+    })
 }
 
 /// A sum in floats.

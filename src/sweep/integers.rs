@@ -23,7 +23,7 @@ const SURELY_NOT_ZERO: f64 = 1e-9;
 const MOST: i64 = 1 << 40;
 
 /// An engine in whole numbers.
-pub(super) struct Whole {
+pub(super) struct IntegerEngine {
     conductor: i64,
     throws: Vec<i64>,
     banks: Vec<i64>,
@@ -45,25 +45,25 @@ pub(super) struct Pair {
     pub mirrored: Complex<f64>,
     pub zeros: [bool; 4],
     /// The length of all terms of a sum end to end.
-    pub reach: f64,
+    pub total_length: f64,
 }
 
-impl Whole {
+impl IntegerEngine {
     /// The engine in words; none where it has no reciprocating masses, rods differ, or a number is too long.
-    pub fn new(layout: &Engine) -> Option<Self> {
-        let weightless = layout.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
-        if weightless || layout.mechanisms().len() > 1 {
+    pub fn new(engine: &Engine) -> Option<Self> {
+        let weightless = engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
+        if weightless || engine.mechanisms().len() > 1 {
             return None;
         }
-        let turning = order::turning_masses(layout).into_iter().map(|mass| mass.order).collect();
-        let cylinders = layout.cylinders();
+        let turning = order::turning_masses(engine).into_iter().map(|mass| mass.order).collect();
+        let cylinders = engine.cylinders();
         let angles = cylinders.iter().flat_map(|cylinder| [cylinder.throw.turns(), cylinder.bank.turns()]);
         let conductor = common(angles)?;
         let exponent = |turns: &BigRational| Some(turns.numer().to_i64()? * (conductor / turns.denom().to_i64()?));
         let force: Vec<BigRational> = cylinders.iter().map(|cylinder| cylinder.weight()).collect();
         let moment: Vec<BigRational> =
-            cylinders.iter().zip(&force).map(|(cylinder, weight)| weight * layout.arm(cylinder)).collect();
-        Some(Whole {
+            cylinders.iter().zip(&force).map(|(cylinder, weight)| weight * engine.arm(cylinder)).collect();
+        Some(IntegerEngine {
             conductor,
             throws: cylinders.iter().map(|cylinder| exponent(cylinder.throw.turns())).collect::<Option<_>>()?,
             banks: cylinders.iter().map(|cylinder| exponent(cylinder.bank.turns())).collect::<Option<_>>()?,
@@ -130,7 +130,7 @@ impl Whole {
         };
         let unit = weights.unit;
         let zeros = [plus, minus, along, across];
-        Pair { direct: direct * unit, mirrored: mirrored * unit, zeros, reach: whole * unit }
+        Pair { direct: direct * unit, mirrored: mirrored * unit, zeros, total_length: whole * unit }
     }
 }
 
