@@ -4,7 +4,7 @@
 //! decided here in exact arithmetic, and every verdict carries a certificate that a separate checker accepts.
 //!
 //! ```
-//! use crankstar::{BigRational, Cylinder, Draft, Quantity, Sense, Turn, check_certificate, order};
+//! use crankstar::{BigRational, Cylinder, Draft, Masses, Quantity, Turn, check_certificate, classify};
 //!
 //! let mut four = Draft::new("In-line four");
 //! for (place, half_turns) in [0, 1, 1, 0].into_iter().enumerate() {
@@ -13,11 +13,11 @@
 //! }
 //! let four = four.build().unwrap();
 //!
-//! let first_order = order::star(&four, Quantity::Force, 1, Some(Sense::Direct));
-//! let second_order = order::star(&four, Quantity::Force, 2, Some(Sense::Direct));
-//! assert!(first_order.vanishes() && !second_order.vanishes());
+//! let judged = classify(&four, &[1, 2], Masses::All, &[Quantity::Force, Quantity::Moment]);
+//! assert!(judged[0].force.is_balanced() && !judged[1].force.is_balanced());
 //! // The checker knows nothing of how the verdict was found.
-//! check_certificate(&second_order.vectors(), false, &second_order.certificate()).unwrap();
+//! let second_order = &judged[1].parts[0].force.direct;
+//! check_certificate(&second_order.sum.vectors(), false, &second_order.certificate).unwrap();
 //! ```
 //!
 //! An engine of the catalogue is found by its name ([`find`]), and one that is written as a layout file is read ([`parse`]); the

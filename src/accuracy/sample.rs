@@ -41,9 +41,8 @@ impl Doubles {
             Quantity::Force | Quantity::Torque => 1.0,
         };
         let mut pistons = Vec::new();
-        for ((cylinder, rod), phase) in engine.cylinders().iter().zip(engine.rods()).zip(phases(engine)) {
-            let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
-            let crank = crank.map_err(|error| Missing::Motion(error.to_string()))?;
+        for ((cylinder, mechanism), phase) in engine.moved().zip(phases(engine)) {
+            let crank = order::crank(mechanism);
             let weight = float(&order::mass_radius(engine, cylinder)) * arm(cylinder);
             let part = match quantity {
                 Quantity::Torque => Complex::new(weight * float(&cylinder.crank_radius), 0.0),

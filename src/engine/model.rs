@@ -136,6 +136,11 @@ impl<A, L> Engine<A, L> {
         self.draft
     }
 
+    /// The cylinders with what moves their pistons; none where nothing is known of that.
+    pub fn moved(&self) -> impl Iterator<Item = (&Cylinder<A, L>, &Mechanism)> {
+        self.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.mechanism.as_ref()?)))
+    }
+
     /// The connecting rods, in the order of the cylinders; none where nothing is known of them.
     pub fn rods(&self) -> impl Iterator<Item = &Rod> {
         self.cylinders().iter().filter_map(Cylinder::rod)

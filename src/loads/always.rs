@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{Signed, Zero};
 
-use crate::engine::{Engine, Rod};
+use crate::engine::{Engine, Mechanism, Rod};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order::{self, mass_radius};
 use crate::proof::{Quantity, Sense};
@@ -33,7 +33,7 @@ pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
 /// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
 fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
     let mut groups: BTreeMap<(Rod, Turn), Vec<Term>> = BTreeMap::new();
-    for (cylinder, rod) in engine.cylinders().iter().zip(engine.rods()) {
+    for (cylinder, Mechanism::SliderCrank(rod)) in engine.moved() {
         let own = &cylinder.throw - &cylinder.bank;
         let weight = mass_radius(engine, cylinder);
         let (group, term) = match quantity {

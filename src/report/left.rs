@@ -208,10 +208,10 @@ pub fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<String> {
 }
 
 /// What a group of masses is called.
-fn group_words(group: MassGroup) -> &'static str {
+pub(super) fn group_words(group: MassGroup) -> &'static str {
     match group {
         MassGroup::Reciprocating => "reciprocating masses",
-        MassGroup::Rotating => "rotating masses of the rods",
+        MassGroup::Rotating => "rotating masses",
         MassGroup::Crankshaft => "pins and webs",
         MassGroup::Counterweights => "counterweights",
         MassGroup::Balancers => "balancer shafts",

@@ -1,10 +1,10 @@
 //! What does `loads` show on a terminal? The largest values, a row an order, and the peaks.
 
+use super::super::left;
 use super::amounts::{self, Unit, amount, digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed, OrderLoads, Peak, Swing, TorqueOrder};
-use crate::order::MassGroup;
 use crate::proof::Quantity;
 
 /// Header and rows of plain text.
@@ -74,7 +74,7 @@ pub fn loads_lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) 
     lines.extend(largest_lines(engine, numbers));
     lines.extend(shown_line(engine, numbers));
     lines.extend(chosen_lines(engine, numbers, needed));
-    let names: Vec<&str> = loads.groups.iter().map(|group| name(group.group)).collect();
+    let names: Vec<&str> = loads.groups.iter().map(|group| left::group_words(group.group)).collect();
     lines.push(format!("In the scene: {}.", names.join(", ")));
     lines
 }
@@ -85,16 +85,5 @@ pub(super) fn peak(peak: &Peak, unit: Unit) -> String {
         _ if peak.value == 0.0 || unit.factor == 0.0 => "0".to_owned(),
         Some(angle) => format!("≈ {} {} at θ ≈ {}°", digits(peak.value * unit.factor), unit.name, digits(angle)),
         None => format!("≈ {} {} at every crank angle", digits(peak.value * unit.factor), unit.name),
-    }
-}
-
-/// The name of a group of masses.
-pub(super) fn name(group: MassGroup) -> &'static str {
-    match group {
-        MassGroup::Reciprocating => "reciprocating masses",
-        MassGroup::Rotating => "rotating masses",
-        MassGroup::Crankshaft => "pins and webs",
-        MassGroup::Counterweights => "counterweights",
-        MassGroup::Balancers => "balancer shafts",
     }
 }

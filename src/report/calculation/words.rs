@@ -1,7 +1,7 @@
 //! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
 
+use super::super::left::group_words;
 use super::inputs;
-use super::summary::name;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
 use crate::order::MassGroup;
@@ -112,7 +112,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
             (_, true) => "given in the file".to_owned(),
             (_, false) => "none given".to_owned(),
         };
-        EffectRow { name: name(group), inside, why, group: Some(group) }
+        EffectRow { name: group_words(group), inside, why, group: Some(group) }
     });
     let row = |name, inside: bool, yes: &str, no: &str| EffectRow {
         name,
