@@ -35,7 +35,7 @@ fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
         let judged = Judgement::new(black_box(&layout), layout.orders(), &QUANTITIES);
-        let subject = report::Subject { engine: &layout, judged: &judged, family: None, needed: None, accuracy: None };
+        let subject = report::Contents { engine: &layout, judged: &judged, family: None, needed: None, accuracy: None };
         report::report(subject, Dialect::GithubMarkdown).len()
     });
 }

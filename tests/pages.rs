@@ -26,7 +26,7 @@ fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
     fs::create_dir_all(&folder).expect("a folder");
     let judged = Judgement::new(layout, layout.orders(), &[Quantity::Force, Quantity::Moment]);
     for file in report::report(
-        report::Subject { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
+        report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
         dialect,
     ) {
         fs::write(folder.join(file.name), file.text).expect("a file");

@@ -55,7 +55,7 @@ fn known(layout: &Engine) {
     }
     if layout.cylinders().len() <= MOST_REPORTED {
         let judged = Judgement::new(layout, &orders, &[Quantity::Force, Quantity::Moment]);
-        let subject = report::Subject { engine: layout, judged: &judged, family: None, needed: None, accuracy: None };
+        let subject = report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None };
         assert!(!report::report(subject, Dialect::Latex).is_empty());
     }
 }

@@ -180,7 +180,7 @@ pub(super) fn engine(name: &Text, find: Find) -> Result<Engine, LayoutError> {
 
 fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutError> {
     let says = text(&table.says);
-    let mistake = |mistake: super::Mistake| LayoutError::new(mistake.message, mistake.right, place(&table.says));
+    let mistake = |mistake: super::ClaimError| LayoutError::new(mistake.message, mistake.right, place(&table.says));
     Ok(Claim {
         engine: text(&table.layout),
         layout: engine(&table.layout, find)?,

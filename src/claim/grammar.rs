@@ -9,16 +9,16 @@ use crate::proof::{Quantity, Sense, Shape};
 
 /// Why words are no claim: what is wrong, and what would be right.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mistake {
+pub struct ClaimError {
     /// What cannot be read.
     pub message: String,
     /// What would be right.
     pub right: String,
 }
 
-impl Mistake {
+impl ClaimError {
     pub(super) fn new(message: impl Into<String>, right: impl Into<String>) -> Self {
-        Mistake { message: message.into(), right: right.into() }
+        ClaimError { message: message.into(), right: right.into() }
     }
 }
 
@@ -50,7 +50,7 @@ const SHAPES: [(&str, Shape); 5] = [
 ///
 /// # Errors
 /// The first word that fits nowhere, with what would fit.
-pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
+pub fn parse_statement(text: &str) -> Result<Statement, ClaimError> {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = words.trim_end_matches('.');
     match words.to_lowercase().as_str() {
@@ -63,7 +63,7 @@ pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
             let (sign, written) = next(&words["largest main-bearing load ".len()..]);
             return match sign {
                 "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::Force)?)),
-                _ => Err(Mistake::new(
+                _ => Err(ClaimError::new(
                     format!("`{words}` says nothing that is understood"),
                     "largest main-bearing load = 18733 N ± 1 %",
                 )),
@@ -78,10 +78,10 @@ pub fn parse_statement(text: &str) -> Result<Statement, Mistake> {
 }
 
 /// `every order of the force vanishes`, `orders 1 and 2 vanish`.
-fn many(text: &str) -> Result<Statement, Mistake> {
+fn many(text: &str) -> Result<Statement, ClaimError> {
     let right = "such as \"every order of the force vanishes\", \"every higher order vanishes\" or \"orders 1 and 2 of the \
                  moment vanish\"";
-    let no_claim = || Mistake::new(format!("`{text}` is no claim about many orders"), right);
+    let no_claim = || ClaimError::new(format!("`{text}` is no claim about many orders"), right);
     let rest = text.strip_suffix(" vanishes").or_else(|| text.strip_suffix(" vanish")).ok_or_else(no_claim)?;
     let (rest, quantities) = match rest.split_once(" of the ") {
         None => (rest, vec![Quantity::Force, Quantity::Moment]),
@@ -99,29 +99,29 @@ fn many(text: &str) -> Result<Statement, Mistake> {
 }
 
 /// `crankshaft mass = 4.08375 kg`.
-fn mass(text: &str) -> Result<Statement, Mistake> {
+fn mass(text: &str) -> Result<Statement, ClaimError> {
     let (sign, written) = next(text.trim_start_matches("crankshaft mass "));
     match sign {
         "=" | "≈" => Ok(Statement::CrankshaftMass(kilograms(written, sign == "≈")?)),
-        _ => Err(Mistake::new(format!("`{text}` says nothing that is understood"), "crankshaft mass = 4.08375 kg")),
+        _ => Err(ClaimError::new(format!("`{text}` says nothing that is understood"), "crankshaft mass = 4.08375 kg")),
     }
 }
 
 /// `worst main bearing 3`, `worst main bearings 2 and 3`.
-fn worst_bearings(text: &str) -> Result<Statement, Mistake> {
+fn worst_bearings(text: &str) -> Result<Statement, ClaimError> {
     let list = text.trim_start_matches("worst main bearing").trim_start_matches('s').replace(" and ", ",");
     let number = |word: &str| word.trim().parse::<usize>().ok().filter(|number| *number > 0);
     let numbers: Option<Vec<usize>> = list.split(',').map(number).collect();
     let right = "their numbers in the list of the layout file, such as \"worst main bearings 2 and 3\"";
     let mut numbers =
-        numbers.ok_or_else(|| Mistake::new(format!("cannot read the bearings `{}`", list.trim()), right))?;
+        numbers.ok_or_else(|| ClaimError::new(format!("cannot read the bearings `{}`", list.trim()), right))?;
     numbers.sort_unstable();
     numbers.dedup();
     Ok(Statement::WorstBearings(numbers))
 }
 
 /// The order, sense and quantity at the beginning, and the words behind them.
-fn subject(words: &str) -> Result<(Subject, &str), Mistake> {
+fn subject(words: &str) -> Result<(Subject, &str), ClaimError> {
     let (first, rest) = next(words);
     let lower = first.to_lowercase();
     let (order, rest) = match lower.strip_suffix("-order").or(Some(lower.as_str())) {
@@ -146,20 +146,20 @@ fn subject(words: &str) -> Result<(Subject, &str), Mistake> {
     };
     let (word, rest) = next(rest);
     let quantity = quantity(&word.to_lowercase()).ok_or_else(|| {
-        Mistake::new(format!("`{word}` is nothing that a claim is about"), "force, moment, couple or torque")
+        ClaimError::new(format!("`{word}` is nothing that a claim is about"), "force, moment, couple or torque")
     })?;
     let named = MASSES.iter().find_map(|(words, masses)| Some((rest.strip_prefix(words)?.trim_start(), *masses)));
     let (rest, masses) = named.unwrap_or((rest, Masses::Reciprocating));
     if quantity == Quantity::Torque && named.is_some() {
-        return Err(Mistake::new("the torque is that of the pistons", "leave the words of the masses out"));
+        return Err(ClaimError::new("the torque is that of the pistons", "leave the words of the masses out"));
     }
     if quantity == Quantity::Torque && sense.is_some() {
-        return Err(Mistake::new("a torque has no direct and reverse vector", "leave the word out"));
+        return Err(ClaimError::new("a torque has no direct and reverse vector", "leave the word out"));
     }
     Ok((Subject { order, sense, quantity, masses }, rest))
 }
 
-fn predicate(text: &str, subject: Subject) -> Result<Predicate, Mistake> {
+fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
     let right = "vanishes, does not vanish, is planar, = VALUE, ≈ VALUE ± TOLERANCE, = VALUE at ANGLE, or plane ANGLE";
     let is_plain = subject.sense.is_some() || subject.quantity == Quantity::Torque;
     let (word, rest) = next(text);
@@ -169,11 +169,11 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, Mistake> {
         ("is" | "are", shape) => match SHAPES.iter().find(|(name, _)| *name == shape) {
             Some((_, Shape::Balanced)) => Ok(Predicate::Vanishes(true)),
             Some((_, shape)) if !is_plain => Ok(Predicate::Is(*shape)),
-            Some((name, _)) => Err(Mistake::new(
+            Some((name, _)) => Err(ClaimError::new(
                 format!("`{name}` is said of both vectors together"),
                 "leave out the word direct or reverse, and say it of a force or a moment",
             )),
-            None => Err(Mistake::new(
+            None => Err(ClaimError::new(
                 format!("`{shape}` is no shape"),
                 "balanced, rotating, counter-rotating, planar or elliptical",
             )),
@@ -186,7 +186,7 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, Mistake> {
             };
             Ok(Predicate::Equals(value(number, word == "≈", subject.quantity)?, direction))
         }
-        _ => Err(Mistake::new(format!("`{text}` says nothing that is understood"), right)),
+        _ => Err(ClaimError::new(format!("`{text}` says nothing that is understood"), right)),
     }
 }
 
@@ -204,7 +204,7 @@ fn quantity(word: &str) -> Option<Quantity> {
 }
 
 /// `second`, `2nd`; none for another word.
-fn ordinal(word: &str) -> Option<Result<u32, Mistake>> {
+fn ordinal(word: &str) -> Option<Result<u32, ClaimError>> {
     if let Some(index) = ORDINALS.iter().position(|name| *name == word) {
         return Some(Ok(index as u32 + 1));
     }
@@ -212,18 +212,18 @@ fn ordinal(word: &str) -> Option<Result<u32, Mistake>> {
     Some(order_number(number))
 }
 
-fn order_number(word: &str) -> Result<u32, Mistake> {
+fn order_number(word: &str) -> Result<u32, ClaimError> {
     match word.parse() {
         Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => Ok(order),
-        _ => Err(Mistake::new(
+        _ => Err(ClaimError::new(
             format!("`{word}` is no order"),
             format!("an order is a whole number, 1 to {HIGHEST_ORDER}"),
         )),
     }
 }
 
-fn no_order(word: &str) -> Mistake {
+fn no_order(word: &str) -> ClaimError {
     let right = "a claim begins with an order, such as first-order, 4th-order or order 4; or it is \"fires evenly\", \"no \
                  free moment\", \"every order of the force vanishes\"";
-    Mistake::new(format!("`{word}` is no order"), right)
+    ClaimError::new(format!("`{word}` is no order"), right)
 }

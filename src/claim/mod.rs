@@ -28,7 +28,7 @@ use crate::engine::Engine;
 pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
-pub use grammar::{Mistake, parse_statement};
+pub use grammar::{ClaimError, parse_statement};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use statement::{

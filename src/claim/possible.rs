@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::answer::{Answer, Evidence, Finding, Status};
-use super::grammar::Mistake;
+use super::grammar::ClaimError;
 use super::statement::{Balanced, Possible, Statement};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
@@ -13,7 +13,7 @@ use crate::file::units;
 use crate::numbers;
 use crate::order::{self, Factor, OrderSum};
 use crate::proof::{Quantity, Sense};
-use crate::remedy::{Subject, Weight, two_planes};
+use crate::remedy::{ComparableEngine, Weight, two_planes};
 
 /// Bits behind the point of the enclosures that masses are compared by.
 const BITS: u32 = 128;
@@ -34,19 +34,19 @@ pub(super) const BEGINNING: &str = "counterweights at ";
 
 /// `counterweights at 0.21 m and -0.21 m can balance the direct first-order force and moment`, perhaps with
 /// `with a crankshaft lighter than 11.6 kg` behind it.
-pub(super) fn parse(text: &str) -> Result<Statement, Mistake> {
+pub(super) fn parse(text: &str) -> Result<Statement, ClaimError> {
     let right = "such as \"counterweights at 0.2 m and -0.2 m can balance the direct first-order force and moment with a \
                  crankshaft lighter than 11.6 kg\", or \"… the direct first-order moment\"";
-    let no_claim = || Mistake::new(format!("`{text}` is no claim about what counterweights can do"), right);
+    let no_claim = || ClaimError::new(format!("`{text}` is no claim about what counterweights can do"), right);
     let rest = text.strip_prefix(BEGINNING).ok_or_else(no_claim)?;
     let (planes, rest) = rest.split_once(" can balance the direct first-order ").ok_or_else(no_claim)?;
     let plane = |text: &str| units::length(&text.trim().replace('−', "-")).map(|length| length.value);
     let planes: Result<Vec<BigRational>, String> = planes.split(" and ").map(plane).collect();
-    let planes = planes.map_err(|right| Mistake::new("cannot read where the counterweights stand", right))?;
+    let planes = planes.map_err(|right| ClaimError::new("cannot read where the counterweights stand", right))?;
     match planes.as_slice() {
         [_] => {}
         [first, second] if first != second => {}
-        _ => return Err(Mistake::new("counterweights stand in one plane or two", right)),
+        _ => return Err(ClaimError::new("counterweights stand in one plane or two", right)),
     }
     let (what, mass) = match rest.split_once(" with a crankshaft lighter than ") {
         Some((what, mass)) => (what, Some(mass)),
@@ -58,15 +58,16 @@ pub(super) fn parse(text: &str) -> Result<Statement, Mistake> {
         _ => return Err(no_claim()),
     };
     if balanced == Balanced::Moment && planes.len() == 1 {
-        return Err(Mistake::new("a couple needs counterweights in two planes", right));
+        return Err(ClaimError::new("a couple needs counterweights in two planes", right));
     }
-    let lighter_than = mass.map(|text| units::mass(text).map_err(|right| Mistake::new("cannot read the mass", right)));
+    let lighter_than =
+        mass.map(|text| units::mass(text).map_err(|right| ClaimError::new("cannot read the mass", right)));
     Ok(Statement::CanBalance(Possible { planes, balanced, lighter_than: lighter_than.transpose()? }))
 }
 
 /// Finds the weights and proves the engine with them.
 pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
-    let subject = match Subject::new(engine) {
+    let subject = match ComparableEngine::new(engine) {
         Ok(subject) => subject,
         Err(missing) => return Answer::nothing(&missing.to_string()),
     };
@@ -172,7 +173,7 @@ fn length(vector: &PhasorSum) -> [BigRational; 2] {
     [BigRational::new(scaled(low), unit.clone()), BigRational::new(scaled(high) + 2, unit.clone())]
 }
 
-fn witness(engine: &Engine, subject: &Subject, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {
+fn witness(engine: &Engine, subject: &ComparableEngine, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {
     let weights = vectors.into_iter().zip(&claimed.planes).map(|(vector, position)| Weight {
         order: 1,
         sense: Sense::Direct,

@@ -17,7 +17,7 @@ use crate::file::written::{Text, read};
 use crate::file::{Key, Layout, LayoutError, Template, parse_number};
 use crate::numbers::{self, Form};
 use crate::proof::{Quantity, Sense};
-use crate::remedy::{self, Subject};
+use crate::remedy::{self, ComparableEngine};
 use crate::sweep::{self, Geometry, Parameter, Sweep, SweptEngine, Zeros};
 use crate::text::Untrusted;
 
@@ -318,7 +318,7 @@ fn checked(
 
 /// `m_cw ρ b` of two counterweights in the outermost throws, in multiples of m r and the unit of the positions.
 fn couple(layout: &Engine) -> Option<PhasorSum> {
-    let subject = Subject::new(layout).ok()?;
+    let subject = ComparableEngine::new(layout).ok()?;
     let throws = throws(subject.engine());
     let ends = [throws.iter().map(|t| &t.position).max()?.clone(), throws.iter().map(|t| &t.position).min()?.clone()];
     let apart = (&ends[0] - &ends[1]).abs();

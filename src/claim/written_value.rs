@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{Pow, Signed};
 
-use super::grammar::Mistake;
+use super::grammar::ClaimError;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
 use crate::file::{parse_number, units};
 use crate::numbers::Form;
@@ -14,21 +14,21 @@ const UNITS: [(&str, Unit); 4] =
     [("N·m", Unit::NewtonMetre), ("N m", Unit::NewtonMetre), ("Nm", Unit::NewtonMetre), ("N", Unit::Newton)];
 
 /// `√3`, `0.449 ± 0.001`, `65.18 N·m ± 1 %`.
-pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value, Mistake> {
+pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value, ClaimError> {
     let (number, tolerance) = split_tolerance(text);
     let unit = UNITS.iter().find(|(name, _)| number.ends_with(name));
     let number = unit.map_or(number, |(name, _)| number[..number.len() - name.len()].trim_end());
     let unit = unit.map(|(_, unit)| *unit);
     let right = "a number such as 4, 2√3, √(5 − 2√5), 1.732 or 3·cos(40°), 0 or more";
     let form = Form::parse(number).filter(|form| form.to_float() >= 0.0);
-    let form = form.ok_or_else(|| Mistake::new(format!("cannot read the value `{number}`"), right))?;
+    let form = form.ok_or_else(|| ClaimError::new(format!("cannot read the value `{number}`"), right))?;
     let fits = match unit {
         None => true,
         Some(Unit::Newton) => quantity == Quantity::Force,
         Some(Unit::NewtonMetre) => quantity == Quantity::Moment,
     };
     if !fits {
-        return Err(Mistake::new("this unit belongs to another quantity", "a force has N, a moment N·m"));
+        return Err(ClaimError::new("this unit belongs to another quantity", "a force has N, a moment N·m"));
     }
     let tolerance = match tolerance {
         Some(text) => self::tolerance(text)?,
@@ -38,10 +38,10 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
 }
 
 /// `4.08375 kg`, `4.0837 kg ± 0.0001 kg`.
-pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, Mistake> {
+pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, ClaimError> {
     let (number, tolerance) = split_tolerance(text);
     let right = "a mass in kilograms, such as 4.08375 kg";
-    let mistake = || Mistake::new(format!("cannot read the mass `{number}`"), right);
+    let mistake = || ClaimError::new(format!("cannot read the mass `{number}`"), right);
     let number = number.strip_suffix("kg").ok_or_else(mistake)?.trim_end();
     let mass = parse_number(number).ok().filter(|mass| !mass.is_negative()).ok_or_else(mistake)?;
     let tolerance = match tolerance {
@@ -52,10 +52,10 @@ pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, Mistake> {
 }
 
 /// `30°`, `-18.43° ± 0.01°`, `1/12 turn`, `-arctan(1/3)`.
-pub(super) fn angle(text: &str) -> Result<Angle, Mistake> {
+pub(super) fn angle(text: &str) -> Result<Angle, ClaimError> {
     let (number, tolerance) = split_tolerance(text);
     let right = "an angle such as 30°, 22.5 deg, 1/12 turn or −arctan(1/3)";
-    let mistake = || Mistake::new(format!("cannot read the angle `{number}`"), right);
+    let mistake = || ClaimError::new(format!("cannot read the angle `{number}`"), right);
     let plain = number.replace('−', "-");
     let (sign, positive) = plain.strip_prefix('-').map_or((1, plain.as_str()), |rest| (-1, rest));
     let tangent = positive.trim().strip_prefix("arctan(").and_then(|rest| rest.strip_suffix(')'));
@@ -71,7 +71,7 @@ pub(super) fn angle(text: &str) -> Result<Angle, Mistake> {
         None => unstated(number.trim_end_matches(|letter: char| !letter.is_ascii_digit()), false),
     };
     if matches!(tolerance, Tolerance::Part(_)) {
-        return Err(Mistake::new("an angle has no tolerance in percent", "a tolerance in degrees, such as ± 0.01°"));
+        return Err(ClaimError::new("an angle has no tolerance in percent", "a tolerance in degrees, such as ± 0.01°"));
     }
     Ok(Angle { bearing, tolerance })
 }
@@ -83,15 +83,15 @@ fn split_tolerance(text: &str) -> (&str, Option<&str>) {
     }
 }
 
-fn tolerance(text: &str) -> Result<Tolerance, Mistake> {
+fn tolerance(text: &str) -> Result<Tolerance, ClaimError> {
     let (number, is_part) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
     // The tolerance may repeat the unit of the value.
     let unit = UNITS.iter().find_map(|(name, _)| number.strip_suffix(name));
     match parse_number(unit.unwrap_or(number)) {
-        Ok(value) if value.is_negative() => Err(Mistake::new("a tolerance is 0 or more", "such as ± 0.01 or ± 1 %")),
+        Ok(value) if value.is_negative() => Err(ClaimError::new("a tolerance is 0 or more", "such as ± 0.01 or ± 1 %")),
         Ok(value) if is_part => Ok(Tolerance::Part(value / BigRational::from_integer(100.into()))),
         Ok(value) => Ok(Tolerance::Within(value)),
-        Err(_) => Err(Mistake::new(format!("cannot read the tolerance `{text}`"), "such as ± 0.01 or ± 1 %")),
+        Err(_) => Err(ClaimError::new(format!("cannot read the tolerance `{text}`"), "such as ± 0.01 or ± 1 %")),
     }
 }
 

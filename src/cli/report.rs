@@ -65,7 +65,7 @@ impl Report {
                 let open = family.map(|family| (family.as_ref(), family::classify(family, orders)));
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;
-                let subject = report::Subject {
+                let subject = report::Contents {
                     engine,
                     judged: &judged,
                     family,

@@ -85,7 +85,7 @@ impl Firing {
         Err(if angle < cycle.turns() {
             (
                 format!("the order {} does not say which interval is a revolution longer", names.join("-")),
-                format!("give firing_angles instead: degrees within {cycle_degrees}, one a cylinder"),
+                format!("give firing_angles instead: degrees within {cycle_degrees}, one per cylinder"),
             )
         } else {
             (
@@ -95,11 +95,11 @@ impl Firing {
         })
     }
 
-    /// The firings at given crank angles, one a cylinder.
+    /// The firings at given crank angles, one per cylinder.
     pub fn from_angles(angles: &[BigRational], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
         if angles.len() != cylinders.len() {
             let message = format!("{} firing angles for {} cylinders", angles.len(), cylinders.len());
-            return Err((message, "one a cylinder, in the order of the cylinders".into()));
+            return Err((message, "one per cylinder, in the order of the cylinders".into()));
         }
         let first = &angles[0];
         let revolutions = cycle.turns();

@@ -15,6 +15,6 @@ pub enum Form {
     Fan,
     /// Cylinders all round a common throw.
     Radial,
-    /// One table a cylinder.
+    /// One table per cylinder.
     General,
 }

@@ -1,4 +1,4 @@
-//! What is a phasor sum? Rational weights at rational angles, one term a cylinder.
+//! What is a phasor sum? Rational weights at rational angles, one term per cylinder.
 
 use std::collections::BTreeMap;
 

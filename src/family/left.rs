@@ -26,7 +26,7 @@ pub enum Left {
         /// The direction in degrees, approximately.
         degrees: f64,
     },
-    /// Vectors in different directions, or of lengths whose ratio is not rational: one sum a length.
+    /// Vectors in different directions, or of lengths whose ratio is not rational: one sum per length.
     Apart,
     /// Angles are open too.
     Open,

@@ -66,7 +66,7 @@ pub struct OpenVerdict {
     pub order: u32,
     /// Direct or reverse.
     pub sense: Sense,
-    /// One sum a length; none where no term has a weight.
+    /// One sum per length; none where no term has a weight.
     pub sums: Vec<OpenSum>,
 }
 

@@ -16,7 +16,7 @@ use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Counterweight, Crankshaft, Engine, LengthUnit, Throw, Web, throws};
 use crate::exact::Turn;
 
-/// `[crankshaft]`: each mass key holds one value for all throws, or a list with one a throw.
+/// `[crankshaft]`: each mass key holds one value for all throws, or a list with one per throw.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Keys {
@@ -236,7 +236,7 @@ impl Tables<'_> {
     }
 }
 
-/// One value a throw.
+/// One value per throw.
 fn each(
     list: &Column,
     throws: &[Throw],
@@ -247,7 +247,7 @@ fn each(
         Values::Each(texts) if texts.len() == throws.len() => texts.iter().map(read).collect(),
         Values::Each(texts) => {
             let message = format!("{} values for {} throws", texts.len(), throws.len());
-            Err(LayoutError::new(message, "one value for all, or a list with one a throw", place(list)))
+            Err(LayoutError::new(message, "one value for all, or a list with one per throw", place(list)))
         }
     }
 }

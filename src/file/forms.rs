@@ -81,7 +81,7 @@ pub(super) struct Fan {
     numbering: Option<Text>,
 }
 
-/// `[radial]`: rows of cylinders evenly round one throw a row, all rods on the pin itself.
+/// `[radial]`: rows of cylinders evenly round one throw per row, all rods on the pin itself.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Radial {
@@ -194,7 +194,7 @@ impl Fan {
                 let message = format!("{count} values for {} banks", axes.len());
                 return Err(LayoutError::new(
                     message,
-                    "one a bank, in the order of `banks`",
+                    "one per bank, in the order of `banks`",
                     list.as_ref().and_then(place),
                 ));
             }
@@ -307,7 +307,7 @@ fn pins(
         }
         (_, Some(list)) if list.get_ref().len() != throws.len() => {
             let message = format!("{} positions for {} throws", list.get_ref().len(), throws.len());
-            return Err(LayoutError::new(message, "one position a throw", place(list)));
+            return Err(LayoutError::new(message, "one position per throw", place(list)));
         }
         (_, Some(list)) => lengths(list, unit)?,
         (spacing, None) => {

@@ -11,7 +11,7 @@ use super::written::{self, Text, Values, place};
 use crate::engine::{Cylinder, Dimensions, Given, Linear, Measure, Mechanism, Rod};
 use crate::text::Untrusted;
 
-/// `[mechanism]`: each key holds one value for all cylinders, or a list with one a cylinder.
+/// `[mechanism]`: each key holds one value for all cylinders, or a list with one per cylinder.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Keys {
@@ -30,7 +30,7 @@ pub(super) struct Keys {
     rotating_mass: Option<written::Column>,
 }
 
-/// One key, read: a value a cylinder, with the place of each.
+/// One key, read: a value per cylinder, with the place of each.
 struct Column {
     values: Vec<BigRational>,
     places: Vec<Text>,
@@ -255,7 +255,11 @@ impl Reading {
             Values::One(text) => vec![Text::new(list.span(), text.clone())],
             Values::Each(texts) if texts.len() != self.count => {
                 let message = format!("{} values for {} cylinders", texts.len(), self.count);
-                return Err(LayoutError::new(message, "one value for all, or a list with one a cylinder", place(list)));
+                return Err(LayoutError::new(
+                    message,
+                    "one value for all, or a list with one per cylinder",
+                    place(list),
+                ));
             }
             Values::Each(texts) => texts.clone(),
         };

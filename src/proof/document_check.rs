@@ -9,7 +9,7 @@ use super::reading::Format;
 use super::rod::Motion;
 use super::shape::check_shape;
 use super::theorem::check_theorem;
-use super::verdict::{Subject, check_verdict};
+use super::verdict::{About, check_verdict};
 use super::whole_sum::check_whole;
 
 /// Checks that a document holds: that the verdicts asked for are all there and no other, that their terms are those of
@@ -82,7 +82,7 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
                 for &sense in quantity.senses() {
                     let terms = document.terms(&group, quantity, order, sense);
                     let of = terms.iter().filter(|_| !is_alone).map(|(name, _)| name.clone()).collect();
-                    let subject = Subject { quantity, order, sense, of };
+                    let subject = About { quantity, order, sense, of };
                     let Some((index, verdict)) = found.next() else {
                         let place = format!("verdicts[{}] {}", document.verdicts.len(), subject.place());
                         return Err(Fault::new(place, "this verdict is missing"));
@@ -118,7 +118,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
             continue;
         }
         for (place, &sense) in one.quantity.senses().iter().enumerate() {
-            let about = Subject { quantity: one.quantity, order: one.order, sense, of: Vec::new() }.place();
+            let about = About { quantity: one.quantity, order: one.order, sense, of: Vec::new() }.place();
             let Some((index, claim)) = claims.next() else {
                 let place = format!("wholes[{}] {about}", document.wholes.len());
                 return Err(Fault::new(place, "this statement is missing"));
@@ -141,7 +141,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
 fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> Result<(), Fault> {
     let mut claims = document.shapes.iter();
     for (index, one) in judged.iter().filter(|one| one.quantity != Quantity::Torque).enumerate() {
-        let about = Subject { quantity: one.quantity, order: one.order, sense: None, of: Vec::new() };
+        let about = About { quantity: one.quantity, order: one.order, sense: None, of: Vec::new() };
         let place = format!("shapes[{index}] {}", about.place());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, "this shape is missing")) };
         if (claim.quantity, claim.order) != (one.quantity, one.order) {

@@ -29,7 +29,7 @@ pub struct OpenDocument {
     pub reference_plane: LinearClaim,
     /// The cylinders that the terms come from.
     pub cylinders: Vec<OpenCylinder>,
-    /// One verdict an order, quantity and sense, in this order.
+    /// One verdict per order, quantity and sense, in this order.
     pub open_verdicts: Vec<OpenVerdictClaim>,
 }
 
@@ -98,7 +98,7 @@ pub struct PartClaim {
     /// How many times δ enters.
     #[serde(with = "fraction")]
     pub delta: BigRational,
-    /// The sum without unknowns, one term a cylinder that stands behind this factor.
+    /// The sum without unknowns, one term per cylinder that stands behind this factor.
     pub terms: Vec<Vector>,
     /// Evidence that the sum is zero, or that it is not.
     pub certificate: Certificate,

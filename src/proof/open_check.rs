@@ -130,7 +130,7 @@ fn same_terms(claim: &PartClaim, terms: &[Vector]) -> bool {
 /// The multiples of φ and δ, each with the terms behind that factor.
 type Parts = BTreeMap<(BigRational, BigRational), Vec<Vector>>;
 
-/// Theory, section 3, with the unknowns kept apart: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`; one sum a length.
+/// Theory, section 3, with the unknowns kept apart: direct `kβ − (k−1)α`, reverse `−kβ + (k+1)α`; one sum per length.
 fn expected_sums(
     document: &OpenDocument,
     verdict: &OpenVerdictClaim,

@@ -66,7 +66,7 @@ pub struct OrderClaim {
     pub certificate: Certificate,
 }
 
-/// Every angle is a whole multiple of `1/period`, so one verdict a class proves all; each is checked, then the statement.
+/// Every angle is a whole multiple of `1/period`, so one verdict per class proves all; each is checked, then the statement.
 /// Masses that turn with the crank make order 1 alone, which is told apart.
 pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &Audit) -> Result<(), Reason> {
     if !document.has_equal_centric_rods() {

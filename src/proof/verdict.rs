@@ -52,14 +52,14 @@ pub struct VerdictClaim {
 
 /// What one verdict is about: its quantity, order, sense, and the sources where not all are meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Subject {
+pub(super) struct About {
     pub quantity: Quantity,
     pub order: u32,
     pub sense: Option<Sense>,
     pub of: Vec<String>,
 }
 
-impl Subject {
+impl About {
     pub fn place(&self) -> String {
         let sense = self.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
         let of = if self.of.is_empty() { String::new() } else { format!(", of {}", self.of.join(" ")) };
@@ -68,8 +68,8 @@ impl Subject {
 }
 
 impl VerdictClaim {
-    pub(super) fn subject(&self) -> Subject {
-        Subject { quantity: self.quantity, order: self.order, sense: self.sense, of: self.of.clone() }
+    pub(super) fn subject(&self) -> About {
+        About { quantity: self.quantity, order: self.order, sense: self.sense, of: self.of.clone() }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::subject::Subject;
+use super::comparable_engine::ComparableEngine;
 use super::weight::{Weight, doubled_square};
 use crate::exact::{PhasorSum, Term};
 use crate::order::{self, Factor};
@@ -33,7 +33,7 @@ impl Corrected {
 }
 
 /// Judges the sums of these orders of an engine with these weights.
-pub fn corrected(subject: &Subject, orders: &[u32], weights: &[Weight]) -> Vec<Corrected> {
+pub fn corrected(subject: &ComparableEngine, orders: &[u32], weights: &[Weight]) -> Vec<Corrected> {
     let mut judged = Vec::new();
     for &order in orders {
         for quantity in [Quantity::Force, Quantity::Moment] {

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::subject::Subject;
+use super::comparable_engine::ComparableEngine;
 use super::weight::{Weight, doubled_square};
 use crate::engine::{Throw, throws};
 use crate::exact::{PhasorSum, Term, Turn};
@@ -15,7 +15,7 @@ use crate::proof::Sense;
 /// `D = m_rot r + ½ Σ m_rec r` (theory, section 7). One weight a throw, in its plane.
 ///
 /// A list that is shorter than the number of throws goes on with its last value.
-pub fn bay_by_bay(subject: &Subject, factors: &[BigRational], skews: &[Turn]) -> Vec<Weight> {
+pub fn bay_by_bay(subject: &ComparableEngine, factors: &[BigRational], skews: &[Turn]) -> Vec<Weight> {
     let throws = throws(subject.engine());
     let wholes = throw_weights(subject, &throws);
     let weight = |(index, throw): (usize, &Throw)| {
@@ -38,7 +38,7 @@ fn value_of<T>(list: &[T], index: usize) -> Option<&T> {
 }
 
 /// D of each throw in multiples of m r; engines without numbers have their reciprocating masses only.
-fn throw_weights(subject: &Subject, throws: &[Throw]) -> Vec<BigRational> {
+fn throw_weights(subject: &ComparableEngine, throws: &[Throw]) -> Vec<BigRational> {
     let engine = subject.engine();
     if let (Some([unit, _]), Some(wholes)) = (subject.scale(), engine.throw_mass_radii()) {
         return wholes.into_iter().map(|whole| whole / &unit).collect();

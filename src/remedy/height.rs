@@ -8,7 +8,7 @@
 
 use num_traits::{ToPrimitive, Zero};
 
-use super::subject::Subject;
+use super::comparable_engine::ComparableEngine;
 use crate::engine::{Engine, Rod};
 use crate::motion::{Enclosure, SliderCrank};
 
@@ -44,7 +44,7 @@ pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
         return None;
     }
     let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).ok()?;
-    let subject = Subject::new(engine).ok()?;
+    let subject = ComparableEngine::new(engine).ok()?;
     if subject.force(order, crate::proof::Sense::Direct).vanishes() {
         return None;
     }

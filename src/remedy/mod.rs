@@ -4,12 +4,12 @@
 //! the corrected engine are formed anew and proved to vanish (theory, section 7). Engines without numbers are answered in
 //! multiples of m r, and of c_k where the order has a coefficient.
 
+mod comparable_engine;
 mod corrected;
 mod counterweights;
 mod height;
 mod partial;
 mod shafts;
-mod subject;
 mod weight;
 
 use std::fmt;
@@ -17,12 +17,12 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, Shaft, shaft, shafts};
-pub use subject::Subject;
 #[cfg(feature = "report")]
 pub(crate) use weight::is_negative;
 pub use weight::{Weight, with_counterweights};
@@ -39,7 +39,7 @@ pub struct Wish {
     pub orders: Vec<u32>,
     /// Planes of counterweights and couples; the outermost throws if left out.
     pub planes: Option<[BigRational; 2]>,
-    /// Balance factors of the throws for counterweights bay by bay, one for all or one a throw; none for a correction in
+    /// Balance factors of the throws for counterweights bay by bay, one for all or one per throw; none for a correction in
     /// two planes alone.
     pub factors: Vec<BigRational>,
     /// How far the counterweights of each bay are turned on from opposite to their throw; 0 if left out.
@@ -50,7 +50,7 @@ pub struct Wish {
 #[derive(Clone, Debug)]
 pub struct Remedy {
     /// The engine.
-    pub subject: Subject,
+    pub subject: ComparableEngine,
     /// The orders that were asked for.
     pub orders: Vec<u32>,
     /// Counterweights bay by bay, where balance factors are given.
@@ -89,14 +89,14 @@ impl Remedy {
 
 /// Why there is no remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refused {
+pub enum RemedyError {
     /// What the layout lacks.
     Missing(Missing),
     /// Both planes stand at this position.
     PlanesCoincide(BigRational),
     /// A plane at this position lies beyond the ends of the crankshaft.
     BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
-    /// Neither one value for all nor one a throw.
+    /// Neither one value for all nor one per throw.
     TooMany {
         /// What is given.
         what: &'static str,
@@ -107,29 +107,29 @@ pub enum Refused {
     },
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for RemedyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Refused::Missing(missing) => missing.fmt(f),
-            Refused::PlanesCoincide(position) => write!(
+            RemedyError::Missing(missing) => missing.fmt(f),
+            RemedyError::PlanesCoincide(position) => write!(
                 f,
                 "both planes stand at {position}: weights in one plane make no couple; give planes at two positions"
             ),
-            Refused::BeyondTheShaft(position, ends) => {
+            RemedyError::BeyondTheShaft(position, ends) => {
                 write!(
                     f,
                     "a plane at {position} is beyond the crankshaft, which reaches from {} to {}",
                     ends[0], ends[1]
                 )
             }
-            Refused::TooMany { what, given, throws } => {
-                write!(f, "{given} {what} for {throws} throws; give one for all, or one a throw")
+            RemedyError::TooMany { what, given, throws } => {
+                write!(f, "{given} {what} for {throws} throws; give one for all, or one per throw")
             }
         }
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for RemedyError {}
 
 /// Finds the weights that make every vector of the orders asked for vanish, and proves it on the corrected engine.
 ///
@@ -145,21 +145,21 @@ impl std::error::Error for Refused {}
 ///
 /// # Errors
 /// What is missing, or does not fit.
-pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
-    let subject = Subject::new(engine).map_err(Refused::Missing)?;
+pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, RemedyError> {
+    let subject = ComparableEngine::new(engine).map_err(RemedyError::Missing)?;
     let count = throws(engine).len();
     for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
         if given > 1 && given != count {
-            return Err(Refused::TooMany { what, given, throws: count });
+            return Err(RemedyError::TooMany { what, given, throws: count });
         }
     }
     let planes = match &wish.planes {
-        Some([first, second]) if first == second => return Err(Refused::PlanesCoincide(first.clone())),
+        Some([first, second]) if first == second => return Err(RemedyError::PlanesCoincide(first.clone())),
         Some(planes) => {
             if let Some(ends) = engine.shaft_ends()
                 && let Some(beyond) = planes.iter().find(|plane| **plane < ends[0] || **plane > ends[1])
             {
-                return Err(Refused::BeyondTheShaft(beyond.clone(), Box::new(ends)));
+                return Err(RemedyError::BeyondTheShaft(beyond.clone(), Box::new(ends)));
             }
             planes.clone()
         }
@@ -180,7 +180,7 @@ pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, Refused> {
 
 /// What takes away the direct first order that the bays leave: one weight where one does, unless planes were named.
 fn on_the_crankshaft(
-    subject: &Subject,
+    subject: &ComparableEngine,
     bays: &[Weight],
     planes: &[BigRational; 2],
     planes_named: bool,

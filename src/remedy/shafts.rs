@@ -5,8 +5,8 @@
 
 use num_rational::BigRational;
 
+use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
-use super::subject::Subject;
 use super::weight::Weight;
 use crate::order::OrderSum;
 use crate::proof::Sense;
@@ -58,7 +58,7 @@ pub fn shaft(
 
 /// The least set of shafts that takes away every vector of these orders but the direct ones of order 1, which
 /// counterweights on the crankshaft take away.
-pub fn shafts(subject: &Subject, orders: &[u32], planes: &[BigRational; 2]) -> Vec<Shaft> {
+pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational; 2]) -> Vec<Shaft> {
     let mut shafts = Vec::new();
     for &order in orders {
         let of_sense = |sense| {

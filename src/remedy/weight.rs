@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use super::subject::Subject;
+use super::comparable_engine::ComparableEngine;
 use crate::engine::{Counterweight, Engine};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction, Form};
@@ -48,19 +48,19 @@ impl Weight {
     }
 
     /// U in multiples of m r and γ in degrees, in decimals; `None` where c_k is not known.
-    pub fn decimals(&self, subject: &Subject) -> Option<[f64; 2]> {
+    pub fn decimals(&self, subject: &ComparableEngine) -> Option<[f64; 2]> {
         let value = subject.value(&self.vector, self.order, self.sense)?;
         Some([value.norm(), numbers::degrees(value)])
     }
 
     /// U in kilogram-metres; `None` where the layout gives no numbers.
-    pub fn mass_radius(&self, subject: &Subject) -> Option<f64> {
+    pub fn mass_radius(&self, subject: &ComparableEngine) -> Option<f64> {
         let [unit, _] = subject.scale()?;
         Some(self.decimals(subject)?[0] * unit.to_f64()?)
     }
 
     /// Its mass in kilograms at the crank radius; `None` where the layout gives no numbers.
-    pub fn mass_at_crank_radius(&self, subject: &Subject) -> Option<f64> {
+    pub fn mass_at_crank_radius(&self, subject: &ComparableEngine) -> Option<f64> {
         let [_, radius] = subject.scale()?;
         Some(self.mass_radius(subject)? / radius.to_f64()?)
     }
@@ -86,7 +86,7 @@ pub(super) fn doubled_square(order: u32) -> BigRational {
 /// The layout with these weights on its crankshaft, each as the rational counterweights that it is the sum of.
 ///
 /// `None` where a weight turns at another speed or holds a coefficient, or where the layout gives no numbers.
-pub fn with_counterweights(subject: &Subject, weights: &[Weight]) -> Option<Engine> {
+pub fn with_counterweights(subject: &ComparableEngine, weights: &[Weight]) -> Option<Engine> {
     let [unit, radius] = subject.scale()?;
     let mut crankshaft = subject.engine().crankshaft().clone();
     for weight in weights {

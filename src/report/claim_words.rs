@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::dialect::Dialect;
-use super::left;
+use super::residual;
 use super::typeset::{self, Amount};
 use crate::claim::{
     Absolute, Answer, Condition, Evidence, Finding, Provenance, Quote, StarTable, Statement, Status, Subject,
@@ -48,12 +48,12 @@ fn condition(condition: &Condition) -> String {
 pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
     match (&answer.finding, statement) {
         (Finding::Order(order), Statement::Order { subject, .. }) => about_order(*subject, order),
-        (Finding::Order(order), _) => left::force_summary(order),
+        (Finding::Order(order), _) => residual::force_summary(order),
         (Finding::Absolute(order, absolute), Statement::Order { subject, .. }) => {
             format!("{} That is {}.", about_order(*subject, order), in_newtons(*subject, absolute))
         }
         (Finding::Torque(torque), _) => about_torque(torque),
-        (Finding::Absolute(order, _), _) => left::force_summary(order),
+        (Finding::Absolute(order, _), _) => residual::force_summary(order),
         (Finding::Orders { surviving, judged, period, first }, _) => {
             orders(surviving, *judged, *period, first.as_deref(), statement)
         }
@@ -72,7 +72,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
 fn about_torque(torque: &TorquePart) -> String {
     let order = torque.verdict.order;
     match torque.exists {
-        true => format!("Order {order} of the torque is {}.", left::torque_part_summary(torque)),
+        true => format!("Order {order} of the torque is {}.", residual::torque_part_summary(torque)),
         false => format!("Order {order} of the torque {DOES_NOT_EXIST}. {WHY_NOT}"),
     }
 }
@@ -88,15 +88,15 @@ fn about_order(subject: Subject, order: &OrderBalance) -> String {
         Sense::Direct => &balance.direct,
         Sense::Reverse => &balance.reverse,
     });
-    let name = if is_force { "force" } else { left::moment_name(order) };
+    let name = if is_force { "force" } else { residual::moment_name(order) };
     let name = &format!("{name}{}", whose(subject.masses));
     match verdict {
         Some(verdict) if verdict.vanishes() => {
             format!("The {} vector of the {name} of order {} is 0.", verdict_sense(verdict), subject.order)
         }
         Some(verdict) => {
-            let half = left::modulus(verdict).mean(&Amount::zero());
-            let bearing = left::bearing(&verdict.sum).plain();
+            let half = residual::modulus(verdict).mean(&Amount::zero());
+            let bearing = residual::bearing(&verdict.sum).plain();
             format!(
                 "The {} vector of the {name} of order {} is {} long, angle {bearing}.",
                 verdict_sense(verdict),
@@ -106,8 +106,8 @@ fn about_order(subject: Subject, order: &OrderBalance) -> String {
         }
         None if balance.is_balanced() => format!("The {name} of order {} is 0.", subject.order),
         None => {
-            let shape = left::shape_name(balance.shape);
-            let largest = left::largest(balance).plain();
+            let shape = residual::shape_name(balance.shape);
+            let largest = residual::largest(balance).plain();
             format!("The {name} of order {} is {shape}, its largest value {largest}{}.", subject.order, line(balance))
         }
     }
@@ -118,10 +118,10 @@ fn witness(found: &Witness) -> String {
     let masses = found.masses.as_ref();
     let each = found.weights.iter().enumerate().map(|(index, weight)| {
         let position = typeset::number(&weight.position);
-        let bearing = weight.vector.only().map(|(_, sum)| format!(", angle {}", left::bearing(sum).plain()));
+        let bearing = weight.vector.only().map(|(_, sum)| format!(", angle {}", residual::bearing(sum).plain()));
         let size = match (masses.and_then(|masses| masses.get(index)), weight.vector.only()) {
             (Some(mass), _) => format!("≈ {} kg at the crank radius", typeset::decimal(*mass)),
-            (None, Some((_, sum))) => format!("mass-radius {} in multiples of m r", left::modulus_of(sum).plain()),
+            (None, Some((_, sum))) => format!("mass-radius {} in multiples of m r", residual::modulus_of(sum).plain()),
             (None, None) => "none".to_owned(),
         };
         format!("at z = {position}, {size}{}", bearing.unwrap_or_default())
@@ -175,10 +175,10 @@ fn line(balance: &Balance) -> String {
     use crate::proof::Shape;
     match balance.shape {
         Shape::Balanced | Shape::NotDecided => String::new(),
-        Shape::Rotating => format!(", at angle {}", left::bearing(&balance.direct.sum).plain()),
-        Shape::CounterRotating => format!(", at angle {}", left::bearing(&balance.reverse.sum).plain()),
+        Shape::Rotating => format!(", at angle {}", residual::bearing(&balance.direct.sum).plain()),
+        Shape::CounterRotating => format!(", at angle {}", residual::bearing(&balance.reverse.sum).plain()),
         Shape::Planar | Shape::Elliptical => {
-            format!(", along the line of angle {}", left::line_bearing(balance).plain())
+            format!(", along the line of angle {}", residual::line_bearing(balance).plain())
         }
     }
 }
@@ -228,8 +228,8 @@ fn orders(
         | Statement::WorstBearings(_)
         | Statement::FiresEvenly { .. } => false,
     };
-    let force = (!first.force.is_balanced()).then(|| format!("force {}", left::force_summary(first)));
-    let moment = (with_moment && !first.moment.is_balanced()).then(|| left::moment_summary(first));
+    let force = (!first.force.is_balanced()).then(|| format!("force {}", residual::force_summary(first)));
+    let moment = (with_moment && !first.moment.is_balanced()).then(|| residual::moment_summary(first));
     let what: Vec<String> = [force, moment].into_iter().flatten().collect();
     format!(
         "{over} these are left: {}{more}; the first is order {}: {}.",

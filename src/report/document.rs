@@ -11,7 +11,7 @@ use crate::proof::{
     self, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim,
     TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
-use crate::verdict::{self, Class, OrderVerdict, Outcome, Theorem, Verdict, Whole};
+use crate::verdict::{self, Class, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
 /// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order stand in it where they
 /// are given.
@@ -174,7 +174,7 @@ fn outcome_claim(outcome: &Outcome) -> WholeOutcome {
     }
 }
 
-fn shape_claim(quantity: Quantity, order: u32, whole: &Whole) -> ShapeClaim {
+fn shape_claim(quantity: Quantity, order: u32, whole: &WholeOrder) -> ShapeClaim {
     ShapeClaim { quantity, order, shape: whole.shape, evidence: whole.evidence.clone() }
 }
 

@@ -5,9 +5,9 @@ use serde::Serialize;
 use super::calculation::{self, Numbers};
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
-use super::page::{NamedFigure, Page, Subject, figures, intervals, torque_stars, torque_verdicts};
+use super::page::{Contents, NamedFigure, Page, figures, intervals, torque_stars, torque_verdicts};
 use super::remedy::remedy_figure;
-use super::{left, render};
+use super::{render, residual};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::file::Entry;
@@ -23,7 +23,7 @@ pub struct File {
 }
 
 /// A report with its diagrams: `report.md` with SVG files, or `report.tex`, which holds its own.
-pub fn report(subject: Subject, dialect: Dialect) -> Vec<File> {
+pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
     let numbers = subject.numbers();
     let text = render::report(&Page::new(subject, numbers.as_ref(), dialect), dialect);
     if dialect == Dialect::Latex {
@@ -78,7 +78,7 @@ fn common_orders(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> Vec<u32> {
     first.iter().map(|order| order.order).filter(|&order| engines.iter().all(|engine| judged(engine, order))).collect()
 }
 
-/// The index page over the reports of the catalogue: one line an engine, at the orders that all are judged at.
+/// The index page over the reports of the catalogue: one line per engine, at the orders that all are judged at.
 pub fn index(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> File {
     let dialect = Dialect::GithubMarkdown;
     let columns = common_orders(engines);
@@ -86,7 +86,7 @@ pub fn index(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> File {
         orders
             .iter()
             .filter(|order| columns.contains(&order.order))
-            .map(|order| left::whole_summary(order)[cell].clone())
+            .map(|order| residual::whole_summary(order)[cell].clone())
             .collect()
     };
     let line = |(entry, engine, orders): &(Entry, Engine, Vec<OrderVerdict>)| Line {

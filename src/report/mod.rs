@@ -8,17 +8,16 @@ mod accuracy_words;
 mod argument;
 mod atlas;
 mod bearings;
-mod brief;
 mod calculation;
 mod claim_page;
 mod claim_words;
 mod compare;
 mod dialect;
 mod document;
+mod engine_cells;
 pub mod figure;
 mod firmness;
 mod folder;
-mod left;
 mod loads_document;
 mod multiples;
 mod open_document;
@@ -31,6 +30,7 @@ mod page;
 pub mod plot;
 mod remedy;
 mod render;
+mod residual;
 mod star;
 mod svg;
 mod sweep;
@@ -54,10 +54,6 @@ pub use compare::{CompareDocument, Compared, compare_document, compare_lines, co
 pub use dialect::Dialect;
 pub use document::{document, masses_of};
 pub use folder::{File, index, open_report, report};
-pub use left::{
-    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
-    whole_summary, whose_masses, why_not,
-};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
@@ -66,9 +62,13 @@ pub use optimise::{
     OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
     optimise_summary,
 };
-pub use page::Subject;
+pub use page::Contents;
 pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
+};
+pub use residual::{
+    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
+    whole_summary, whose_masses, why_not,
 };
 pub use svg::svg;
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};

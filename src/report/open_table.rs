@@ -19,7 +19,7 @@ pub(super) fn summary(dialect: Dialect, orders: &[OpenOrder]) -> Table {
     Table::new(dialect, &header, orders.iter().map(row).collect())
 }
 
-/// A family: one row a cylinder.
+/// A family: one row per cylinder.
 pub(super) fn cylinders(dialect: Dialect, family: &Family) -> Table {
     let row = |cylinder: &Cylinder<Linear, Linear>| {
         vec![

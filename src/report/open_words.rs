@@ -6,8 +6,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::argument;
-use super::left;
 use super::page::capital;
+use super::residual;
 use super::typeset::{self, Bearing};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
@@ -163,7 +163,7 @@ fn value(part: &Part) -> String {
     if part.certificate.claims_zero() {
         return "0".to_owned();
     }
-    let (length, bearing) = (left::modulus_of(&part.sum).prose(), left::bearing(&part.sum).prose());
+    let (length, bearing) = (residual::modulus_of(&part.sum).prose(), residual::bearing(&part.sum).prose());
     format!("length {length}, angle {bearing}")
 }
 

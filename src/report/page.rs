@@ -15,15 +15,15 @@ use super::svg::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
-use super::{argument, firmness, left, tikz, typeset};
+use super::{argument, firmness, residual, tikz, typeset};
 use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
 use crate::order::Masses;
 use crate::proof::Sense;
-use crate::remedy::{self, Refused, Remedy, Wish};
+use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::verdict::{
-    self, Balance, Judgement, NoTheorem, OrderBalance, OrderVerdict, Theorem, TorquePart, Verdict, Whole,
+    self, Balance, Judgement, NoTheorem, OrderBalance, OrderVerdict, Theorem, TorquePart, Verdict, WholeOrder,
 };
 
 /// Everything that the template of a report places.
@@ -97,7 +97,7 @@ pub(super) struct Drawing {
 
 /// What a report shows of an engine.
 #[derive(Clone, Copy)]
-pub struct Subject<'a> {
+pub struct Contents<'a> {
     /// The engine.
     pub engine: &'a Engine,
     /// The verdicts on it.
@@ -110,9 +110,9 @@ pub struct Subject<'a> {
     pub accuracy: Option<&'a AccuracyCase>,
 }
 
-impl Subject<'_> {
+impl Contents<'_> {
     /// The remedy for orders 1 and 2, where the file asks for it.
-    pub(super) fn remedy(&self) -> Option<Result<Remedy, Refused>> {
+    pub(super) fn remedy(&self) -> Option<Result<Remedy, RemedyError>> {
         let orders = [1, 2].into_iter().filter(|order| self.judged.orders.iter().any(|judged| judged.order == *order));
         let wish = Wish { orders: orders.collect(), ..Wish::default() };
         self.engine.effects().remedy.then(|| remedy::remedy(self.engine, &wish))
@@ -165,7 +165,7 @@ fn of_order<'a>(order: &'a OrderVerdict, name: &str, file: &str) -> Vec<StarOf<'
     let several = order.parts.len() > 1;
     let star = |(index, balance): (usize, &'a OrderBalance)| StarOf {
         balance,
-        title: format!("{}{name}", left::order_name(balance)),
+        title: format!("{}{name}", residual::order_name(balance)),
         file: match several {
             true => format!("order-{}{file}-class-{}", order.order, index + 1),
             false => format!("order-{}{file}", order.order),
@@ -203,8 +203,8 @@ pub(super) fn figures(engine: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
 
 impl Page {
     /// Sets a report in a dialect.
-    pub fn new(subject: Subject, numbers: Option<&Result<Numbers, Missing>>, dialect: Dialect) -> Self {
-        let Subject { engine, judged, family, needed, accuracy } = subject;
+    pub fn new(subject: Contents, numbers: Option<&Result<Numbers, Missing>>, dialect: Dialect) -> Self {
+        let Contents { engine, judged, family, needed, accuracy } = subject;
         let mut drawings = figures(engine, judged).into_iter().map(|figure| drawing(figure, dialect));
         let mut next = || drawings.next().unwrap_or_else(|| unreachable!("one drawing a view and an order"));
         let (end_view, side_view) = (next(), next());
@@ -228,9 +228,9 @@ impl Page {
             source: engine.source().map(|source| dialect.quoted(source)),
             headline: headlines(judged, theorem.as_ref().ok()).iter().map(|line| dialect.prose(line)).collect(),
             summary: table::summary(dialect, engine, &judged.orders, firmness_of(judged.masses)),
-            whose: left::whose_masses(engine, judged)
+            whose: residual::whose_masses(engine, judged)
                 .map(|words| {
-                    [words.as_str()].into_iter().chain(left::turning_unit(judged)).collect::<Vec<_>>().join(" ")
+                    [words.as_str()].into_iter().chain(residual::turning_unit(judged)).collect::<Vec<_>>().join(" ")
                 })
                 .map(|words| dialect.prose(&words)),
             pistons: judged
@@ -300,7 +300,7 @@ fn torque_section(
 ) -> Option<TorqueSection> {
     let parts = torque_verdicts(engine, judged, numbers);
     let paragraph = |part: &TorquePart| {
-        let of = part.class.as_ref().map(|class| format!(" ({})", left::class_sources(class)));
+        let of = part.class.as_ref().map(|class| format!(" ({})", residual::class_sources(class)));
         Paragraph::named(engine, &part.verdict, "Q", &of.unwrap_or_default(), dialect)
     };
     (!parts.is_empty()).then(|| TorqueSection {
@@ -333,7 +333,7 @@ impl Section {
         };
         let whole = star.whole.map(|order| {
             let whole = [("Force", &order.force), ("Moment", &order.moment)];
-            whole.map(|(name, whole)| dialect.prose(&left::whole_sentence(name, order.order, whole))).to_vec()
+            whole.map(|(name, whole)| dialect.prose(&residual::whole_sentence(name, order.order, whole))).to_vec()
         });
         Section {
             heading: dialect.prose(&format!("Order {}", star.title)),
@@ -341,7 +341,7 @@ impl Section {
             stars,
             force: paragraphs(&order.force, "P"),
             force_left: dialect.prose(&match order.exists {
-                true => left::sentence(&order.force),
+                true => residual::sentence(&order.force),
                 false => missing(order),
             }),
             moment: paragraphs(&order.moment, "C"),
@@ -368,7 +368,7 @@ fn moment_left(engine: &Engine, order: &OrderBalance) -> String {
             "The force of this order does not vanish, so the moment depends on the reference plane, here z = {plane}."
         )
     };
-    format!("{} {kind}", left::sentence(&order.moment).replace("P_{", "C_{"))
+    format!("{} {kind}", residual::sentence(&order.moment).replace("P_{", "C_{"))
 }
 
 impl Paragraph {
@@ -390,8 +390,8 @@ impl Paragraph {
             false => format!(
                 "**{}:** ${symbol} \\ne 0$, length {}, angle {}.",
                 capital(&name),
-                left::modulus(verdict).prose(),
-                left::bearing(&verdict.sum).prose()
+                residual::modulus(verdict).prose(),
+                residual::bearing(&verdict.sum).prose()
             ),
         };
         Paragraph {
@@ -428,14 +428,14 @@ fn headlines(judged: &Judgement, theorem: Option<&Theorem>) -> Vec<String> {
     let named = |name: &str, orders: &[OrderVerdict]| format!("**{name}.** {}", headline(orders).join(" "));
     let lines: Vec<String> = match &judged.pistons {
         None => headline(&judged.orders),
-        Some(pistons) => vec![named(left::AS_BUILT, &judged.orders), named(left::PISTONS_ALONE, pistons)],
+        Some(pistons) => vec![named(residual::AS_BUILT, &judged.orders), named(residual::PISTONS_ALONE, pistons)],
     };
     let mut missing: Vec<String> =
         judged.orders.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
     missing.dedup();
     let missing = (!missing.is_empty()).then(|| {
         let verb = if missing.len() == 1 { DOES_NOT_EXIST } else { "do not exist" };
-        format!("{} of force and moment {verb}. {}", capital(&plural(&missing)), left::why_not(judged.masses))
+        format!("{} of force and moment {verb}. {}", capital(&plural(&missing)), residual::why_not(judged.masses))
     });
     let survivors = theorem.map(|theorem| match theorem.masses == judged.masses {
         true => first_survivors(theorem),
@@ -447,12 +447,12 @@ fn headlines(judged: &Judgement, theorem: Option<&Theorem>) -> Vec<String> {
 /// Where force and moment vanish, are left, and are not decided.
 fn headline(orders: &[OrderVerdict]) -> Vec<String> {
     let orders: Vec<&OrderVerdict> = orders.iter().filter(|order| order.exists()).collect();
-    let line = |name: &str, whole: fn(&OrderVerdict) -> &Whole| {
-        let list = |is_meant: &dyn Fn(&Whole) -> bool| -> Vec<String> {
+    let line = |name: &str, whole: fn(&OrderVerdict) -> &WholeOrder| {
+        let list = |is_meant: &dyn Fn(&WholeOrder) -> bool| -> Vec<String> {
             orders.iter().filter(|order| is_meant(whole(order))).map(|order| order.order.to_string()).collect()
         };
-        let zero = list(&Whole::is_balanced);
-        let left = list(&Whole::is_left);
+        let zero = list(&WholeOrder::is_balanced);
+        let left = list(&WholeOrder::is_left);
         let open = list(&|whole| !whole.is_balanced() && !whole.is_left());
         let words = match (zero.as_slice(), left.as_slice()) {
             (all, []) if open.is_empty() => format!("The {name} vanishes at every order judged: {}.", all.join(", ")),

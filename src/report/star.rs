@@ -165,7 +165,7 @@ pub(super) fn draw_star(
         draw_labels(figure, centre, engine, star);
     }
     let place = corner + Point::new(PANEL.0 / 2.0, 3.6);
-    let modulus = super::left::modulus(verdict);
+    let modulus = super::residual::modulus(verdict);
     let name = if verdict.vanishes() { "sum" } else { "length" };
     figure.formula(place, format!("{name} {}", modulus.plain()), format!("{name} {}", modulus.prose()));
 }

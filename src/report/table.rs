@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::dialect::Dialect;
 use super::firmness;
-use super::left;
+use super::residual;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::order::{self, Source, TurningMass};
@@ -74,10 +74,10 @@ pub(super) fn summary(dialect: Dialect, engine: &Engine, orders: &[OrderVerdict]
     };
     let part = |part: &OrderBalance| {
         let firm = if part.class.is_none() { firmness::summary(engine, part) } else { "–".to_owned() };
-        row(left::order_name(part), left::summary_prose(part), firm)
+        row(residual::order_name(part), residual::summary_prose(part), firm)
     };
     let rows = orders.iter().flat_map(|order| {
-        let whole = || row(order.order.to_string(), left::whole_summary(order), "–".to_owned());
+        let whole = || row(order.order.to_string(), residual::whole_summary(order), "–".to_owned());
         let whole = (order.parts.len() > 1).then(whole);
         whole.into_iter().chain(order.parts.iter().map(part))
     });
@@ -95,7 +95,7 @@ pub(super) enum Firmness {
     NotShown,
 }
 
-/// One row a cylinder: throw, bank, position, and mass where they differ from 1.
+/// One row per cylinder: throw, bank, position, and mass where they differ from 1.
 pub(super) fn cylinders(dialect: Dialect, engine: &Engine) -> Table {
     let unit = position_unit(engine);
     let mut header = vec!["Cylinder".to_owned(), "Throw β".into(), "Bank α".into(), format!("Position z{unit}")];
@@ -214,11 +214,11 @@ fn is_piston(source: &Source) -> bool {
 }
 
 fn length_cell(verdict: &Verdict) -> String {
-    if verdict.vanishes() { "**0**".to_owned() } else { left::modulus(verdict).prose() }
+    if verdict.vanishes() { "**0**".to_owned() } else { residual::modulus(verdict).prose() }
 }
 
 fn angle_cell(verdict: &Verdict) -> String {
-    if verdict.vanishes() { String::new() } else { left::bearing(&verdict.sum).prose() }
+    if verdict.vanishes() { String::new() } else { residual::bearing(&verdict.sum).prose() }
 }
 
 /// `2β − α`, `−2β + 3α`; without the bank where all banks are at 0.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::dialect::Dialect;
-use super::left;
+use super::residual;
 use super::table::{self, Table};
 use crate::engine::Engine;
 use crate::order::{self, Masses};
@@ -53,7 +53,7 @@ fn whose(engine: &Engine, theorem: &Theorem) -> String {
         Masses::Reciprocating if has_others => " This is about the pistons alone.".to_owned(),
         Masses::All if has_others => " This is about the engine as it is built.".to_owned(),
         Masses::Reciprocating | Masses::All => String::new(),
-        masses => format!(" This is about {} alone.", left::masses_words(masses)),
+        masses => format!(" This is about {} alone.", residual::masses_words(masses)),
     }
 }
 
@@ -187,7 +187,7 @@ fn listed(items: &[String]) -> String {
 /// `The first order that survives: force 6, planar; no moment at any order.`
 pub(super) fn first_survivors(theorem: &Theorem) -> String {
     let one = |name: &str, every: &EveryOrder| match &every.first {
-        Some(first) => format!("{name} {}, {}", first.direct.order, left::shape_name(first.shape)),
+        Some(first) => format!("{name} {}, {}", first.direct.order, residual::shape_name(first.shape)),
         None => format!("no {name} at any order"),
     };
     match (&theorem.force.first, &theorem.moment.first) {

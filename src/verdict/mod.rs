@@ -12,7 +12,7 @@ pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
 pub use judgement::Judgement;
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
-pub use whole::{Outcome, Whole};
+pub use whole::{Outcome, WholeOrder};
 
 use crate::engine::Engine;
 use crate::order::{Coefficients, Group, Masses, Sources};
@@ -29,9 +29,9 @@ pub struct OrderVerdict {
     /// Force and moment by what their sums stand before: one where all sources have it in common.
     pub parts: Vec<OrderBalance>,
     /// The shaking force.
-    pub force: Whole,
+    pub force: WholeOrder,
     /// The moment about the reference plane; a free couple where the force of this order vanishes.
-    pub moment: Whole,
+    pub moment: WholeOrder,
     /// The inertia torque, where it was asked for.
     pub torque: Option<TorqueVerdict>,
 }
@@ -127,7 +127,7 @@ fn of_order(sources: &Sources, order: u32, with_torque: bool, known: &Coefficien
                 let part = |(group, part)| Part::new(group, balance(part).verdicts()[sense]);
                 pairs.map(part).collect()
             };
-            Whole::new([&of_sense(0), &of_sense(1)], order, known)
+            WholeOrder::new([&of_sense(0), &of_sense(1)], order, known)
         }
     };
     OrderVerdict {
@@ -147,9 +147,9 @@ impl<'a> Part<'a> {
 }
 
 /// The whole of one sum is that sum.
-fn of_one(balance: &Balance) -> Whole {
+fn of_one(balance: &Balance) -> WholeOrder {
     let outcome = |verdict: &Verdict| if verdict.vanishes() { Outcome::Zero } else { Outcome::NotZero };
-    Whole {
+    WholeOrder {
         outcomes: balance.verdicts().map(outcome),
         shape: balance.shape,
         evidence: balance.comparison.clone().map(ShapeEvidence::Certificate),

@@ -58,7 +58,7 @@ pub(super) struct Part<'a> {
 
 /// An order of the force or the moment, all its sums together.
 #[derive(Clone, Debug)]
-pub struct Whole {
+pub struct WholeOrder {
     /// Whether the vectors vanish, direct first.
     pub outcomes: [Outcome; 2],
     /// What is left.
@@ -67,7 +67,7 @@ pub struct Whole {
     pub evidence: Option<ShapeEvidence>,
 }
 
-impl Whole {
+impl WholeOrder {
     /// Judges both vectors, whose parts stand in the same order.
     pub(super) fn new([direct, reverse]: [&[Part]; 2], order: u32, known: &Coefficients) -> Self {
         let outcomes = [outcome(direct, order, known), outcome(reverse, order, known)];
@@ -81,7 +81,7 @@ impl Whole {
                 None => (Shape::NotDecided, None),
             },
         };
-        Whole { outcomes, shape, evidence }
+        WholeOrder { outcomes, shape, evidence }
     }
 
     /// Whether both vectors are proved to vanish.

@@ -176,7 +176,7 @@ fn six_with_an_offset_has_a_third_order_force_above_its_sixth() {
     assert!(loads.orders.iter().all(|order| order.moment.vanishes()));
 }
 
-/// A random engine, one table a cylinder: up to six of them, some with rods and offsets of their own, some with rotating masses.
+/// A random engine, one table per cylinder: up to six of them, some with rods and offsets of their own, some with rotating masses.
 fn random_engine() -> impl Strategy<Value = String> {
     let cylinder = (0..24_i64, 0..24_i64, -5..=5_i64, 1..=4_i64, 1..=3_i64, 0..4_usize, 0..3_usize);
     (prop::collection::vec(cylinder, 1..=6), 0..3_i64, any::<bool>()).prop_map(|(cylinders, rotating, torque)| {

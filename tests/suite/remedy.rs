@@ -9,7 +9,7 @@ use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
 use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_remedy_document};
 use crankstar::remedy::{
-    Kind, Partial, Refused, Remedy, Subject, Wish, corrected, pair_height, remedy, with_counterweights,
+    ComparableEngine, Kind, Partial, Remedy, RemedyError, Wish, corrected, pair_height, remedy, with_counterweights,
 };
 use crankstar::report::{self, Dialect};
 use num_rational::BigRational;
@@ -121,7 +121,7 @@ fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
     let full = remedy(&layout, &Wish { factors: vec![ratio(1, 1)], ..wish(&[1]) }).expect("a remedy");
     assert!(full.crankshaft.is_none());
     assert_eq!(full.bays.len(), 3);
-    let subject = Subject::new(&layout).expect("masses");
+    let subject = ComparableEngine::new(&layout).expect("masses");
     let bare = subject.moment(1, Sense::Direct);
     let part = remedy(&layout, &Wish { factors: vec![ratio(65, 100)], ..wish(&[1]) }).expect("a remedy");
     let weights = &part.crankshaft.as_ref().expect("counterweights").weights;
@@ -217,13 +217,13 @@ fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
 #[test]
 fn planes_that_coincide_are_refused() {
     let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
-    assert_eq!(refused.err(), Some(Refused::PlanesCoincide(ratio(1, 10))));
+    assert_eq!(refused.err(), Some(RemedyError::PlanesCoincide(ratio(1, 10))));
     let without_bearings: Vec<&str> = I3.lines().filter(|line| !line.starts_with("bearings")).collect();
     let short = format!("{}\n[crankshaft]\nlength = '0.2 m'", without_bearings.join("\n"));
     let refused = remedy(&read(&short), &planes(ratio(1, 10), ratio(-11, 100))).err();
-    assert_eq!(refused, Some(Refused::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
+    assert_eq!(refused, Some(RemedyError::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
     let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
-    assert!(matches!(many.err(), Some(Refused::TooMany { given: 4, throws: 3, .. })));
+    assert!(matches!(many.err(), Some(RemedyError::TooMany { given: 4, throws: 3, .. })));
 }
 
 /// `|1−2f| + |cos V|`, exactly: P⁺ is 2(1−2f), and P⁻ is `e^{iV} + e^{−iV}`.

@@ -33,7 +33,7 @@ fn written(layout: &Engine) -> BTreeMap<String, String> {
     let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
     let files = dialects.into_iter().flat_map(|dialect| {
         report::report(
-            report::Subject { engine: layout, judged: &judgement(layout), family: None, needed: None, accuracy: None },
+            report::Contents { engine: layout, judged: &judgement(layout), family: None, needed: None, accuracy: None },
             dialect,
         )
     });
@@ -128,7 +128,7 @@ fn compare_layouts(below: &str) {
                     let judged = judgement(&engine);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
                     report::report(
-                        report::Subject { engine: &engine, judged: &judged, family, needed: None, accuracy: None },
+                        report::Contents { engine: &engine, judged: &judged, family, needed: None, accuracy: None },
                         dialect,
                     )
                 }

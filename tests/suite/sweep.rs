@@ -8,7 +8,7 @@ use crankstar::file::{self, Key, Layout, Template};
 use crankstar::loads;
 use crankstar::numbers::Form;
 use crankstar::proof::{Quantity, Sense};
-use crankstar::remedy::{Subject, two_planes};
+use crankstar::remedy::{ComparableEngine, two_planes};
 use crankstar::report;
 use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Range, Sweep, SweptEngine, Zeros};
 use num_bigint::BigInt;
@@ -272,7 +272,7 @@ fn counterweights_of_the_six_at_90_degrees_are_root_3_in_closed_form() {
             "[vee]\nbank_angle = 90\nthrows = [0, 240, 120]\n[mechanism]\nreciprocating_mass = {reciprocating}\nrotating_mass = {rotating}\n"
         );
         let layout = file::parse("v6.toml", &text).expect("it reads");
-        let subject = Subject::new(&layout).expect("masses");
+        let subject = ComparableEngine::new(&layout).expect("masses");
         let planes = [ratio(1, 1), ratio(-1, 1)];
         let (force, moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));
         let weights = two_planes(1, Sense::Direct, &force, &moment, &planes);

@@ -37,7 +37,7 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
 fn text(layout: &Engine, dialect: Dialect) -> String {
     let judged = Judgement::new(layout, layout.orders(), &verdicts::quantities(false));
     report::report(
-        report::Subject { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
+        report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
         dialect,
     )
     .remove(0)

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::super::dialect::Dialect;
-use super::super::left::shape_name;
+use super::super::residual::shape_name;
 use super::super::typeset::Amount;
 use super::REMEDIED;
 use super::entry::{EngineRow, Left, Origin, Ties};

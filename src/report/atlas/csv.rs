@@ -1,8 +1,8 @@
-//! How is the atlas written for a spreadsheet? One line an engine and order, exact and in decimals.
+//! How is the atlas written for a spreadsheet? One line per engine and order, exact and in decimals.
 
 use std::fmt::Write;
 
-use super::super::left::shape_name;
+use super::super::residual::shape_name;
 use super::entry::{EngineRow, Left, Origin};
 use crate::engine::{Cycle, LengthUnit};
 use crate::proof::Shape;

@@ -1,7 +1,7 @@
 //! What is known of an engine of the atlas? Its verdicts at orders 1 to 8, the first order that is left, the remedy.
 
 use super::super::typeset::Amount;
-use super::super::{brief, left, typeset};
+use super::super::{engine_cells, residual, typeset};
 use super::{ORDERS, REMEDIED};
 use crate::engine::{BuildError, Cycle, Engine, LengthUnit};
 use crate::order::Masses;
@@ -58,7 +58,7 @@ pub(super) struct Left {
 
 impl Left {
     fn new(balance: &Balance) -> Self {
-        Left { shape: balance.shape, largest: left::largest(balance) }
+        Left { shape: balance.shape, largest: residual::largest(balance) }
     }
 }
 
@@ -97,7 +97,7 @@ impl EngineRow {
             name,
             title,
             ties,
-            firing: brief::firing(layout.firing()),
+            firing: engine_cells::firing(layout.firing()),
             firing_order: layout.firing().map(names).unwrap_or_default(),
             orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
                 .iter()
@@ -108,8 +108,8 @@ impl EngineRow {
                     moment: Left::new(&judged.moment),
                 })
                 .collect(),
-            first_left: brief::first_left(&verdict::theorem(layout, Masses::Reciprocating)),
-            remedy: brief::remedy(&remedy::remedy(layout, &wish)),
+            first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)),
+            remedy: engine_cells::remedy(&remedy::remedy(layout, &wish)),
             unit: layout.length_unit(),
         }
     }

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::dialect::Dialect;
 use super::folder::File;
-use super::{brief, render};
+use super::{engine_cells, render};
 use crate::engine::{BuildError, Cycle, Engine};
 use crate::file::Entry;
 use crate::search::Best;
@@ -66,7 +66,7 @@ const NOTES: [&str; 6] = [
     "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their $c_k$ is 0. **First left** is the \
      lowest order that is left of all that exist with centric cranks: 1 and the even ones.",
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
-    brief::REMEDIES,
+    engine_cells::REMEDIES,
     "Remedies are those of orders 1 and 2, for the reciprocating masses.",
     "Closed forms of more than 24 signs are left to the list at the end (orders 1 and 2) and to atlas.csv (all).",
 ];

@@ -1,7 +1,7 @@
 //! Which tables tell what the bearings feel? Peaks, orders, the exact vectors, the parts of a load.
 
 use super::super::calculation::Rows;
-use super::super::{left, table, typeset};
+use super::super::{residual, table, typeset};
 use super::amounts;
 use crate::engine::Engine;
 use crate::loads::{BearingLoad, BearingLoads};
@@ -39,7 +39,7 @@ pub fn bearings_rows(engine: &Engine, continuous: &BearingLoads, determinate: &B
     Rows { header, rows: continuous.bearings.iter().enumerate().map(row).collect() }
 }
 
-/// The largest value of each order of each reaction: a row a bearing, a column an order.
+/// The largest value of each order of each reaction: a row per bearing, a column per order.
 pub fn bearings_tables(loads: &BearingLoads) -> Rows {
     let unit = amounts::unit_of(loads);
     let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
@@ -83,7 +83,7 @@ pub(super) fn vectors(loads: &BearingLoads) -> Rows {
 /// The length of a vector where all that is left of it has one coefficient.
 fn exact(sum: &OrderSum) -> String {
     match sum.only() {
-        Some((_, only)) => left::modulus_of(only).prose(),
+        Some((_, only)) => residual::modulus_of(only).prose(),
         None if sum.vanishes() => "**0**".to_owned(),
         None => "rods differ".to_owned(),
     }

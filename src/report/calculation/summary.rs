@@ -1,6 +1,6 @@
-//! What does `loads` show on a terminal? The largest values, a row an order, and the peaks.
+//! What does `loads` show on a terminal? The largest values, a row per order, and the peaks.
 
-use super::super::left;
+use super::super::residual;
 use super::amounts::{self, Unit, amount, digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
@@ -11,7 +11,7 @@ use crate::proof::Quantity;
 pub struct Rows {
     /// Headings.
     pub header: Vec<String>,
-    /// Cells, one row an order.
+    /// Cells, one row per order.
     pub rows: Vec<Vec<String>>,
 }
 
@@ -74,7 +74,7 @@ pub fn loads_lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) 
     lines.extend(largest_lines(engine, numbers));
     lines.extend(shown_line(engine, numbers));
     lines.extend(chosen_lines(engine, numbers, needed));
-    let names: Vec<&str> = loads.groups.iter().map(|group| left::group_words(group.group)).collect();
+    let names: Vec<&str> = loads.groups.iter().map(|group| residual::group_words(group.group)).collect();
     lines.push(format!("In the scene: {}.", names.join(", ")));
     lines
 }

@@ -1,6 +1,6 @@
 //! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
 
-use super::super::left::group_words;
+use super::super::residual::group_words;
 use super::inputs;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};

@@ -3,13 +3,13 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::super::{brief, document, left};
+use super::super::{document, engine_cells, residual};
 use super::rows::decimal;
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
 use crate::proof::{Document, Format, Quantity};
-use crate::verdict::{Balance, OrderBalance, OrderVerdict, Whole};
+use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
 
 /// Engines side by side, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -118,7 +118,7 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 }
 
 fn engine(engine: &Compared) -> EngineEntry {
-    let [first_force_left, first_moment_left] = brief::first_left(&engine.theorem);
+    let [first_force_left, first_moment_left] = engine_cells::first_left(&engine.theorem);
     let full = BigRational::from_integer(360.into());
     let firing = engine.engine.firing().map(|firing| Firing {
         even: firing.is_even(),
@@ -136,7 +136,7 @@ fn engine(engine: &Compared) -> EngineEntry {
         orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
-        remedy: brief::remedy(&engine.remedy),
+        remedy: engine_cells::remedy(&engine.remedy),
         newtons: newtons(engine),
         worst_bearings: engine.bearings.as_ref().ok().map(worst),
     }
@@ -144,13 +144,13 @@ fn engine(engine: &Compared) -> EngineEntry {
 
 fn order(order: &OrderVerdict) -> Order {
     let part = |part: &OrderBalance| {
-        let of = part.class.as_ref().map(left::class_sources)?;
+        let of = part.class.as_ref().map(residual::class_sources)?;
         Some(Part { of, exists: part.exists, force: amount(&part.force), moment: amount(&part.moment) })
     };
-    let whole = |whole: &Whole, balance: fn(&OrderBalance) -> &Balance| match order.parts.as_slice() {
+    let whole = |whole: &WholeOrder, balance: fn(&OrderBalance) -> &Balance| match order.parts.as_slice() {
         [only] => amount(balance(only)),
         _ => Amount {
-            shape: left::shape_name(whole.shape),
+            shape: residual::shape_name(whole.shape),
             largest: whole.is_balanced().then_some(0.0),
             exact: whole.is_balanced().then(|| "0".to_owned()),
         },
@@ -166,9 +166,9 @@ fn order(order: &OrderVerdict) -> Order {
 }
 
 fn amount(balance: &Balance) -> Amount {
-    let largest = left::largest(balance);
+    let largest = residual::largest(balance);
     let exact = largest.exact.as_ref().map(ToString::to_string);
-    Amount { shape: left::shape_name(balance.shape), largest: Some(largest.decimal), exact }
+    Amount { shape: residual::shape_name(balance.shape), largest: Some(largest.decimal), exact }
 }
 
 fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {

@@ -8,11 +8,11 @@ pub use document::{CompareDocument, compare_document};
 pub use page::compare_page;
 pub use rows::{compare_lines, compare_rows};
 
-use super::brief;
+use super::engine_cells;
 use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
-use crate::remedy::{self, Refused, Remedy, Wish};
+use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::text::Untrusted;
 use crate::verdict::{self, Judgement, NoTheorem, OrderVerdict, Theorem};
 
@@ -28,7 +28,7 @@ pub struct Compared<'a> {
     /// The statements on every order.
     pub theorem: Result<Theorem, NoTheorem>,
     /// What takes away the orders that are compared.
-    pub remedy: Result<Remedy, Refused>,
+    pub remedy: Result<Remedy, RemedyError>,
     /// The orders in newtons, where the layout has the numbers.
     pub loads: Result<Loads, Missing>,
     /// What the main bearings feel, where the layout names them.
@@ -68,7 +68,7 @@ impl<'a> Compared<'a> {
     }
 
     fn firing(&self) -> String {
-        brief::firing(self.engine.firing())
+        engine_cells::firing(self.engine.firing())
     }
 }
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::dialect::Dialect;
 use super::super::folder::File;
 use super::super::multiples::{self, Column};
-use super::super::{left, render, svg};
+use super::super::{render, residual, svg};
 use super::{Compared, compare_lines, compare_rows, orders_of};
 use crate::text::Format;
 use crate::verdict::OrderBalance;
@@ -25,7 +25,7 @@ struct Drawing {
     caption: String,
 }
 
-/// `compare.md` and the stars of each order, an SVG file an order.
+/// `compare.md` and the stars of each order, an SVG file per order.
 pub fn compare_page(engines: &[Compared]) -> Vec<File> {
     let dialect = Dialect::GithubMarkdown;
     let table = compare_rows(engines);
@@ -54,7 +54,7 @@ pub fn compare_page(engines: &[Compared]) -> Vec<File> {
 fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<'a>> {
     let name = move |judged: &OrderBalance| match &judged.class {
         None => engine.name.escaped(Format::Plain),
-        Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), left::class_sources(class)),
+        Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), residual::class_sources(class)),
     };
     let parts = engine.at(order).into_iter().flat_map(|judged| &judged.parts);
     parts.map(move |judged| Column { name: name(judged), engine: engine.engine, order: judged })

@@ -1,9 +1,9 @@
-//! Which lines does a comparison have? A column an engine: words of the verdicts, newtons where all have them.
+//! Which lines does a comparison have? A column per engine: words of the verdicts, newtons where all have them.
 
 use num_traits::ToPrimitive;
 
 use super::super::calculation::{self, Rows, Unit};
-use super::super::{bearings, brief, left, typeset};
+use super::super::{bearings, engine_cells, residual, typeset};
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
 use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
@@ -12,7 +12,7 @@ use crate::proof::Quantity;
 use crate::text::Format;
 use crate::verdict::OrderVerdict;
 
-/// The table: a column an engine, a row each thing that is compared; cells in plain text.
+/// The table: a column per engine, a row each thing that is compared; cells in plain text.
 pub fn compare_rows(engines: &[Compared]) -> Rows {
     let header =
         std::iter::once(String::new()).chain(engines.iter().map(|engine| engine.name.escaped(Format::Plain))).collect();
@@ -26,8 +26,9 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
     let orders = orders_of(engines);
     for &order in &orders {
         for (name, quantity) in [("Force", Quantity::Force), ("Moment", Quantity::Moment)] {
-            let words =
-                |judged: Option<&OrderVerdict>| judged.map_or_else(String::new, |judged| brief::cell(judged, quantity));
+            let words = |judged: Option<&OrderVerdict>| {
+                judged.map_or_else(String::new, |judged| engine_cells::cell(judged, quantity))
+            };
             add(format!("{name} {order}"), &|engine| words(engine.at(order)));
             if engines.iter().any(|engine| engine.pistons_at(order).is_some()) {
                 add(format!("{name} {order}, pistons alone"), &|engine| {
@@ -36,10 +37,10 @@ pub fn compare_rows(engines: &[Compared]) -> Rows {
             }
         }
     }
-    let first = |engine: &Compared| brief::first_left(&engine.theorem);
+    let first = |engine: &Compared| engine_cells::first_left(&engine.theorem);
     add("First force left".to_owned(), &|engine| first(engine)[0].clone());
     add("First moment left".to_owned(), &|engine| first(engine)[1].clone());
-    add("Remedy".to_owned(), &|engine| brief::remedy(&engine.remedy));
+    add("Remedy".to_owned(), &|engine| engine_cells::remedy(&engine.remedy));
     if engines.iter().all(Compared::has_newtons) {
         add("Speed in rpm".to_owned(), &speed);
         for &order in &orders {
@@ -79,10 +80,10 @@ fn worst_bearing(engine: &Compared) -> String {
 
 /// What follows the table: units, how it is read, why there are no newtons.
 pub fn compare_lines(engines: &[Compared]) -> Vec<String> {
-    let mut lines = vec![left::LEGEND.to_owned()];
+    let mut lines = vec![residual::LEGEND.to_owned()];
     lines.push(format!("m, r, ω and c_k are those of each engine. {}", positions(engines)));
     lines.push("First left: the lowest of all orders that exist. All is about the engines as they are built, with all masses that a layout names; where masses that turn have a part in an order, the pistons alone stand below it.".to_owned());
-    lines.push(brief::REMEDIES.to_owned());
+    lines.push(engine_cells::REMEDIES.to_owned());
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
         lines.push(
             "Where rods differ, or a shaft turns at an order of the pistons, the whole of it is judged, and each of its sums by itself: only equal rods have c_k in common."

@@ -10,7 +10,7 @@ use crate::proof::{
     Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, RodStatement,
     Sense, TurningClaim, WeightClaim, WeightPart,
 };
-use crate::remedy::{Remedy, Subject, Weight};
+use crate::remedy::{ComparableEngine, Remedy, Weight};
 
 /// A remedy as data: what `verify` reads. Sums that do not vanish, if there are any, have evidence of that, which
 /// `verify` refuses.
@@ -51,7 +51,7 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
 /// # Errors
 /// What the layout lacks for its masses to be compared.
 pub fn remedy_engine(engine: &Engine) -> Result<RemedyDocument, Missing> {
-    Ok(engine_of(&Subject::new(engine)?))
+    Ok(engine_of(&ComparableEngine::new(engine)?))
 }
 
 /// The sum of a quantity that has no term at this order.
@@ -60,7 +60,7 @@ fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
     CorrectedClaim { quantity, order, sense, coefficient: Coefficient::One, terms: Vec::new(), certificate }
 }
 
-fn engine_of(subject: &Subject) -> RemedyDocument {
+fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
     let engine = subject.engine();
     let cylinders = engine.cylinders().iter().map(|cylinder| RodCylinder {
         throw: cylinder.throw.turns().clone(),

@@ -112,7 +112,7 @@ fn general(dice: &mut Dice) -> Layout {
     ((0..count).map(|_| cylinder(dice)).collect(), count, 0)
 }
 
-/// One value for all cylinders, one a cylinder, or none.
+/// One value for all cylinders, one per cylinder, or none.
 fn column(dice: &mut Dice, cylinders: usize, key: &str, values: &[&str]) -> Option<String> {
     let mut one = || values[dice.below(values.len() as u64) as usize].to_owned();
     match (one(), list(cylinders, &mut one)) {

@@ -1,10 +1,10 @@
 //! How is an engine put in a few cells: its firing, the first order left, the remedy?
 
-use super::left;
+use super::residual;
 use super::typeset;
 use crate::engine::{DOES_NOT_EXIST, Firing};
 use crate::proof::{Quantity, Sense};
-use crate::remedy::{Kind, Refused, Remedy, Shaft};
+use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem};
 
 /// More intervals than this are told by the least and the largest.
@@ -31,7 +31,7 @@ pub(super) fn firing(firing: Option<&Firing>) -> String {
 /// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.
 pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [String; 2] {
     let one = |every: &EveryOrder| match &every.first {
-        Some(first) => format!("{}, {}", first.direct.order, left::shape_name(first.shape)),
+        Some(first) => format!("{}, {}", first.direct.order, residual::shape_name(first.shape)),
         None => "none".to_owned(),
     };
     match theorem {
@@ -45,13 +45,13 @@ pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [String; 2] {
 
 /// A cell of an order: the whole, and what each of its sums leaves where there are several.
 pub(super) fn cell(order: &OrderVerdict, quantity: Quantity) -> String {
-    let [force, moment] = left::whole_summary(order);
+    let [force, moment] = residual::whole_summary(order);
     let is_force = quantity == Quantity::Force;
     let whole = if is_force { force } else { moment };
-    let words = if is_force { left::force_summary } else { left::moment_summary };
+    let words = if is_force { residual::force_summary } else { residual::moment_summary };
     let part = |part: &OrderBalance| {
         let class = part.class.as_ref()?;
-        Some(format!("{}: {}", left::class_sources(class), words(part)))
+        Some(format!("{}: {}", residual::class_sources(class), words(part)))
     };
     let parts: Vec<String> = order.parts.iter().filter_map(part).collect();
     // What every sum has is said once: that it is 0, or that the order does not exist.
@@ -62,7 +62,7 @@ pub(super) fn cell(order: &OrderVerdict, quantity: Quantity) -> String {
 }
 
 /// `2 counterweights (couple); shaft −1 (couple); Lanchester pair ±2`, or `none needed`.
-pub(super) fn remedy(remedy: &Result<Remedy, Refused>) -> String {
+pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> String {
     let remedy = match remedy {
         Ok(remedy) => remedy,
         Err(reason) => return format!("not stated: {}", missing(reason)),
@@ -81,9 +81,9 @@ pub(super) fn remedy(remedy: &Result<Remedy, Refused>) -> String {
     if words.is_empty() { "none needed".to_owned() } else { words.join("; ") }
 }
 
-fn missing(reason: &Refused) -> &'static str {
+fn missing(reason: &RemedyError) -> &'static str {
     match reason {
-        Refused::Missing(_) => "masses cannot be compared",
+        RemedyError::Missing(_) => "masses cannot be compared",
         _ => "the planes or weights do not fit",
     }
 }

@@ -13,18 +13,18 @@ use crate::proof::Sense;
 
 /// An engine whose masses can be compared.
 #[derive(Clone, Debug)]
-pub struct Subject {
+pub struct ComparableEngine {
     engine: Engine,
 }
 
-impl Subject {
+impl ComparableEngine {
     /// The engine of this layout.
     ///
     /// # Errors
     /// What the layout lacks for its masses to be compared.
     pub fn new(engine: &Engine) -> Result<Self, Missing> {
         order::comparable(engine).map_err(loads::Missing::from)?;
-        Ok(Subject { engine: engine.clone() })
+        Ok(ComparableEngine { engine: engine.clone() })
     }
 
     /// The layout.

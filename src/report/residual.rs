@@ -10,7 +10,7 @@ use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
 use crate::proof::{Quantity, Shape, ShapeEvidence};
 use crate::verdict::{
-    Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, Whole,
+    Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, WholeOrder,
 };
 
 /// `|S|` of a verdict.
@@ -85,7 +85,7 @@ pub(super) fn class_sources(class: &Class) -> String {
 }
 
 /// What is known of an order that several sums make up: `0`, `not 0, elliptical`, `not decided`.
-pub(super) fn whole_words(whole: &Whole) -> String {
+pub(super) fn whole_words(whole: &WholeOrder) -> String {
     let nothing_known = whole.outcomes.contains(&Outcome::Open);
     match whole.shape {
         Shape::Balanced => "0".to_owned(),
@@ -106,7 +106,7 @@ pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
 }
 
 /// A sentence on a whole order, how it is known whether it vanishes.
-pub(super) fn whole_sentence(name: &str, order: u32, whole: &Whole) -> String {
+pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> String {
     let why = |outcome: &Outcome| match outcome {
         Outcome::Zero => "each of its sums is zero".to_owned(),
         Outcome::NotZero => "one of its sums alone is left, and what that stands before is not zero".to_owned(),
