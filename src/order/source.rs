@@ -32,6 +32,18 @@ impl Source {
         }
     }
 
+    /// What it is called where there is little room: `2`, `rod 2`, `cw 1`.
+    pub fn label(self, engine: &Engine) -> String {
+        match self {
+            Source::Piston(_) => self.name(engine),
+            Source::BigEnd(index) => format!("rod {}", engine.cylinders()[index].name),
+            Source::Pin(index) => format!("pin {}", index + 1),
+            Source::Webs(index) => format!("webs {}", index + 1),
+            Source::Counterweight(index) => format!("cw {}", index + 1),
+            Source::Balancer(index) => format!("shaft {}", index + 1),
+        }
+    }
+
     /// What it is called: a cylinder by its name, what turns by its number from 1.
     pub fn name(self, engine: &Engine) -> String {
         match self {

@@ -19,7 +19,7 @@ use super::{argument, firmness, residual, tikz, typeset};
 use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
-use crate::order::Masses;
+use crate::order::{Masses, Source};
 use crate::proof::Sense;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::verdict::{
@@ -161,6 +161,15 @@ fn stars(judged: &Judgement) -> Vec<StarOf<'_>> {
     all
 }
 
+/// How the masses that turn are called on a star.
+const TURNING_LABELS: &str = " Beside the cylinders: rod, pin, webs and cw (counterweight) with their numbers, shaft for a balancer; +6 stands for six \
+                              masses that turn.";
+
+fn has_turning(balance: &OrderBalance) -> bool {
+    let sources = balance.force.verdicts().into_iter().flat_map(|verdict| &verdict.sources);
+    sources.into_iter().any(|source| !matches!(source, Source::Piston(_)))
+}
+
 fn of_order<'a>(order: &'a OrderVerdict, name: &str, file: &str) -> Vec<StarOf<'a>> {
     let several = order.parts.len() > 1;
     let star = |(index, balance): (usize, &'a OrderBalance)| StarOf {
@@ -193,8 +202,9 @@ pub(super) fn figures(engine: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
     figures.extend(stars(judged).into_iter().map(|star| {
         let caption = format!(
             "Vector stars of order {}, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant; a vector \
-             with a negative arm is drawn turned by 180°.",
-            star.title
+             with a negative arm is drawn turned by 180°.{}",
+            star.title,
+            if has_turning(star.balance) { TURNING_LABELS } else { "" }
         );
         named(star.file, caption, star_figure(engine, star.balance))
     }));

@@ -47,6 +47,20 @@ impl Ray {
     }
 }
 
+/// More masses that turn than this have no room beside a vector.
+const MOST_LABELLED: usize = 2;
+
+/// The same in little room: `1, 5, rod 1`, `1, 5, +6`.
+fn source_labels(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
+    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
+    let cylinders = source_names(engine, pistons.into_iter());
+    let turning = match others.len() {
+        0..=MOST_LABELLED => others.into_iter().map(|source| source.label(engine)).collect(),
+        many => vec![format!("+{many}")],
+    };
+    (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning).collect::<Vec<_>>().join(", ")
+}
+
 /// What sources are called: cylinders by their names, then what turns.
 pub(super) fn source_names(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
     let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
@@ -234,7 +248,7 @@ fn draw_labels(figure: &mut Figure, centre: Point, engine: &Engine, star: &Star)
             x if x < -0.2 => Anchor::End,
             _ => Anchor::Middle,
         };
-        figure.text(at, ray.names(engine), anchor);
+        figure.text(at, source_labels(engine, ray.members.iter().map(|(source, _)| *source)), anchor);
         last = Some(place);
         first = first.or(Some(place));
     }
