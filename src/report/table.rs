@@ -178,7 +178,7 @@ fn star_cells(engine: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String
     // What turns adds to one of the two sums, at the angle of its weight.
     let turning = |mass: &TurningMass| {
         let angle = |sense| if mass.sense == sense { typeset::angle(&mass.angle) } else { "–".to_owned() };
-        let mut cells = vec![mass.source.name(engine), String::new()];
+        let mut cells = vec![mass.source.label(engine), String::new()];
         cells.extend(has_banks.then(String::new));
         cells.push(typeset::number(&(&mass.position - engine.reference_plane())));
         cells.extend(with_mass.then(|| typeset::number(&mass.weight())));

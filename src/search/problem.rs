@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_rational::BigRational;
 
-use crate::engine::Cycle;
+use crate::engine::{Cycle, ORDERS};
 use crate::exact::Turn;
 
 /// More throws than this are not searched: sixteen have 1.3 million million stars.
@@ -15,8 +15,6 @@ pub const FINEST_GRID: u32 = 360;
 pub const MOST_GRID_STARS: u128 = 1_000_000_000_000;
 /// More orders than this are not compared at once.
 pub const MOST_ORDERS: usize = 8;
-/// Higher orders than this are not compared.
-pub const HIGHEST_ORDER: u32 = 1000;
 
 /// A question: the best crank stars of which engine, by which orders of the moment?
 ///
@@ -168,8 +166,8 @@ impl Problem {
                 self.orders.len()
             )));
         }
-        if self.orders[0] == 0 || self.orders.iter().any(|&order| order > HIGHEST_ORDER) {
-            return Err(ProblemError::new(format!("orders from 1 to {HIGHEST_ORDER} are compared")));
+        if self.orders.iter().any(|order| !ORDERS.contains(order)) {
+            return Err(ProblemError::new(format!("orders from 1 to {} are compared", ORDERS.end())));
         }
         if self.orders.windows(2).any(|pair| pair[0] >= pair[1]) {
             return Err(ProblemError::new("orders are given rising, each once"));
