@@ -97,15 +97,16 @@ impl<A, L: Length> Draft<A, L> {
         if self.cylinders.is_empty() || self.cylinders.len() > MOST_CYLINDERS {
             return Err(BuildError::Cylinders(self.cylinders.len()));
         }
+        for (index, cylinder) in self.cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.name.is_empty())
+        {
+            cylinder.name = (index + 1).to_string();
+        }
         let mut names = BTreeSet::new();
-        for (index, cylinder) in self.cylinders.iter_mut().enumerate() {
-            if cylinder.name.is_empty() {
-                cylinder.name = (index + 1).to_string();
-            }
-            if !names.insert(cylinder.name.clone()) {
-                return Err(BuildError::SameName(cylinder.name.clone()));
-            }
+        for cylinder in &self.cylinders {
             let name = &cylinder.name;
+            if !names.insert(name) {
+                return Err(BuildError::SameName(name.clone()));
+            }
             not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;

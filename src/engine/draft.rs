@@ -97,27 +97,27 @@ impl<A, L> Draft<A, L> {
 
     /// The same with other cylinders and another reference plane.
     pub(super) fn with_cylinders<B, M>(
-        self,
+        &self,
         cylinders: Vec<Cylinder<B, M>>,
         reference_plane: ReferencePlane<M>,
     ) -> Draft<B, M> {
         Draft {
-            title: self.title,
-            source: self.source,
+            title: self.title.clone(),
+            source: self.source.clone(),
             form: self.form,
             cylinders,
             reference_plane,
             length_unit: self.length_unit,
             positions_given: self.positions_given,
-            orders: self.orders,
+            orders: self.orders.clone(),
             cycle: self.cycle,
-            firing: self.firing,
-            bearings: self.bearings,
-            dimensions: self.dimensions,
-            crankshaft: self.crankshaft,
+            firing: self.firing.clone(),
+            bearings: self.bearings.clone(),
+            dimensions: self.dimensions.clone(),
+            crankshaft: self.crankshaft.clone(),
             effects: self.effects,
-            title_block: self.title_block,
-            file: self.file,
+            title_block: self.title_block.clone(),
+            file: self.file.clone(),
         }
     }
 }

@@ -34,7 +34,7 @@ impl Family {
         let known = |linear: &Linear| Some(linear.with(values));
         let plane = self.plane(self.reference_plane().with(values));
         let cylinders = self.cylinders().iter().filter_map(|cylinder| cylinder.map(known, known)).collect();
-        self.clone().into_draft().with_cylinders(cylinders, plane).build()
+        self.draft().with_cylinders(cylinders, plane).build()
     }
 
     /// The one engine of a family without unknowns; `None` where one is left.
@@ -46,7 +46,7 @@ impl Family {
         let cylinders = self.cylinders().iter().map(|cylinder| cylinder.map(turn, |place| place.as_known().cloned()));
         let cylinders = cylinders.collect::<Option<Vec<_>>>()?;
         let plane = self.plane(self.reference_plane().as_known()?.clone());
-        Some(self.clone().into_draft().with_cylinders(cylinders, plane).build())
+        Some(self.draft().with_cylinders(cylinders, plane).build())
     }
 
     /// The plane of a member, named where that of the family is.

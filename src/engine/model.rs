@@ -131,6 +131,11 @@ impl<A, L> Engine<A, L> {
         &self.draft.file
     }
 
+    /// The draft that it was built from.
+    pub(super) fn draft(&self) -> &Draft<A, L> {
+        &self.draft
+    }
+
     /// A draft to change: what it says may no longer hold together.
     pub fn into_draft(self) -> Draft<A, L> {
         self.draft

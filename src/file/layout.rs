@@ -143,8 +143,8 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
         balancers: &file.balancer,
         values: &values,
     };
-    let valued = built(family.with(&values))?;
-    let Some(engine) = valued.only() else {
+    let valued = if values.is_empty() { None } else { Some(built(family.with(&values))?) };
+    let Some(engine) = valued.as_ref().unwrap_or(&family).only() else {
         if let Some(span) = turning.place() {
             return Err(LayoutError::new(
                 "masses on the crankshaft in an engine whose angles or positions are open",
@@ -156,7 +156,7 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
             return Err(bearings::of_open_layout(list));
         }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
-            None => Ok(Layout::Open(Box::new(valued))),
+            None => Ok(Layout::Open(Box::new(valued.unwrap_or(family)))),
             span => Err(LayoutError::new(
                 "when the cylinders fire cannot be judged while an angle or position is open",
                 "leave it out: the angles that fire evenly are found from the cycle",
@@ -164,12 +164,16 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
             )),
         };
     };
-    let engine = turning.read(built(engine)?)?;
+    let mut engine = built(engine)?;
+    if turning.place().is_some() {
+        engine = turning.read(engine)?;
+    }
     bearings::check_ends(given_bearings, &engine)?;
-    let mut draft = engine.into_draft();
-    draft.firing = firing(&file.firing_order, &file.firing_angles, cycle, &draft.cylinders)?;
+    if let Some(firing) = firing(&file.firing_order, &file.firing_angles, cycle, engine.cylinders())? {
+        engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
+    }
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
-    Ok(Layout::Known(Box::new(built(draft.build())?), symbolic))
+    Ok(Layout::Known(Box::new(engine), symbolic))
 }
 
 /// What the keys do not keep from happening, in the words of the builder.

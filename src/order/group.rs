@@ -1,8 +1,9 @@
 //! Which terms of an order stand before one number?
 
-use super::contribution::Sources;
+use super::contribution::{Contribution, Sources, lever};
 use super::factor::Factor;
 use super::source::Source;
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term};
 use crate::proof::{Quantity, Sense};
 
@@ -17,34 +18,67 @@ pub struct Group {
     pub sources: Vec<Source>,
 }
 
-impl Sources<'_> {
-    /// The groups of an order, in the order of their first source; one without sources where nothing has the order.
-    pub fn groups(&self, quantity: Quantity, order: u32) -> Vec<Group> {
-        let senses: &[Option<Sense>] = match quantity {
-            Quantity::Force | Quantity::Moment => &[Some(Sense::Direct), Some(Sense::Reverse)],
-            Quantity::Torque => &[None],
-        };
+/// All terms of one order, of the force and the moment or of the torque.
+#[derive(Clone, Debug)]
+pub struct OrderTerms<'a> {
+    engine: &'a Engine,
+    /// The order k.
+    pub order: u32,
+    by_sense: Vec<(Option<Sense>, Vec<Contribution>)>,
+    groups: Vec<Group>,
+}
+
+impl<'a> Sources<'a> {
+    /// The terms of an order of the force and the moment.
+    pub fn force_terms(&self, order: u32) -> OrderTerms<'a> {
+        let of = |sense| (Some(sense), self.of_force(order, sense).collect());
+        OrderTerms::new(self.engine(), order, Quantity::Force, vec![of(Sense::Direct), of(Sense::Reverse)])
+    }
+
+    /// The terms of an order of the inertia torque.
+    pub fn torque_terms(&self, order: u32) -> OrderTerms<'a> {
+        OrderTerms::new(self.engine(), order, Quantity::Torque, vec![(None, self.of_torque(order).collect())])
+    }
+}
+
+impl<'a> OrderTerms<'a> {
+    fn new(
+        engine: &'a Engine,
+        order: u32,
+        quantity: Quantity,
+        by_sense: Vec<(Option<Sense>, Vec<Contribution>)>,
+    ) -> Self {
         let mut groups: Vec<Group> = Vec::new();
-        for (source, factor, _) in senses.iter().flat_map(|sense| self.terms(quantity, order, *sense)) {
-            match groups.iter_mut().find(|group| group.factor == factor) {
-                Some(group) if group.sources.contains(&source) => {}
-                Some(group) => group.sources.push(source),
+        for Contribution { source, factor, .. } in by_sense.iter().flat_map(|(_, all)| all) {
+            match groups.iter_mut().find(|group| group.factor == *factor) {
+                Some(group) if group.sources.contains(source) => {}
+                Some(group) => group.sources.push(*source),
                 None => {
                     let exists = factor.exists(quantity, order);
-                    groups.push(Group { factor, exists, sources: vec![source] });
+                    groups.push(Group { factor: factor.clone(), exists, sources: vec![*source] });
                 }
             }
         }
         if groups.is_empty() {
             groups.push(Group { factor: Factor::One, exists: false, sources: Vec::new() });
         }
-        groups
+        OrderTerms { engine, order, by_sense, groups }
+    }
+
+    /// The groups, in the order of their first source; one without sources where nothing has the order.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
     }
 
     /// The sum of a group, one term per source, and whose terms they are.
-    pub fn sum(&self, group: &Group, quantity: Quantity, order: u32, sense: Option<Sense>) -> (Vec<Source>, PhasorSum) {
-        let terms = self.terms(quantity, order, sense).into_iter().filter(|(_, factor, _)| *factor == group.factor);
-        let (sources, terms): (Vec<Source>, Vec<Term>) = terms.map(|(source, _, term)| (source, term)).unzip();
+    pub fn sum(&self, group: &Group, quantity: Quantity, sense: Option<Sense>) -> (Vec<Source>, PhasorSum) {
+        let of_sense = self.by_sense.iter().filter(|(own, _)| *own == sense).flat_map(|(_, all)| all);
+        let term = |one: &Contribution| match quantity {
+            Quantity::Force | Quantity::Torque => one.term.clone(),
+            Quantity::Moment => one.weighed(|position| lever(self.engine, quantity, position)).1,
+        };
+        let terms = of_sense.filter(|one| one.factor == group.factor).map(|one| (one.source, term(one)));
+        let (sources, terms): (Vec<Source>, Vec<Term>) = terms.unzip();
         (sources, PhasorSum::new(terms))
     }
 }

@@ -20,7 +20,7 @@ pub use coefficients::{Coefficients, crank, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{Contribution, Sources, all_masses, contributions, groups_of, lever, star, torque};
 pub use factor::Factor;
-pub use group::Group;
+pub use group::{Group, OrderTerms};
 pub use masses::{MassGroup, Masses};
 pub use path::Path;
 pub use phase::{multiples, phase, phase_of};

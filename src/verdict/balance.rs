@@ -1,7 +1,7 @@
 //! Does one phasor sum vanish, and what do the two sums of an order trace together?
 
 use crate::exact::PhasorSum;
-use crate::order::{Factor, Group, Source, Sources};
+use crate::order::{Factor, Group, OrderTerms, Source, Sources};
 use crate::proof::{Certificate, Quantity, Sense, Shape};
 
 /// Whether one phasor sum of the engine vanishes, with the evidence.
@@ -23,10 +23,10 @@ pub struct Verdict {
 
 impl Verdict {
     /// Judges the sum of one group of sources.
-    pub(super) fn new(sources: &Sources, group: &Group, quantity: Quantity, order: u32, sense: Option<Sense>) -> Self {
-        let (sources, sum) = sources.sum(group, quantity, order, sense);
+    pub(super) fn new(terms: &OrderTerms, group: &Group, quantity: Quantity, sense: Option<Sense>) -> Self {
+        let (sources, sum) = terms.sum(group, quantity, sense);
         let certificate = sum.certificate();
-        Verdict { quantity, order, sense, sources, sum, certificate }
+        Verdict { quantity, order: terms.order, sense, sources, sum, certificate }
     }
 
     /// Whether the sum is zero.
@@ -49,8 +49,8 @@ pub struct Balance {
 }
 
 impl Balance {
-    pub(super) fn new(sources: &Sources, group: &Group, quantity: Quantity, order: u32) -> Self {
-        let judge = |sense| Verdict::new(sources, group, quantity, order, Some(sense));
+    pub(super) fn new(terms: &OrderTerms, group: &Group, quantity: Quantity) -> Self {
+        let judge = |sense| Verdict::new(terms, group, quantity, Some(sense));
         let (direct, reverse) = (judge(Sense::Direct), judge(Sense::Reverse));
         let (shape, comparison) = match (direct.vanishes(), reverse.vanishes()) {
             (true, true) => (Shape::Balanced, None),

@@ -109,14 +109,15 @@ pub fn classify(engine: &Engine, orders: &[u32], masses: Masses, quantities: &[Q
 }
 
 fn of_order(sources: &Sources, order: u32, with_torque: bool, known: &Coefficients) -> OrderVerdict {
-    let groups = sources.groups(Quantity::Force, order);
+    let terms = sources.force_terms(order);
+    let groups = terms.groups();
     let class = |group: &Group| (groups.len() > 1).then(|| Class::new(sources, group));
     let part = |group: &Group| OrderBalance {
         order,
         exists: group.exists,
         class: class(group),
-        force: Balance::new(sources, group, Quantity::Force, order),
-        moment: Balance::new(sources, group, Quantity::Moment, order),
+        force: Balance::new(&terms, group, Quantity::Force),
+        moment: Balance::new(&terms, group, Quantity::Moment),
     };
     let parts: Vec<OrderBalance> = groups.iter().map(part).collect();
     let whole = |balance: fn(&OrderBalance) -> &Balance| match parts.as_slice() {
@@ -157,11 +158,12 @@ fn of_one(balance: &Balance) -> WholeOrder {
 }
 
 fn torque_of(sources: &Sources, order: u32, known: &Coefficients) -> TorqueVerdict {
-    let groups = sources.groups(Quantity::Torque, order);
+    let terms = sources.torque_terms(order);
+    let groups = terms.groups();
     let part = |group: &Group| TorquePart {
         exists: group.exists,
         class: (groups.len() > 1).then(|| Class::new(sources, group)),
-        verdict: Verdict::new(sources, group, Quantity::Torque, order, None),
+        verdict: Verdict::new(&terms, group, Quantity::Torque, None),
     };
     let parts: Vec<TorquePart> = groups.iter().map(part).collect();
     let outcome = match parts.as_slice() {

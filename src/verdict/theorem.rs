@@ -11,7 +11,7 @@ use num_traits::ToPrimitive;
 
 use super::{Balance, Verdict};
 use crate::engine::Engine;
-use crate::order::{Masses, Sources};
+use crate::order::{Masses, OrderTerms, Sources};
 use crate::proof::{Quantity, Sense, Survivors};
 
 /// Longer periods are not judged.
@@ -99,20 +99,21 @@ pub fn theorem(engine: &Engine, masses: Masses) -> Result<Theorem, NoTheorem> {
     let period = period(engine);
     let short = period.to_u32().filter(|&period| period <= LONGEST_PERIOD);
     let period = short.ok_or(NoTheorem::PeriodTooLong(period))?;
-    let judge = |quantity| EveryOrder::new(&sources, quantity, period);
+    let orders = std::iter::once(1).chain((2..=period).step_by(2));
+    let terms: Vec<OrderTerms> = orders.map(|order| sources.force_terms(order)).collect();
+    let judge = |quantity| EveryOrder::new(&terms, quantity);
     Ok(Theorem { masses, period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
 }
 
 impl EveryOrder {
-    fn new(sources: &Sources, quantity: Quantity, period: u32) -> Self {
+    fn new(orders: &[OrderTerms], quantity: Quantity) -> Self {
         // Equal centric cranks have one coefficient in every order, and what turns with them has that of order 1.
-        let group = |order| sources.groups(quantity, order).swap_remove(0);
-        let orders = || std::iter::once(1).chain((2..=period).step_by(2));
-        let judge =
-            |sense| orders().map(|order| Verdict::new(sources, &group(order), quantity, order, Some(sense))).collect();
+        let verdict = |terms: &OrderTerms, sense| Verdict::new(terms, &terms.groups()[0], quantity, Some(sense));
+        let judge = |sense| orders.iter().map(|terms| verdict(terms, sense)).collect();
         let mut every = EveryOrder { direct: judge(Sense::Direct), reverse: judge(Sense::Reverse), first: None };
-        let first = every.survivals().into_iter().find(|(_, survives)| *survives);
-        every.first = first.map(|(order, _)| Balance::new(sources, &group(order), quantity, order));
+        let survivals = every.survivals();
+        let first = orders.iter().zip(survivals).find(|(_, (_, survives))| *survives);
+        every.first = first.map(|(terms, _)| Balance::new(terms, &terms.groups()[0], quantity));
         every
     }
 
