@@ -102,6 +102,8 @@ impl<A, L: Length> Draft<A, L> {
             cylinder.name = (index + 1).to_string();
         }
         let mut names = BTreeSet::new();
+        // That of the cylinder before, which turns round: most engines have one.
+        let mut turning: Option<&Mechanism> = None;
         for cylinder in &self.cylinders {
             let name = &cylinder.name;
             if !names.insert(name) {
@@ -110,9 +112,11 @@ impl<A, L: Length> Draft<A, L> {
             not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
-            if cylinder.mechanism.as_ref().is_some_and(|mechanism| !mechanism.turns_round()) {
+            let mechanism = cylinder.mechanism.as_ref();
+            if mechanism != turning && mechanism.is_some_and(|mechanism| !mechanism.turns_round()) {
                 return Err(BuildError::CannotTurnRound { cylinder: name.clone() });
             }
+            turning = mechanism;
         }
         let without = self.cylinders.iter().find(|cylinder| cylinder.mechanism.is_none());
         if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {

@@ -13,7 +13,7 @@ use super::error::LayoutError;
 use super::layout::built;
 use super::quantities::{self, factor, mass, metres, misread, positive_metres};
 use super::written::{Column, Table, Text, Values, place};
-use crate::engine::{Counterweight, Crankshaft, Engine, LengthUnit, Throw, Web, throws};
+use crate::engine::{Counterweight, Crankshaft, Draft, Engine, LengthUnit, Throw, Web, throws};
 use crate::exact::Turn;
 
 /// `[crankshaft]`: each mass key holds one value for all throws, or a list with one per throw.
@@ -59,12 +59,15 @@ impl Tables<'_> {
     pub fn read(&self, engine: Engine) -> Result<Engine, LayoutError> {
         let throws = throws(&engine);
         let mut unit = engine.length_unit();
-        let mut draft = engine.clone().into_draft();
-        if let Some(table) = self.crankshaft {
-            draft.crankshaft = self.masses(&table.get_ref().0, &engine, &throws, &mut unit)?;
-        }
         // Balance factors are about what turns without counterweights.
-        let bare = built(draft.clone().build())?;
+        let bare = match self.crankshaft {
+            None => engine,
+            Some(table) => {
+                let crankshaft = self.masses(&table.get_ref().0, &engine, &throws, &mut unit)?;
+                built(Draft { crankshaft, ..engine.into_draft() }.build())?
+            }
+        };
+        let mut crankshaft = bare.crankshaft().clone();
         let asked = self.crankshaft.as_ref().and_then(|table| table.get_ref().0.balance_factor.as_ref());
         match (asked, self.counterweights) {
             (Some(_), Some(list)) => {
@@ -73,21 +76,20 @@ impl Tables<'_> {
             }
             (Some(factors), None) => {
                 let (weights, factors) = self.make_counterweights(factors, &bare, &throws, &mut unit)?;
-                draft.crankshaft.counterweights = weights;
-                draft.crankshaft.balance_factors = factors;
+                crankshaft.counterweights = weights;
+                crankshaft.balance_factors = factors;
             }
             (None, Some(list)) => {
                 let weights = list.get_ref().iter().map(|table| self.counterweight(table, &bare, &throws, &mut unit));
-                draft.crankshaft.counterweights = weights.collect::<Result<_, _>>()?;
+                crankshaft.counterweights = weights.collect::<Result<_, _>>()?;
             }
             (None, None) => {}
         }
         for table in self.balancers.iter().flat_map(|list| list.get_ref()) {
             let shaft = balancer_keys::read(table, |text| self.along(text, &bare, &mut unit))?;
-            draft.crankshaft.balancers.push(shaft);
+            crankshaft.balancers.push(shaft);
         }
-        draft.length_unit = unit;
-        built(draft.build())
+        built(Draft { crankshaft, length_unit: unit, ..bare.into_draft() }.build())
     }
 
     /// Length, pins and webs.

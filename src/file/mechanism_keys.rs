@@ -61,7 +61,7 @@ impl Keys {
             if let (Some(radii), Some(unit)) = (&radii, &crank_radius) {
                 cylinder.crank_radius = &radii[index] / unit;
             }
-            cylinder.mechanism = rods.get(index).cloned().map(Mechanism::SliderCrank);
+            cylinder.mechanism = rods.get(index).cloned();
             if let Some(rotating) = &rotating {
                 cylinder.rotating_mass = rotating[index].clone();
             }
@@ -89,7 +89,7 @@ impl Keys {
         table: &mut Reading,
         radii: Option<&[BigRational]>,
         lengths: Option<&Column>,
-    ) -> Result<Vec<Rod>, LayoutError> {
+    ) -> Result<Vec<Mechanism>, LayoutError> {
         let ratios = table.column(&self.rod_ratio, Measure::RodRatio)?;
         let (ratios, places) = match (ratios, lengths, radii, &self.rod_length) {
             (Some(_), Some(_), _, Some(length)) => return Err(twice("rod_ratio", "rod_length", length)),
@@ -114,11 +114,12 @@ impl Keys {
             }
         };
         let offsets = self.offsets(table, radii, &ratios)?;
-        let rods: Vec<Rod> = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Rod { ratio, offset }).collect();
-        match rods.iter().position(|rod| !Mechanism::SliderCrank(rod.clone()).turns_round()) {
+        let rods = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Mechanism::SliderCrank(Rod { ratio, offset }));
+        let rods: Vec<Mechanism> = rods.collect();
+        match rods.iter().position(|rod| !rod.turns_round()) {
             None => Ok(rods),
             Some(index) => {
-                let Rod { ratio, offset } = &rods[index];
+                let Mechanism::SliderCrank(Rod { ratio, offset }) = &rods[index];
                 let message = format!("cylinder {} cannot turn round: λ + |δ| = {}", index + 1, ratio + offset.abs());
                 let right = match offset.is_zero() {
                     true => "the rod has to be longer than the crank radius: λ < 1",
