@@ -56,4 +56,15 @@ impl Factor {
             },
         }
     }
+
+    /// Whether it is below 0 in an order of the force; none where it is not real.
+    pub fn is_negative(&self, order: u32) -> Option<bool> {
+        match self {
+            Factor::One => Some(false),
+            // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
+            Factor::Open => Some(order.is_multiple_of(4)),
+            Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
+            Factor::Torque(_) => None,
+        }
+    }
 }

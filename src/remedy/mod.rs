@@ -24,7 +24,6 @@ pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, Shaft, shaft, shafts};
 #[cfg(feature = "report")]
-pub(crate) use weight::is_negative;
 pub use weight::{Weight, with_counterweights};
 
 use crate::engine::{Engine, throws};

@@ -41,7 +41,7 @@ impl Weight {
     pub fn direction(&self) -> Option<Direction> {
         let (factor, sum) = self.vector.only()?;
         let half = || sum.turned(&Turn::fraction(1, 2));
-        match is_negative(factor, self.order)? {
+        match factor.is_negative(self.order)? {
             true => numbers::direction_of(&half()),
             false => numbers::direction_of(sum),
         }
@@ -63,17 +63,6 @@ impl Weight {
     pub fn mass_at_crank_radius(&self, subject: &ComparableEngine) -> Option<f64> {
         let [_, radius] = subject.scale()?;
         Some(self.mass_radius(subject)? / radius.to_f64()?)
-    }
-}
-
-/// Whether a factor is below 0; `None` where it is not real.
-pub(crate) fn is_negative(factor: &Factor, order: u32) -> Option<bool> {
-    match factor {
-        Factor::One => Some(false),
-        // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
-        Factor::Open => Some(order.is_multiple_of(4)),
-        Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
-        Factor::Torque(_) => unreachable!("weights take away forces"),
     }
 }
 

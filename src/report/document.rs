@@ -3,13 +3,13 @@
 use num_complex::Complex;
 use num_traits::ToPrimitive;
 
-use crate::engine::{self, Engine, Rod};
+use crate::engine::{self, Engine, Mechanism, Rod};
 use crate::exact::Term;
 use crate::numbers;
-use crate::order::{self, Masses, Sources};
+use crate::order::{self, Factor, Masses, Sources};
 use crate::proof::{
-    self, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim,
-    TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
+    self, Coefficient, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim,
+    TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use crate::verdict::{self, Class, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
@@ -100,6 +100,17 @@ fn cylinder(engine: &Engine, cylinder: &engine::Cylinder) -> Cylinder {
 /// A rod as data.
 pub(super) fn rod_claim(rod: &Rod) -> RodClaim {
     RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() }
+}
+
+/// What a force stands before, as data.
+pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
+    match factor {
+        Factor::One => Coefficient::One,
+        Factor::Open => Coefficient::Common,
+        Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
+            Coefficient::Rod(rod_claim(rod))
+        }
+    }
 }
 
 /// The terms of a sum as data.

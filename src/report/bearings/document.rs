@@ -5,11 +5,13 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::super::calculation::Unit;
+use super::super::document::coefficient_claim;
 use super::amounts::unit_of;
-use crate::engine::{Engine, Mechanism};
+use crate::engine::Engine;
 use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
 use crate::numbers;
-use crate::order::{Factor, OrderSum};
+use crate::order::OrderSum;
+use crate::proof::Coefficient;
 
 /// What the main bearings feel, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -143,16 +145,16 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
         sums: sum
             .parts()
             .iter()
-            .map(|(factor, sum)| Sum { coefficient: coefficient(factor), terms: terms(sum) })
+            .map(|(factor, sum)| Sum { coefficient: coefficient(&coefficient_claim(factor)), terms: terms(sum) })
             .collect(),
     }
 }
 
 /// `1`, or c_k of which rod.
-fn coefficient(factor: &Factor) -> String {
-    match factor {
-        Factor::One => "1".to_owned(),
-        Factor::Motion(Mechanism::SliderCrank(rod)) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
-        Factor::Torque(_) | Factor::Open => unreachable!("bearings feel forces of rods that are known"),
+fn coefficient(claim: &Coefficient) -> String {
+    match claim {
+        Coefficient::One => "1".to_owned(),
+        Coefficient::Common => "c_k".to_owned(),
+        Coefficient::Rod(rod) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
     }
 }

@@ -1,7 +1,7 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use super::super::document::{rod_claim, vectors};
-use crate::engine::{Engine, Mechanism};
+use super::super::document::{coefficient_claim, rod_claim, vectors};
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
 use crate::numbers;
@@ -28,7 +28,7 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
                         quantity,
                         order,
                         sense,
-                        coefficient: coefficient(&judged.factor),
+                        coefficient: coefficient_claim(&judged.factor),
                         terms: vectors(&judged.sum.collected()),
                         certificate: judged.certificate.clone(),
                     })
@@ -94,7 +94,7 @@ fn weight(weight: &Weight) -> WeightClaim {
     let part = |(factor, sum): (&Factor, &PhasorSum)| {
         let value = numbers::evaluate(sum);
         WeightPart {
-            coefficient: coefficient(factor),
+            coefficient: coefficient_claim(factor),
             terms: vectors(&sum.collected()),
             modulus: value.norm(),
             angle_deg: numbers::degrees(value),
@@ -105,14 +105,5 @@ fn weight(weight: &Weight) -> WeightClaim {
         sense: weight.sense,
         position: weight.position.clone(),
         parts: weight.vector.parts().iter().map(part).collect(),
-    }
-}
-
-fn coefficient(factor: &Factor) -> Coefficient {
-    match factor {
-        Factor::One => Coefficient::One,
-        Factor::Open => Coefficient::Common,
-        Factor::Motion(Mechanism::SliderCrank(rod)) => Coefficient::Rod(rod_claim(rod)),
-        Factor::Torque(_) => unreachable!("weights take away forces"),
     }
 }

@@ -4,7 +4,7 @@ use super::super::typeset::{Amount, Bearing};
 use crate::numbers;
 use crate::order::Factor;
 use crate::proof::Sense;
-use crate::remedy::{self, Kind, Remedy, Shaft, Weight};
+use crate::remedy::{Kind, Remedy, Shaft, Weight};
 
 /// A weight and the part of the remedy that it belongs to.
 pub(super) struct Part<'a> {
@@ -53,9 +53,7 @@ pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
     let amount = |decimal: f64| Amount { exact: exact.clone(), decimal }.plain();
     match (weight.vector.only(), weight.decimals(&remedy.subject)) {
         (Some((Factor::One, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
-        (Some((Factor::Motion(_) | Factor::Open | Factor::Torque(_), sum)), _) => {
-            format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order)
-        }
+        (Some((_, sum)), _) => format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order),
         (None, Some([size, _])) => format!("{} m r", amount(size)),
         (None, None) => format!("depends on c_{}", weight.order),
     }
@@ -67,7 +65,7 @@ pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
     let of_sum = || {
         let (factor, sum) = weight.vector.only()?;
         let value = numbers::evaluate(sum);
-        let value = if remedy::is_negative(factor, weight.order)? { -value } else { value };
+        let value = if factor.is_negative(weight.order)? { -value } else { value };
         Some(numbers::degrees(value))
     };
     let of_value = weight.decimals(&remedy.subject).map(|[_, degrees]| degrees);
