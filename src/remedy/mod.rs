@@ -23,7 +23,6 @@ pub use counterweights::{bay_by_bay, one_plane, two_planes};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, Shaft, shaft, shafts};
-#[cfg(feature = "report")]
 pub use weight::{Weight, with_counterweights};
 
 use crate::engine::{Engine, throws};

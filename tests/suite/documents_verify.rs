@@ -2,9 +2,11 @@
 
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
-use crankstar::proof::{AnyDocument, Checked, Masses, TurningMassClaim, read_document};
+use crankstar::proof::{AnyDocument, Checked, Document, Vector, VerdictClaim, read_document};
 use crankstar::remedy::{Wish, remedy};
-use crankstar::{family, order, report};
+use crankstar::report::{self, Compared, Numbers};
+use crankstar::text::Untrusted;
+use crankstar::{family, order, verdict};
 
 use crate::support::dice::Dice;
 use crate::support::verdicts::{self, judged, theorem};
@@ -55,35 +57,52 @@ fn every_document_of_verdicts_verifies_with_and_without_torque_and_every_order()
     }
 }
 
-/// With the masses of the layout that turn, and by a producer of its own.
+const ALL_MASSES: [order::Masses; 4] =
+    [order::Masses::All, order::Masses::Reciprocating, order::Masses::Rotating, order::Masses::Counterweights];
+
+/// What the program says of all masses, and what a producer of the tests says that shares nothing with it.
 #[test]
-fn every_document_on_all_masses_verifies() {
-    let mut several = 0;
+fn every_document_on_all_masses_verifies_and_is_that_of_another_producer() {
+    let (mut several, mut turning) = (0, 0);
     for (index, (text, layout)) in known(4).enumerate() {
-        let torque = index % 2 == 0;
+        let quantities = verdicts::quantities(index % 2 == 0);
         let orders = [&[1, 2][..], &[1, 2, 3, 4, 6], &[5], &[2, 12]][index % 4];
-        let mut document = verdicts::document(&layout, &[], torque, None);
-        document.orders = orders.to_vec();
-        document.masses = [Masses::All, Masses::Reciprocating, Masses::Rotating][index % 3];
-        if document.masses != Masses::Reciprocating {
-            let masses = order::turning_masses(&layout).into_iter().enumerate();
-            document.turning_masses = masses.map(|(index, mass)| turning_mass(index, mass)).collect();
-        }
-        whole_documents::fill(&mut document);
+        let masses = ALL_MASSES[index / 4 % 4];
+        let judged = verdict::classify(&layout, orders, masses, &quantities);
+        let theorem = (index % 5 == 0).then(|| verdict::theorem(&layout, masses).ok()).flatten();
+        let document = report::document(&layout, masses, &judged, &quantities, theorem.as_ref());
         let (_, checked) = verified(&document, &text);
+        let mut other = Document { theorems: Vec::new(), all_orders: false, ..document.clone() };
+        whole_documents::fill(&mut other);
+        verified(&other, &text);
+        let said = |document: &Document| -> Vec<(Vec<String>, Vec<Vector>, bool)> {
+            let of = |verdict: &VerdictClaim| (verdict.of.clone(), verdict.terms.clone(), verdict.vanishes);
+            document.verdicts.iter().map(of).collect()
+        };
+        assert_eq!(said(&document), said(&other), "{text}");
+        let outcomes = |document: &Document| document.wholes.iter().map(|one| one.outcome).collect::<Vec<_>>();
+        assert_eq!(outcomes(&document), outcomes(&other), "{text}");
         several += checked.wholes;
+        turning += usize::from(!document.turning_masses.is_empty());
     }
-    assert!(several > count(), "{several}");
+    assert!(several > count() / 2 && turning > count() / 8, "{several} wholes, {turning} with masses that turn");
 }
 
-fn turning_mass(index: usize, mass: order::TurningMass) -> TurningMassClaim {
-    TurningMassClaim {
-        name: format!("mass {index}"),
-        order: mass.order,
-        sense: mass.sense,
-        position: mass.position,
-        angle: mass.angle.turns().clone(),
-        mass_radius: mass.mass_radius,
+/// Newtons carry the verdicts that their zeros are.
+#[test]
+fn every_document_of_loads_and_of_a_comparison_verifies() {
+    let mut loads = 0;
+    let known: Vec<(String, Engine)> = known(5).take(count() / 3).collect();
+    for (text, layout) in &known {
+        let Ok(numbers) = Numbers::new(layout, &[1, 2, 3, 4], None) else { continue };
+        loads += 1;
+        verified(&report::loads_document(layout, &numbers, None), text);
+    }
+    assert!(loads > count() / 12, "{loads}");
+    for pair in known.chunks_exact(2) {
+        let compared: Vec<Compared> =
+            pair.iter().map(|(_, layout)| Compared::new(Untrusted::new("engine"), layout, &[1, 2, 3])).collect();
+        verified(&report::compare_document(&compared), &pair[0].0);
     }
 }
 

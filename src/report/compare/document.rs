@@ -8,7 +8,7 @@ use super::rows::decimal;
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
-use crate::proof::{Document, Format, Quantity};
+use crate::proof::{Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
 
 /// Engines side by side, as data.
@@ -72,7 +72,7 @@ struct Part {
 
 #[derive(Clone, Debug, Serialize)]
 struct Amount {
-    shape: &'static str,
+    shape: Shape,
     /// In m r ω² c_k, moments times the unit of the positions; 0 is exact; null where several sums make up the order.
     largest: Option<f64>,
     exact: Option<String>,
@@ -150,7 +150,7 @@ fn order(order: &OrderVerdict) -> Order {
     let whole = |whole: &WholeOrder, balance: fn(&OrderBalance) -> &Balance| match order.parts.as_slice() {
         [only] => amount(balance(only)),
         _ => Amount {
-            shape: residual::shape_name(whole.shape),
+            shape: whole.shape,
             largest: whole.is_balanced().then_some(0.0),
             exact: whole.is_balanced().then(|| "0".to_owned()),
         },
@@ -168,7 +168,7 @@ fn order(order: &OrderVerdict) -> Order {
 fn amount(balance: &Balance) -> Amount {
     let largest = residual::largest(balance);
     let exact = largest.exact.as_ref().map(ToString::to_string);
-    Amount { shape: residual::shape_name(balance.shape), largest: Some(largest.decimal), exact }
+    Amount { shape: balance.shape, largest: Some(largest.decimal), exact }
 }
 
 fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
