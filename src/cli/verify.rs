@@ -23,7 +23,7 @@ pub struct Verify {
 }
 
 impl Verify {
-    /// Checks a document that `classify --json` or `remedy --json` printed.
+    /// Checks a document that `classify`, `remedy`, `loads` or `compare` printed as JSON.
     pub fn run(&self) -> Result<(), Failure> {
         let name = match self.file == Path::new("-") {
             true => "standard input".to_owned(),
@@ -57,7 +57,9 @@ impl Verify {
 fn unreadable(name: &str, error: &Unreadable) -> Failure {
     match error {
         Unreadable::TooLarge(_) => Failure::new(format!("{name} is larger than 4 MiB, which is not read")),
-        error => Failure::new(format!("{name} is no `classify --json` or `remedy --json` output: {error}")),
+        error => Failure::new(format!(
+            "{name} is no output of `classify --json`, `remedy --json`, `loads --json` or `compare --json`: {error}"
+        )),
     }
 }
 

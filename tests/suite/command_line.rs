@@ -135,10 +135,7 @@ fn verify_refuses_what_is_no_json_output() {
     ] {
         let file = folder.join(name);
         fs::write(&file, bytes).expect("a file");
-        assert!(
-            fails(&["verify", text(&file)], 1).contains("is no `classify --json` or `remedy --json` output"),
-            "{name}"
-        );
+        assert!(fails(&["verify", text(&file)], 1).contains("is no output of `classify --json`"), "{name}");
     }
     assert!(fails(&["verify", text(&folder.join("missing"))], 1).contains("cannot read"));
 }
