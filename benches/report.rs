@@ -26,7 +26,9 @@ fn engine(name: &str) -> Engine {
 fn verdicts(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
-        verdict::classify(black_box(&layout), layout.orders(), Masses::Reciprocating, &QUANTITIES).len()
+        verdict::classify(black_box(&layout), layout.orders(), Masses::Reciprocating, &QUANTITIES)
+            .expect("orders")
+            .len()
     });
 }
 
@@ -34,7 +36,7 @@ fn verdicts(bencher: Bencher, name: &str) {
 fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
-        let judged = Judgement::new(black_box(&layout), layout.orders(), &QUANTITIES);
+        let judged = Judgement::new(black_box(&layout), layout.orders(), &QUANTITIES).expect("orders");
         let subject = report::Contents { engine: &layout, judged: &judged, family: None, needed: None, accuracy: None };
         report::report(subject, Dialect::GithubMarkdown).len()
     });

@@ -24,7 +24,7 @@ fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{dialect:?}")).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
-    let judged = Judgement::new(layout, layout.orders(), &[Quantity::Force, Quantity::Moment]);
+    let judged = Judgement::new(layout, layout.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders");
     for file in report::report(
         report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
         dialect,
@@ -62,8 +62,9 @@ fn comparison() -> (PathBuf, usize) {
     fs::create_dir_all(&folder).expect("a folder");
     let (orders, engines) = ([1, 2, 4], engines());
     let few = engines.iter().filter(|(name, _)| name.starts_with("I5") || name.starts_with("strange"));
-    let compared: Vec<Compared> =
-        few.map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders)).collect();
+    let compared: Vec<Compared> = few
+        .map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders).expect("orders"))
+        .collect();
     for file in report::compare_page(&compared) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }

@@ -47,14 +47,14 @@ fn known(layout: &Engine) {
         return;
     }
     let orders: Vec<u32> = layout.orders().iter().copied().take(2).collect();
-    let judged = Judgement::new(layout, &orders, &Quantity::ALL);
+    let judged = Judgement::new(layout, &orders, &Quantity::ALL).expect("orders");
     let document = report::document(layout, judged.masses, &judged.orders, &Quantity::ALL, None);
     assert!(serde_json::to_string(&document).is_ok());
     if let Ok(numbers) = report::Numbers::new(layout, &orders, None) {
         assert!(serde_json::to_string(&report::loads_document(layout, &numbers, None)).is_ok());
     }
     if layout.cylinders().len() <= MOST_REPORTED {
-        let judged = Judgement::new(layout, &orders, &[Quantity::Force, Quantity::Moment]);
+        let judged = Judgement::new(layout, &orders, &[Quantity::Force, Quantity::Moment]).expect("orders");
         let subject = report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None };
         assert!(!report::report(subject, Dialect::Latex).is_empty());
     }
@@ -65,7 +65,7 @@ fn open(family: &Family) {
         return;
     }
     let orders: Vec<u32> = family.orders().iter().copied().take(2).collect();
-    let verdicts = family::classify(family, &orders);
+    let verdicts = family::classify(family, &orders).expect("orders");
     assert!(serde_json::to_string(&report::open_document(family, &verdicts)).is_ok());
     if family.cylinders().len() <= MOST_REPORTED {
         assert!(!report::open_report(family, &verdicts, Dialect::GithubMarkdown).is_empty());

@@ -91,7 +91,7 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
 
 /// Answers a claim about one order of the inertia torque.
 fn of_torque(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
-    let judged = verdict::torque(engine, &[subject.order]).into_iter().flat_map(|torque| torque.parts).next();
+    let judged = verdict::torque(engine, &[subject.order]).into_iter().flatten().flat_map(|torque| torque.parts).next();
     let Some(torque) = judged else { return Answer::nothing("no order") };
     let vectors = Vectors { verdicts: vec![&torque.verdict], shape: None, comparison: None };
     let mut evidence = if torque.exists { vectors.evidence() } else { Vec::new() };

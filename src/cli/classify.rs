@@ -57,7 +57,7 @@ impl Classify {
             ));
         }
         family::comparable(family).map_err(Failure::new)?;
-        let verdicts = family::classify(family, orders);
+        let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.json {
             true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
             false => write::to_stdout(&terminal::open_summary(family, &verdicts)),

@@ -42,8 +42,8 @@ impl Compare {
         };
         orders.sort_unstable();
         orders.dedup();
-        let compared: Vec<Compared> =
-            engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders)).collect();
+        let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
+        let compared = compared.collect::<Result<Vec<Compared>, _>>().map_err(Failure::new)?;
         if self.json {
             let document = report::compare_document(&compared);
             return write::to_stdout(&proved_or_without(document, CompareDocument::without_evidence)?);

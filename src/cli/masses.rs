@@ -47,7 +47,7 @@ impl Masses {
     /// Judges an engine at these orders.
     pub fn judge(&self, engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Result<Judgement, Failure> {
         match self.masses {
-            None => Ok(Judgement::new(engine, orders, quantities)),
+            None => Judgement::new(engine, orders, quantities).map_err(Failure::new),
             Some(which) => Judgement::of(engine, orders, which.into(), quantities).map_err(Failure::new),
         }
     }

@@ -62,7 +62,10 @@ impl Report {
                 let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
                 // Where the rods differ nothing is said of other values than those given.
                 let family = family.as_ref().filter(|family| family::comparable(family).is_ok());
-                let open = family.map(|family| (family.as_ref(), family::classify(family, orders)));
+                let open = match family {
+                    None => None,
+                    Some(family) => Some((family.as_ref(), family::classify(family, orders).map_err(Failure::new)?)),
+                };
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;
                 let subject = report::Contents {
@@ -79,7 +82,7 @@ impl Report {
             }
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
-                let verdicts = family::classify(family, &orders);
+                let verdicts = family::classify(family, &orders).map_err(Failure::new)?;
                 (report::open_report(family, &verdicts, dialect), terminal::open_summary(family, &verdicts))
             }
         };

@@ -12,7 +12,7 @@ use super::length::Length;
 use super::linear::Linear;
 use super::mechanism::Mechanism;
 use super::model::Engine;
-use super::order::{ORDERS, pistons_have_order};
+use super::order::{NotAnOrder, are_orders, pistons_have_order};
 use super::throws::throws;
 use crate::proof::Quantity;
 
@@ -47,7 +47,7 @@ pub enum BuildError {
         cylinder: String,
     },
     /// A number that is no order.
-    Order(u32),
+    Order(NotAnOrder),
     /// A list that has not one value for each throw.
     List {
         /// What the list holds.
@@ -77,9 +77,7 @@ impl fmt::Display for BuildError {
             BuildError::CannotTurnRound { cylinder } => {
                 write!(f, "cylinder {cylinder} cannot turn round: its rod is too short")
             }
-            BuildError::Order(number) => {
-                write!(f, "{number} is no order, which is a whole number from 1 to {}", ORDERS.end())
-            }
+            BuildError::Order(number) => number.fmt(f),
             BuildError::List { of, values, throws } => {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
@@ -128,9 +126,7 @@ impl<A, L: Length> Draft<A, L> {
         dimensions.crank_radius.iter().try_for_each(|radius| positive(radius, || "the crank radius".into()))?;
         let mechanisms: Vec<&Mechanism> = self.cylinders.iter().filter_map(|one| one.mechanism.as_ref()).collect();
         let usual = (1..=USUALLY_UP_TO).filter(|&order| pistons_have_order(&mechanisms, Quantity::Force, order));
-        if let Some(number) = self.orders.iter().find(|order| !ORDERS.contains(order)) {
-            return Err(BuildError::Order(*number));
-        }
+        are_orders(&self.orders).map_err(BuildError::Order)?;
         self.orders.sort_unstable();
         self.orders.dedup();
         let orders = if self.orders.is_empty() { usual.collect() } else { self.orders.clone() };
@@ -171,9 +167,7 @@ impl Draft {
         }
         for shaft in &crankshaft.balancers {
             not_negative(&shaft.mass_radius, || "the mass-radius of a balancer shaft".into())?;
-            if !ORDERS.contains(&shaft.order) {
-                return Err(BuildError::Order(shaft.order));
-            }
+            are_orders(&[shaft.order]).map_err(BuildError::Order)?;
         }
         if let Some(firing) = engine.firing() {
             let cylinders: BTreeSet<usize> = firing.shots.iter().map(|shot| shot.cylinder).collect();

@@ -30,6 +30,6 @@ pub use length::{Length, LengthUnit};
 pub use linear::Linear;
 pub use mechanism::{Mechanism, Rod};
 pub use model::{Effects, Engine};
-pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, ORDERS, WHY_NOT};
+pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, NotAnOrder, ORDERS, WHY_NOT, are_orders};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;

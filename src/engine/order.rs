@@ -3,6 +3,7 @@
 //! The theorem is that of [`crate::motion`]: order 1 of the force always exists; for λ > 0 the even ones do, and with a pin offset
 //! every one; in the inertia torque every order. An infinitely long rod, λ = 0, has order 1 of the force and order 2 of the torque.
 
+use std::fmt;
 use std::ops::RangeInclusive;
 
 use num_traits::Zero;
@@ -15,6 +16,29 @@ use crate::proof::Quantity;
 pub const HIGHEST_ORDER: u32 = 1000;
 /// The orders that are answered.
 pub const ORDERS: RangeInclusive<u32> = 1..=HIGHEST_ORDER;
+
+/// A number that is no order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotAnOrder(pub u32);
+
+impl fmt::Display for NotAnOrder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is no order; an order is a whole number from 1 to {HIGHEST_ORDER}", self.0)
+    }
+}
+
+impl std::error::Error for NotAnOrder {}
+
+/// Whether every number of a list is an order.
+///
+/// # Errors
+/// The first that is none.
+pub fn are_orders(numbers: &[u32]) -> Result<(), NotAnOrder> {
+    match numbers.iter().find(|number| !ORDERS.contains(number)) {
+        None => Ok(()),
+        Some(&number) => Err(NotAnOrder(number)),
+    }
+}
 
 /// What every page and table says of an order whose coefficient is 0.
 pub const DOES_NOT_EXIST: &str = "does not exist";

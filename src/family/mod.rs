@@ -21,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use crate::engine::{Cylinder, DELTA, Family, Linear, PHI};
+use crate::engine::{Cylinder, DELTA, Family, Linear, NotAnOrder, PHI, are_orders};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order;
 use crate::proof::{Certificate, Quantity, Sense};
@@ -109,15 +109,18 @@ pub struct OpenOrder {
 }
 
 /// Judges the given orders of a family that is [`comparable`].
-pub fn classify(family: &Family, orders: &[u32]) -> Vec<OpenOrder> {
+///
+/// # Errors
+/// A number that is no order.
+pub fn classify(family: &Family, orders: &[u32]) -> Result<Vec<OpenOrder>, NotAnOrder> {
+    are_orders(orders)?;
     let judge = |quantity, order| [Sense::Direct, Sense::Reverse].map(|sense| verdict(family, quantity, order, sense));
     let order = |&order: &u32| OpenOrder {
         order,
         force: judge(Quantity::Force, order),
         moment: judge(Quantity::Moment, order),
     };
-    // There is no order 0.
-    orders.iter().filter(|order| **order > 0).map(order).collect()
+    Ok(orders.iter().map(order).collect())
 }
 
 fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {

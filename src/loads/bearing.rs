@@ -14,7 +14,7 @@ use num_traits::One;
 use super::shares::{Shares, in_equilibrium};
 use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
 use crate::beam::Beam;
-use crate::engine::Engine;
+use crate::engine::{self, Engine};
 use crate::order::{self, Contribution, MassGroup, OrderSum};
 
 /// How a load is shared among the bearings.
@@ -82,7 +82,7 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     if engine.bearings().is_empty() {
         return Err(Missing::Bearings);
     }
-    super::are_orders(orders)?;
+    engine::are_orders(orders)?;
     let beam = Beam::new(engine.bearings().to_vec()).map_err(Missing::Beam)?;
     let motion = Motion::new(engine)?;
     let shares = Shares::new(beam, method);

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::beam::BeamError;
-use crate::engine;
+use crate::engine::NotAnOrder;
 use crate::order::NotComparable;
 
 /// Why a layout has no numbers.
@@ -20,7 +20,7 @@ pub enum Missing {
     /// A crank that cannot turn round.
     Motion(String),
     /// A number that is no order.
-    Order(u32),
+    Order(NotAnOrder),
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -41,9 +41,7 @@ impl fmt::Display for Missing {
                 f.write_str("the methods are compared for engines without balancer shafts; leave out [[balancer]]")
             }
             Missing::Motion(reason) => f.write_str(reason),
-            Missing::Order(number) => {
-                write!(f, "{number} is no order; an order is a whole number from 1 to {}", engine::ORDERS.end())
-            }
+            Missing::Order(number) => number.fmt(f),
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),
@@ -54,14 +52,9 @@ impl fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
-/// Whether every number of a list is an order.
-///
-/// # Errors
-/// The first that is none.
-pub fn are_orders(orders: &[u32]) -> Result<(), Missing> {
-    match orders.iter().find(|order| !engine::ORDERS.contains(order)) {
-        None => Ok(()),
-        Some(&other) => Err(Missing::Order(other)),
+impl From<NotAnOrder> for Missing {
+    fn from(what: NotAnOrder) -> Self {
+        Missing::Order(what)
     }
 }
 

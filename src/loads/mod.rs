@@ -19,7 +19,7 @@ mod waveform;
 pub use always::vanishes_at_every_order;
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
 use coefficients::Motion;
-pub use missing::{Missing, are_orders};
+pub use missing::Missing;
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
 pub use scale::{Arm, Scale, scale};
@@ -29,7 +29,7 @@ pub use tails::Tails;
 pub use vector::{Outcome, Vector};
 pub use waveform::{Circle, Harmonic, Peak, Waveform};
 
-use crate::engine::Engine;
+use crate::engine::{self, Engine};
 use crate::motion::Coefficient;
 use crate::order::{self, Contribution, MassGroup, OrderSum};
 use crate::proof::{Quantity, Sense};
@@ -117,8 +117,8 @@ pub fn loads(engine: &Engine, orders: &[u32]) -> Result<Loads, Missing> {
 /// # Errors
 /// What the layout lacks, and orders that are none.
 pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Result<Loads, Missing> {
-    are_orders(orders)?;
-    are_orders(torque_orders)?;
+    engine::are_orders(orders)?;
+    engine::are_orders(torque_orders)?;
     let motion = Motion::new(engine)?;
     let total: Vec<OrderLoads> = orders.iter().map(|&order| OrderLoads::new(engine, &motion, order)).collect();
     let waveform =

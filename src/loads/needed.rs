@@ -1,7 +1,7 @@
 //! Which orders does a wanted accuracy of the peaks call for? Those that a rigorous bound cannot do without.
 
 use super::{Missing, Spectrum};
-use crate::engine::Engine;
+use crate::engine::{Engine, NotAnOrder};
 use crate::proof::Quantity;
 
 /// Orders that are looked at one by one; the rest is bounded together.
@@ -142,7 +142,7 @@ impl Choices {
                 break;
             }
         }
-        found.ok_or(Missing::Order(at_least))
+        found.ok_or(Missing::Order(NotAnOrder(at_least)))
     }
 
     fn left_out(&self, kept: &[u32], torque_kept: &[u32]) -> LeftOut {

@@ -279,7 +279,8 @@ impl LoadsDocument {
 fn evidence(engine: &Engine, loads: &Loads) -> Document {
     let masses = if order::groups_of(engine).len() > 1 { Masses::All } else { Masses::Reciprocating };
     let of = |orders: &mut dyn Iterator<Item = u32>, quantities: &[Quantity]| {
-        verdict::classify(engine, &orders.collect::<Vec<_>>(), masses, quantities)
+        let judged = verdict::classify(engine, &orders.collect::<Vec<_>>(), masses, quantities);
+        judged.unwrap_or_else(|number| unreachable!("loads are those of orders: {number}"))
     };
     let both = [Quantity::Force, Quantity::Moment];
     let mut judged = of(&mut loads.orders.iter().map(|order| order.order), &both);

@@ -290,7 +290,9 @@ pub(super) fn torque_verdicts(
         Some(torque) => torque.orders.iter().map(|order| order.order).collect(),
         None => verdict::torque_orders(&judged.orders.iter().map(|order| order.order).collect::<Vec<_>>()),
     };
-    verdict::torque(engine, &orders).into_iter().flat_map(|torque| torque.parts).collect()
+    let judged = verdict::torque(engine, &orders);
+    let judged = judged.unwrap_or_else(|number| unreachable!("these orders were judged: {number}"));
+    judged.into_iter().flat_map(|torque| torque.parts).collect()
 }
 
 /// The drawing of the stars of the inertia torque.

@@ -11,7 +11,7 @@ use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness_of};
 use super::integers::{IntegerEngine, Pair};
-use crate::engine::{Cycle, Engine, Mechanism};
+use crate::engine::{self, Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
@@ -126,7 +126,7 @@ pub(super) fn judge_with(
     motions: &mut Motions,
 ) -> Result<SweptEngine, Missing> {
     order::comparable(engine)?;
-    loads::are_orders(orders)?;
+    engine::are_orders(orders)?;
     let whole = IntegerEngine::new(engine);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {

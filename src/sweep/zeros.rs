@@ -78,7 +78,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     let engine = reader.engine(&reader.values(0)).ok()?;
     let same_rods = engine.mechanisms().len() < 2;
     let mut sets = Vec::new();
-    for order in family::classify(&open, orders) {
+    for order in family::classify(&open, orders).ok()? {
         for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
             for of in Zeros::ALL {
                 if !has_order(&engine, order.order) {

@@ -1,7 +1,9 @@
 //! Which verdicts does a reader want of an engine: as it is built, and of its pistons alone?
 
+use std::fmt;
+
 use super::{OrderVerdict, classify};
-use crate::engine::Engine;
+use crate::engine::{Engine, NotAnOrder};
 use crate::order::{self, Masses, NotComparable, Source};
 use crate::proof::Quantity;
 
@@ -18,32 +20,55 @@ pub struct Judgement {
     pub not_as_built: Option<NotComparable>,
 }
 
+/// Why an engine is not judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotJudged {
+    /// A number that is no order.
+    Order(NotAnOrder),
+    /// Masses that are not in one unit.
+    Masses(NotComparable),
+}
+
+impl fmt::Display for NotJudged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotJudged::Order(number) => number.fmt(f),
+            NotJudged::Masses(why) => why.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for NotJudged {}
+
 impl Judgement {
     /// Judges an engine at these orders: as it is built, where the file says enough of its masses.
-    pub fn new(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Self {
+    ///
+    /// # Errors
+    /// A number that is no order.
+    pub fn new(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Result<Self, NotAnOrder> {
         let (masses, not_as_built) = match order::comparable(engine) {
             Ok(()) if order::groups_of(engine).len() > 1 => (Masses::All, None),
             Ok(()) => (Masses::Reciprocating, None),
             Err(why) => (Masses::Reciprocating, Some(why)),
         };
         let judge = |masses| classify(engine, orders, masses, quantities);
-        Judgement {
+        Ok(Judgement {
             masses,
-            orders: judge(masses),
-            pistons: (masses == Masses::All).then(|| judge(Masses::Reciprocating)),
+            orders: judge(masses)?,
+            pistons: (masses == Masses::All).then(|| judge(Masses::Reciprocating)).transpose()?,
             not_as_built,
-        }
+        })
     }
 
     /// Judges these masses of an engine.
     ///
     /// # Errors
-    /// What the engine lacks for its masses to be in one sum.
-    pub fn of(engine: &Engine, orders: &[u32], masses: Masses, quantities: &[Quantity]) -> Result<Self, NotComparable> {
+    /// A number that is no order, and what the engine lacks for its masses to be in one sum.
+    pub fn of(engine: &Engine, orders: &[u32], masses: Masses, quantities: &[Quantity]) -> Result<Self, NotJudged> {
         if masses != Masses::Reciprocating {
-            order::comparable(engine)?;
+            order::comparable(engine).map_err(NotJudged::Masses)?;
         }
-        let orders = classify(engine, orders, masses, quantities);
+        let orders = classify(engine, orders, masses, quantities).map_err(NotJudged::Order)?;
         Ok(Judgement { masses, orders, pistons: None, not_as_built: None })
     }
 

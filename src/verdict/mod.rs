@@ -9,12 +9,12 @@ mod whole;
 
 pub use balance::{Balance, Class, Verdict};
 pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
-pub use judgement::Judgement;
+pub use judgement::{Judgement, NotJudged};
 pub use reason::{Reason, mirror_partners, opposed_partners, reason};
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
 pub use whole::{Outcome, WholeOrder};
 
-use crate::engine::Engine;
+use crate::engine::{Engine, NotAnOrder, are_orders};
 use crate::order::{Coefficients, Group, Masses, Sources};
 use crate::proof::{Quantity, ShapeEvidence};
 use whole::Part;
@@ -97,15 +97,23 @@ impl TorqueVerdict {
     }
 }
 
-/// Judges the given orders of an engine, force and moment, and the inertia torque where it is among the quantities. There is
-/// no order 0: it gets no verdict.
+/// Judges the given orders of an engine, force and moment, and the inertia torque where it is among the quantities.
 ///
 /// Terms that stand before one number are one sum; it is judged by itself, and all sums of an order together.
-pub fn classify(engine: &Engine, orders: &[u32], masses: Masses, quantities: &[Quantity]) -> Vec<OrderVerdict> {
+///
+/// # Errors
+/// A number that is no order.
+pub fn classify(
+    engine: &Engine,
+    orders: &[u32],
+    masses: Masses,
+    quantities: &[Quantity],
+) -> Result<Vec<OrderVerdict>, NotAnOrder> {
+    are_orders(orders)?;
     let sources = Sources::new(engine, masses);
     let known = Coefficients::default();
     let with_torque = quantities.contains(&Quantity::Torque);
-    judged(orders).map(|order| of_order(&sources, order, with_torque, &known)).collect()
+    Ok(orders.iter().map(|&order| of_order(&sources, order, with_torque, &known)).collect())
 }
 
 fn of_order(sources: &Sources, order: u32, with_torque: bool, known: &Coefficients) -> OrderVerdict {
@@ -185,14 +193,13 @@ pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
     all
 }
 
-/// Judges the inertia torque of an engine at these orders; 0 is no order and is not judged.
-pub fn torque(engine: &Engine, orders: &[u32]) -> Vec<TorqueVerdict> {
+/// Judges the inertia torque of an engine at these orders.
+///
+/// # Errors
+/// A number that is no order.
+pub fn torque(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueVerdict>, NotAnOrder> {
+    are_orders(orders)?;
     let sources = Sources::new(engine, Masses::Reciprocating);
     let known = Coefficients::default();
-    judged(orders).map(|order| torque_of(&sources, order, &known)).collect()
-}
-
-/// The numbers of a list that are orders.
-fn judged(orders: &[u32]) -> impl Iterator<Item = u32> {
-    orders.iter().copied().filter(|order| *order > 0)
+    Ok(orders.iter().map(|&order| torque_of(&sources, order, &known)).collect())
 }

@@ -259,7 +259,7 @@ fn every_change_of_a_family_is_refused() {
         "fan = { banks = ['-phi', 0, 'phi'], throws = [0], positions = ['a'], bank_offsets = ['b', 0, '-b'] }",
     ] {
         let Ok(Layout::Open(open)) = file::parse_layout("family", text) else { panic!("a family: {text}") };
-        assert_guarded(&report::open_document(&open, &family::classify(&open, &[1])));
+        assert_guarded(&report::open_document(&open, &family::classify(&open, &[1]).expect("orders")));
     }
 }
 

@@ -68,7 +68,7 @@ fn every_document_on_all_masses_verifies_and_is_that_of_another_producer() {
         let quantities = verdicts::quantities(index % 2 == 0);
         let orders = [&[1, 2][..], &[1, 2, 3, 4, 6], &[5], &[2, 12]][index % 4];
         let masses = ALL_MASSES[index / 4 % 4];
-        let judged = verdict::classify(&layout, orders, masses, &quantities);
+        let judged = verdict::classify(&layout, orders, masses, &quantities).expect("orders");
         let theorem = (index % 5 == 0).then(|| verdict::theorem(&layout, masses).ok()).flatten();
         let document = report::document(&layout, masses, &judged, &quantities, theorem.as_ref());
         let (_, checked) = verified(&document, &text);
@@ -100,8 +100,10 @@ fn every_document_of_loads_and_of_a_comparison_verifies() {
     }
     assert!(loads > count() / 12, "{loads}");
     for pair in known.chunks_exact(2) {
-        let compared: Vec<Compared> =
-            pair.iter().map(|(_, layout)| Compared::new(Untrusted::new("engine"), layout, &[1, 2, 3])).collect();
+        let compared: Vec<Compared> = pair
+            .iter()
+            .map(|(_, layout)| Compared::new(Untrusted::new("engine"), layout, &[1, 2, 3]).expect("orders"))
+            .collect();
         verified(&report::compare_document(&compared), &pair[0].0);
     }
 }
@@ -112,7 +114,7 @@ fn every_document_of_a_family_verifies() {
     for (text, engine) in engines(2, every_form::open) {
         let Layout::Open(open) = engine else { continue };
         families += 1;
-        verified(&report::open_document(&open, &family::classify(&open, &[1, 2, 3])), &text);
+        verified(&report::open_document(&open, &family::classify(&open, &[1, 2, 3]).expect("orders")), &text);
     }
     assert!(families > count() / 2, "{families}");
 }

@@ -159,7 +159,11 @@ fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
     let verdicts = verdicts::document(&twin, &orders, true, Some(&theorem));
     assert_golden("document", "verdicts.json", &json(&verdicts));
     let Ok(Layout::Open(family)) = file::parse_layout("v.toml", OPEN) else { panic!("a family") };
-    assert_golden("document", "family.json", &json(&report::open_document(&family, &family::classify(&family, &[2]))));
+    assert_golden(
+        "document",
+        "family.json",
+        &json(&report::open_document(&family, &family::classify(&family, &[2]).expect("orders"))),
+    );
     let wish = Wish { orders: vec![1, 2], planes: None, factors: Vec::new(), skews: Vec::new() };
     let remedy = remedy::remedy(&engine("I3"), &wish).expect("a remedy");
     assert_golden("document", "remedy.json", &json(&report::remedy_document(&remedy)));

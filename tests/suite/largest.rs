@@ -3,9 +3,10 @@ use std::f64::consts::TAU;
 
 use crankstar::accuracy::{self, Largest, LargestLoads, Method, Timing, largest};
 use crankstar::claim;
-use crankstar::engine::Engine;
+use crankstar::engine::{Engine, NotAnOrder};
 use crankstar::file::{self, Layout};
 use crankstar::loads::{Missing, loads, needed_orders, usual_orders, vanishes_at_every_order};
+use crankstar::order::Masses;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Numbers};
 use crankstar::verdict;
@@ -13,7 +14,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
-use crate::support::verdicts::{judged, pistons};
+use crate::support::verdicts::pistons;
 
 fn engine(text: &str) -> Engine {
     file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
@@ -271,9 +272,11 @@ fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() 
 fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
     let layout =
         engine(&format!("speed = 6000\neffects = [\"torque\"]\n[inline]\nthrows = [0, 120, 240]\n{MECHANISM}"));
-    assert!(judged(&layout, &[0], true).is_empty() && verdict::torque(&layout, &[0]).is_empty());
-    assert_eq!(loads(&layout, &[0]).err(), Some(Missing::Order(0)));
-    assert_eq!(loads(&layout, &[1001]).err(), Some(Missing::Order(1001)));
+    let both = [Quantity::Force, Quantity::Moment];
+    assert_eq!(verdict::classify(&layout, &[1, 0], Masses::All, &both).err(), Some(NotAnOrder(0)));
+    assert_eq!(verdict::torque(&layout, &[1001]).err(), Some(NotAnOrder(1001)));
+    assert_eq!(loads(&layout, &[0]).err(), Some(Missing::Order(NotAnOrder(0))));
+    assert_eq!(loads(&layout, &[1001]).err(), Some(Missing::Order(NotAnOrder(1001))));
     let rows = report::loads_rows(&layout, &loads(&layout, &[1]).expect("numbers")).rows;
     assert!(rows.iter().flatten().all(|cell| !cell.is_empty()), "{rows:?}");
     assert!(

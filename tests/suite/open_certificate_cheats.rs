@@ -14,7 +14,7 @@ const UNEQUAL: &str = "
 
 fn document(text: &str) -> OpenDocument {
     let Ok(Layout::Open(family)) = file::parse_layout("test", text) else { panic!("not a family: {text}") };
-    report::open_document(&family, &family::classify(&family, &[1, 2, 4]))
+    report::open_document(&family, &family::classify(&family, &[1, 2, 4]).expect("orders"))
 }
 
 /// The reason for which a changed document is refused.

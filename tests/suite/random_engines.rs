@@ -153,7 +153,7 @@ impl Tally {
     }
 
     fn verify_open(&mut self, family: &crankstar::engine::Family, text: &str) {
-        let verdicts = family::classify(family, &[1, 2]);
+        let verdicts = family::classify(family, &[1, 2]).expect("orders");
         let json = serde_json::to_string(&report::open_document(family, &verdicts)).expect("a document");
         let document: OpenDocument = serde_json::from_str(&json).expect("the same document");
         self.count(proof::check_open_document(&document), text);

@@ -25,7 +25,7 @@ fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderVerdict>) {
 }
 
 fn judgement(engine: &Engine) -> Judgement {
-    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment])
+    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders")
 }
 
 /// The files of an engine's folder, by name.
@@ -124,7 +124,7 @@ fn compare_layouts(below: &str) {
         for dialect in [Dialect::GithubMarkdown, Dialect::Latex] {
             let written = match file::parse_layout("layout.toml", &layout).expect("it reads") {
                 Layout::Known(engine, open) => {
-                    let open = open.map(|open| (family::classify(&open, engine.orders()), open));
+                    let open = open.map(|open| (family::classify(&open, engine.orders()).expect("orders"), open));
                     let judged = judgement(&engine);
                     let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
                     report::report(
@@ -132,7 +132,9 @@ fn compare_layouts(below: &str) {
                         dialect,
                     )
                 }
-                Layout::Open(open) => report::open_report(&open, &family::classify(&open, open.orders()), dialect),
+                Layout::Open(open) => {
+                    report::open_report(&open, &family::classify(&open, open.orders()).expect("orders"), dialect)
+                }
             };
             files.extend(written.into_iter().map(|file| (file.name, file.text)));
         }

@@ -35,7 +35,7 @@ fn senses(every: &EveryOrder) -> [Survivors; 2] {
 }
 
 fn text(layout: &Engine, dialect: Dialect) -> String {
-    let judged = Judgement::new(layout, layout.orders(), &verdicts::quantities(false));
+    let judged = Judgement::new(layout, layout.orders(), &verdicts::quantities(false)).expect("orders");
     report::report(
         report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
         dialect,

@@ -100,6 +100,7 @@ impl EngineRow {
             firing: engine_cells::firing(layout.firing()),
             firing_order: layout.firing().map(names).unwrap_or_default(),
             orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
+                .unwrap_or_else(|number| unreachable!("the atlas asks for orders: {number}"))
                 .iter()
                 .flat_map(|judged| &judged.parts)
                 .map(|judged| Order {

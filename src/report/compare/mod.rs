@@ -9,7 +9,7 @@ pub use page::compare_page;
 pub use rows::{compare_lines, compare_rows};
 
 use super::engine_cells;
-use crate::engine::Engine;
+use crate::engine::{Engine, NotAnOrder};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
@@ -37,10 +37,13 @@ pub struct Compared<'a> {
 
 impl<'a> Compared<'a> {
     /// Judges an engine at these orders.
-    pub fn new(name: Untrusted, engine: &'a Engine, orders: &[u32]) -> Self {
-        let judged = Judgement::new(engine, orders, &[Quantity::Force, Quantity::Moment]);
+    ///
+    /// # Errors
+    /// A number that is no order.
+    pub fn new(name: Untrusted, engine: &'a Engine, orders: &[u32]) -> Result<Self, NotAnOrder> {
+        let judged = Judgement::new(engine, orders, &[Quantity::Force, Quantity::Moment])?;
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
-        Compared {
+        Ok(Compared {
             name,
             engine,
             theorem: verdict::theorem(engine, judged.masses),
@@ -48,7 +51,7 @@ impl<'a> Compared<'a> {
             remedy: remedy::remedy(engine, &wish),
             loads: loads::loads(engine, orders),
             bearings: loads::bearing_loads(engine, orders, Method::Continuous),
-        }
+        })
     }
 
     /// The verdicts on one order.

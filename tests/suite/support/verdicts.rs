@@ -11,7 +11,7 @@ pub fn quantities(torque: bool) -> Vec<Quantity> {
 
 /// One verdict per order.
 pub fn judged(engine: &Engine, orders: &[u32], torque: bool) -> Vec<OrderVerdict> {
-    verdict::classify(engine, orders, Masses::Reciprocating, &quantities(torque))
+    verdict::classify(engine, orders, Masses::Reciprocating, &quantities(torque)).expect("orders")
 }
 
 /// The sums of each order.
