@@ -13,7 +13,7 @@
 //! }
 //! let four = four.build().unwrap();
 //!
-//! let judged = classify(&four, &[1, 2], Masses::All, &[Quantity::Force, Quantity::Moment]);
+//! let judged = classify(&four, &[1, 2], Masses::All, &[Quantity::Force, Quantity::Moment]).unwrap();
 //! assert!(judged[0].force.is_balanced() && !judged[1].force.is_balanced());
 //! // The checker knows nothing of how the verdict was found.
 //! let second_order = &judged[1].parts[0].force.direct;
