@@ -1,7 +1,7 @@
 //! What is an engine, as far as its balance goes? A draft that holds together.
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use super::build::BuildError;
 use super::crankshaft::{Counterweight, Crankshaft};
@@ -186,17 +186,6 @@ impl Engine {
     pub fn with_counterweights(&self, counterweights: Vec<Counterweight>) -> Result<Engine, BuildError> {
         let bare = self.crankshaft().clone();
         self.with_crankshaft(Crankshaft { counterweights, balance_factors: Vec::new(), ..bare })
-    }
-
-    /// The same engine with only the reciprocating masses that this mechanism moves; the others are 0.
-    pub fn only_with(&self, mechanism: &Mechanism) -> Engine {
-        let mut part = self.clone();
-        for cylinder in &mut part.draft.cylinders {
-            if cylinder.mechanism.as_ref() != Some(mechanism) {
-                cylinder.reciprocating_mass = BigRational::zero();
-            }
-        }
-        part
     }
 
     /// Whether some cylinder axis misses the crankshaft, so that every order exists.
