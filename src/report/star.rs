@@ -52,22 +52,27 @@ const MOST_LABELLED: usize = 2;
 
 /// The same in little room: `1, 5, rod 1`, `1, 5, +6`.
 fn source_labels(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
-    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
-    let cylinders = source_names(engine, pistons.into_iter());
-    let turning = match others.len() {
-        0..=MOST_LABELLED => others.into_iter().map(|source| source.label(engine)).collect(),
+    listed(engine, sources, |others| match others.len() {
+        0..=MOST_LABELLED => others.iter().map(|source| source.label(engine)).collect(),
         many => vec![format!("+{many}")],
-    };
-    (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning).collect::<Vec<_>>().join(", ")
+    })
 }
 
 /// What sources are called: cylinders by their names, then what turns.
 pub(super) fn source_names(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
+    listed(engine, sources, |others| others.iter().map(|source| source.name(engine)).collect())
+}
+
+/// Cylinders by their names, then what turns, in the words given.
+fn listed(
+    engine: &Engine,
+    sources: impl Iterator<Item = Source>,
+    turning: impl Fn(&[Source]) -> Vec<String>,
+) -> String {
     let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
     let pistons: Vec<String> = pistons.into_iter().map(|source| source.name(engine)).collect();
     let cylinders = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());
-    let turning = others.into_iter().map(|source| source.name(engine));
-    (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning).collect::<Vec<_>>().join(", ")
+    (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning(&others)).collect::<Vec<_>>().join(", ")
 }
 
 impl Star {
