@@ -17,11 +17,20 @@ impl Path {
     /// The path of two vectors. The factor of a reverse sum is the conjugate one, so that it is its mirror image that is
     /// compared with the direct sum.
     pub fn of(direct: &OrderSum, reverse: &OrderSum) -> Self {
-        let mirrored = reverse.mirrored();
-        let nothing_along = direct.plus(&mirrored).vanishes();
-        let nothing_across = direct.minus(&mirrored).vanishes();
-        let is_line = nothing_along || nothing_across || direct.is_as_long_as(&mirrored);
+        let nothing_along = Path::has_nothing_along(direct, reverse);
+        let nothing_across = Path::has_nothing_across(direct, reverse);
+        let is_line = nothing_along || nothing_across || direct.is_as_long_as(&reverse.mirrored());
         Path { nothing_along, nothing_across, is_line }
+    }
+
+    /// Whether the component along direction 0 is zero, where the rest of the path is not asked for.
+    pub fn has_nothing_along(direct: &OrderSum, reverse: &OrderSum) -> bool {
+        direct.plus(&reverse.mirrored()).vanishes()
+    }
+
+    /// Whether the component across direction 0 is zero, where the rest of the path is not asked for.
+    pub fn has_nothing_across(direct: &OrderSum, reverse: &OrderSum) -> bool {
+        direct.minus(&reverse.mirrored()).vanishes()
     }
 
     /// Of nothing.

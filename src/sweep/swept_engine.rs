@@ -15,7 +15,7 @@ use crate::engine::{self, Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
-use crate::order::{self, Factor, OrderSum};
+use crate::order::{self, Factor, OrderSum, Path};
 use crate::proof::{Quantity, Sense};
 
 /// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
@@ -219,7 +219,7 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
     let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {
         (true, true) => [true, true],
-        (false, false) => [direct.plus(&mirrored).vanishes(), direct.minus(&mirrored).vanishes()],
+        (false, false) => [Path::has_nothing_along(&direct, &reverse), Path::has_nothing_across(&direct, &reverse)],
         _ => [false, false],
     };
     let mut coefficient = |factor: &Factor| match factor {

@@ -16,7 +16,7 @@ use crate::engine::{self, Engine, Family, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Component, OpenVerdict, component_zeros};
 use crate::file::{self, Layout, Template};
-use crate::order;
+use crate::order::{self, Path};
 use crate::proof::{Quantity, Sense};
 
 /// What vanishes.
@@ -195,8 +195,8 @@ fn vanishes(engine: &Engine, quantity: Quantity, order: u32, of: Zeros) -> bool 
         Zeros::Direct => direct.vanishes(),
         Zeros::Reverse => reverse.vanishes(),
         Zeros::Largest => direct.vanishes() && reverse.vanishes(),
-        Zeros::Along => direct.plus(&reverse.mirrored()).vanishes(),
-        Zeros::Across => direct.minus(&reverse.mirrored()).vanishes(),
+        Zeros::Along => Path::has_nothing_along(&direct, &reverse),
+        Zeros::Across => Path::has_nothing_across(&direct, &reverse),
     }
 }
 
