@@ -157,9 +157,8 @@ impl<'a> Part<'a> {
 
 /// The whole of one sum is that sum.
 fn of_one(balance: &Balance) -> WholeOrder {
-    let outcome = |verdict: &Verdict| if verdict.vanishes() { Outcome::Zero } else { Outcome::NotZero };
     WholeOrder {
-        outcomes: balance.verdicts().map(outcome),
+        outcomes: balance.verdicts().map(Outcome::of_one),
         shape: balance.shape,
         evidence: balance.comparison.clone().map(ShapeEvidence::Certificate),
     }
@@ -175,8 +174,7 @@ fn torque_of(sources: &Sources, order: u32, known: &Coefficients) -> TorqueVerdi
     };
     let parts: Vec<TorquePart> = groups.iter().map(part).collect();
     let outcome = match parts.as_slice() {
-        [only] if only.verdict.vanishes() => Outcome::Zero,
-        [_] => Outcome::NotZero,
+        [only] => Outcome::of_one(&only.verdict),
         several => {
             let pairs = groups.iter().zip(several).map(|(group, part)| Part::new(group, &part.verdict));
             whole::outcome(&pairs.collect::<Vec<_>>(), order, known)

@@ -38,6 +38,11 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// Of one sum, which stands before a number that is not zero.
+    pub(super) fn of_one(verdict: &Verdict) -> Self {
+        if verdict.vanishes() { Outcome::Zero } else { Outcome::NotZero }
+    }
+
     /// Whether it is zero: none where that is not decided.
     pub fn vanishes(&self) -> Option<bool> {
         match self {
