@@ -69,7 +69,7 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
     let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {shown} is not"));
     let right = match (document, layouts::read(layout)?) {
         (AnyDocument::Classify(own), Layout::Known(layout, _)) => {
-            AnyDocument::Classify(report::document(&layout, report::masses_of(own.masses), &[], &own.quantities, None))
+            AnyDocument::Classify(report::document(&layout, own.masses, &[], &own.quantities, None))
         }
         (AnyDocument::Remedy(_), Layout::Known(layout, _)) => {
             AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)

@@ -4,14 +4,14 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::factor::Factor;
-use super::masses::{MassGroup, Masses};
+use super::masses::MassGroup;
 use super::phase::phase;
 use super::source::Source;
 use super::sum::OrderSum;
 use super::turning::{TurningMass, mass_radius, turning_masses};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Masses, Quantity, Sense};
 
 /// The term that a source adds to an order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +27,14 @@ pub struct Contribution {
 }
 
 impl Contribution {
+    /// The term of a quantity: of the moment that of the force times the arm.
+    pub(super) fn term_of(&self, engine: &Engine, quantity: Quantity) -> Term {
+        match quantity {
+            Quantity::Force | Quantity::Torque => self.term.clone(),
+            Quantity::Moment => self.weighed(|position| lever(engine, quantity, position)).1,
+        }
+    }
+
     /// The term with its factor, the force weighed by its position: 1 for the force, the arm for the moment, the part that a
     /// bearing carries.
     pub fn weighed(&self, weighing: impl Fn(&BigRational) -> BigRational) -> (Factor, Term) {
@@ -50,7 +58,7 @@ impl<'a> Sources<'a> {
             Masses::Reciprocating => Vec::new(),
             Masses::Rotating | Masses::Counterweights | Masses::All => turning_masses(engine),
         };
-        let turning = turning.into_iter().filter(|mass| masses.include(mass.source.group())).collect();
+        let turning = turning.into_iter().filter(|mass| mass.source.group().is_among(masses)).collect();
         Sources { engine, masses, turning }
     }
 
@@ -108,14 +116,11 @@ impl<'a> Sources<'a> {
         })
     }
 
-    /// The terms of a quantity with what they stand before: of the moment those of the force times the arm.
+    /// The terms of a quantity with what they stand before.
     pub fn terms(&self, quantity: Quantity, order: u32, sense: Option<Sense>) -> Vec<(Source, Factor, Term)> {
         let term = |one: Contribution| {
-            let (factor, term) = match quantity {
-                Quantity::Force | Quantity::Torque => (one.factor, one.term),
-                Quantity::Moment => one.weighed(|position| lever(self.engine, quantity, position)),
-            };
-            (one.source, factor, term)
+            let term = one.term_of(self.engine, quantity);
+            (one.source, one.factor, term)
         };
         match sense {
             Some(sense) => self.of_force(order, sense).map(term).collect(),
@@ -124,7 +129,7 @@ impl<'a> Sources<'a> {
     }
 
     fn cylinders(&self) -> impl Iterator<Item = (usize, &'a Cylinder)> {
-        let has_pistons = self.masses.include(MassGroup::Reciprocating);
+        let has_pistons = MassGroup::Reciprocating.is_among(self.masses);
         self.engine.cylinders().iter().enumerate().filter(move |_| has_pistons)
     }
 }
@@ -178,4 +183,9 @@ pub fn groups_of(engine: &Engine) -> Vec<MassGroup> {
     groups.sort_unstable();
     groups.dedup();
     groups
+}
+
+/// The masses of an engine as it is built: all, or the reciprocating ones where it has no others.
+pub fn masses_as_built(engine: &Engine) -> Masses {
+    if groups_of(engine).len() > 1 { Masses::All } else { Masses::Reciprocating }
 }

@@ -1,6 +1,6 @@
 //! Which terms of an order stand before one number?
 
-use super::contribution::{Contribution, Sources, lever};
+use super::contribution::{Contribution, Sources};
 use super::factor::Factor;
 use super::source::Source;
 use crate::engine::Engine;
@@ -73,11 +73,8 @@ impl<'a> OrderTerms<'a> {
     /// The sum of a group, one term per source, and whose terms they are.
     pub fn sum(&self, group: &Group, quantity: Quantity, sense: Option<Sense>) -> (Vec<Source>, PhasorSum) {
         let of_sense = self.by_sense.iter().filter(|(own, _)| *own == sense).flat_map(|(_, all)| all);
-        let term = |one: &Contribution| match quantity {
-            Quantity::Force | Quantity::Torque => one.term.clone(),
-            Quantity::Moment => one.weighed(|position| lever(self.engine, quantity, position)).1,
-        };
-        let terms = of_sense.filter(|one| one.factor == group.factor).map(|one| (one.source, term(one)));
+        let of_group = of_sense.filter(|one| one.factor == group.factor);
+        let terms = of_group.map(|one| (one.source, one.term_of(self.engine, quantity)));
         let (sources, terms): (Vec<Source>, Vec<Term>) = terms.unzip();
         (sources, PhasorSum::new(terms))
     }

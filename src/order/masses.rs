@@ -1,5 +1,7 @@
 //! Whose masses is it about? Those that go to and fro, those that turn, or all that the layout names.
 
+use crate::proof::Masses;
+
 /// What in the engine a force comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum MassGroup {
@@ -24,28 +26,13 @@ impl MassGroup {
         MassGroup::Counterweights,
         MassGroup::Balancers,
     ];
-}
 
-/// The masses that a statement is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Masses {
-    /// The reciprocating masses alone.
-    Reciprocating,
-    /// What turns with the crankpins: the rotating parts of the rods, pins and webs.
-    Rotating,
-    /// The counterweights alone.
-    Counterweights,
-    /// All that the layout names, balancer shafts among them: the engine as it is built.
-    All,
-}
-
-impl Masses {
-    /// Whether a group is among them.
-    pub fn include(self, group: MassGroup) -> bool {
-        match self {
-            Masses::Reciprocating => group == MassGroup::Reciprocating,
-            Masses::Rotating => group == MassGroup::Rotating || group == MassGroup::Crankshaft,
-            Masses::Counterweights => group == MassGroup::Counterweights,
+    /// Whether these masses are among those.
+    pub fn is_among(self, masses: Masses) -> bool {
+        match masses {
+            Masses::Reciprocating => self == MassGroup::Reciprocating,
+            Masses::Rotating => self == MassGroup::Rotating || self == MassGroup::Crankshaft,
+            Masses::Counterweights => self == MassGroup::Counterweights,
             Masses::All => true,
         }
     }

@@ -16,12 +16,15 @@ mod source;
 mod sum;
 mod turning;
 
+pub use crate::proof::Masses;
 pub use coefficients::{Coefficients, crank, exactly_one};
 pub use comparable::{NotComparable, comparable};
-pub use contribution::{Contribution, Sources, all_masses, contributions, groups_of, lever, star, torque};
+pub use contribution::{
+    Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, star, torque,
+};
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};
-pub use masses::{MassGroup, Masses};
+pub use masses::MassGroup;
 pub use path::Path;
 pub use phase::{multiples, phase, phase_of};
 pub use source::Source;

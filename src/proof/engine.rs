@@ -60,13 +60,13 @@ pub struct RodClaim {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Masses {
-    /// What goes up and down with the pistons.
+    /// The reciprocating masses alone.
     Reciprocating,
-    /// What turns with the crankpins.
+    /// What turns with the crankpins: the rotating parts of the rods, pins and webs.
     Rotating,
-    /// The counterweights.
+    /// The counterweights alone.
     Counterweights,
-    /// All of the engine, balancer shafts among them.
+    /// All that the layout names, balancer shafts among them: the engine as it is built.
     All,
 }
 

@@ -22,17 +22,9 @@ pub fn document(
     quantities: &[Quantity],
     every_order: Option<&Theorem>,
 ) -> Document {
-    let asked = |quantity: &Quantity| quantities.contains(quantity);
-    let of_order = |order: &OrderVerdict| {
-        Quantity::ALL
-            .into_iter()
-            .filter(asked)
-            .flat_map(|quantity| verdicts(engine, order, quantity))
-            .collect::<Vec<_>>()
-    };
-    let whole = |order: &OrderVerdict| {
-        Quantity::ALL.into_iter().filter(asked).flat_map(|quantity| wholes(order, quantity)).collect::<Vec<_>>()
-    };
+    let asked: Vec<Quantity> = Quantity::ALL.into_iter().filter(|quantity| quantities.contains(quantity)).collect();
+    let of_order = |order| asked.iter().flat_map(move |&quantity| verdicts(engine, order, quantity));
+    let whole = |order| asked.iter().flat_map(move |&quantity| wholes(order, quantity));
     let shapes = |order: &OrderVerdict| {
         let both = [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)];
         both.map(|(quantity, whole)| shape_claim(quantity, order.order, whole))
@@ -40,7 +32,7 @@ pub fn document(
     Document {
         format: Format::Classify,
         title: engine.title().written().to_owned(),
-        masses: masses_claim(masses),
+        masses,
         orders: orders.iter().map(|order| order.order).collect(),
         quantities: quantities.to_vec(),
         all_orders: every_order.is_some(),
@@ -51,25 +43,6 @@ pub fn document(
         wholes: orders.iter().flat_map(whole).collect(),
         shapes: orders.iter().flat_map(shapes).collect(),
         theorems: every_order.map(theorem_claims).unwrap_or_default(),
-    }
-}
-
-fn masses_claim(masses: Masses) -> proof::Masses {
-    match masses {
-        Masses::Reciprocating => proof::Masses::Reciprocating,
-        Masses::Rotating => proof::Masses::Rotating,
-        Masses::Counterweights => proof::Masses::Counterweights,
-        Masses::All => proof::Masses::All,
-    }
-}
-
-/// Whose masses a document is about.
-pub fn masses_of(claim: proof::Masses) -> Masses {
-    match claim {
-        proof::Masses::Reciprocating => Masses::Reciprocating,
-        proof::Masses::Rotating => Masses::Rotating,
-        proof::Masses::Counterweights => Masses::Counterweights,
-        proof::Masses::All => Masses::All,
     }
 }
 

@@ -10,7 +10,7 @@ use crate::accuracy::Largest;
 use crate::engine::Engine;
 use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
 use crate::numbers;
-use crate::order::{self, MassGroup, Masses};
+use crate::order::{self, MassGroup};
 use crate::proof::{Document, Format, Quantity};
 use crate::verdict;
 
@@ -277,24 +277,17 @@ impl LoadsDocument {
 
 /// The verdicts that the zeros of these loads are.
 fn evidence(engine: &Engine, loads: &Loads) -> Document {
-    let masses = if order::groups_of(engine).len() > 1 { Masses::All } else { Masses::Reciprocating };
-    let of = |orders: &mut dyn Iterator<Item = u32>, quantities: &[Quantity]| {
-        let judged = verdict::classify(engine, &orders.collect::<Vec<_>>(), masses, quantities);
-        judged.unwrap_or_else(|number| unreachable!("loads are those of orders: {number}"))
-    };
-    let both = [Quantity::Force, Quantity::Moment];
-    let mut judged = of(&mut loads.orders.iter().map(|order| order.order), &both);
-    let quantities = match &loads.torque {
-        None => both.to_vec(),
-        Some(torque) => {
-            let mut orders: Vec<u32> = judged.iter().map(|order| order.order).collect();
-            orders.extend(torque.orders.iter().map(|order| order.order));
-            orders.sort_unstable();
-            orders.dedup();
-            judged = of(&mut orders.into_iter(), &Quantity::ALL);
-            Quantity::ALL.to_vec()
-        }
-    };
+    let masses = order::masses_as_built(engine);
+    let mut orders: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
+    let mut quantities = vec![Quantity::Force, Quantity::Moment];
+    if let Some(torque) = &loads.torque {
+        orders.extend(torque.orders.iter().map(|order| order.order));
+        orders.sort_unstable();
+        orders.dedup();
+        quantities.push(Quantity::Torque);
+    }
+    let judged = verdict::classify(engine, &orders, masses, &quantities)
+        .unwrap_or_else(|number| unreachable!("loads are those of orders: {number}"));
     document(engine, masses, &judged, &quantities, None)
 }
 

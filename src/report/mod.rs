@@ -52,7 +52,7 @@ pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
 pub use dialect::Dialect;
-pub use document::{document, masses_of};
+pub use document::document;
 pub use folder::{File, index, open_report, report};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;

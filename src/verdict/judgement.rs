@@ -47,8 +47,7 @@ impl Judgement {
     /// A number that is no order.
     pub fn new(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Result<Self, NotAnOrder> {
         let (masses, not_as_built) = match order::comparable(engine) {
-            Ok(()) if order::groups_of(engine).len() > 1 => (Masses::All, None),
-            Ok(()) => (Masses::Reciprocating, None),
+            Ok(()) => (order::masses_as_built(engine), None),
             Err(why) => (Masses::Reciprocating, Some(why)),
         };
         let judge = |masses| classify(engine, orders, masses, quantities);
