@@ -13,6 +13,7 @@ mod list;
 mod loads;
 mod masses;
 mod optimise;
+mod pages;
 mod progress;
 mod remedy;
 mod report;

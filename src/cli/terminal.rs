@@ -4,7 +4,7 @@ use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{Cell, Color, ContentArrangement, Table};
 use crankstar::engine::{Engine, Family};
 use crankstar::family::{self, OpenOrder};
-use crankstar::loads::{BearingLoads, Needed};
+use crankstar::loads::Needed;
 use crankstar::remedy::Remedy;
 use crankstar::report::{self, AccuracyCase, Compared, Numbers};
 use crankstar::text::Format;
@@ -84,14 +84,6 @@ pub fn loads(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Str
     let table = coloured(report::loads_rows(engine, &numbers.loads));
     let lines = report::loads_lines(engine, numbers, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", engine.title().escaped(Format::Plain))
-}
-
-/// The title, the peaks of every bearing, and the largest value of each order.
-pub fn bearings(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> String {
-    let peaks = coloured(report::bearings_rows(engine, continuous, determinate));
-    let orders = coloured(report::bearings_tables(continuous));
-    let lines = report::bearings_lines(continuous, determinate).join("\n");
-    format!("{}\n{peaks}\n{orders}\n{lines}\n", engine.title().escaped(Format::Plain))
 }
 
 /// Engines side by side: one column per engine.

@@ -11,16 +11,8 @@ use super::{render, residual};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::file::Entry;
+pub use crate::page::File;
 use crate::verdict::OrderVerdict;
-
-/// A file to be written: its name inside the folder, and its text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct File {
-    /// Name inside the folder.
-    pub name: String,
-    /// What it holds.
-    pub text: String,
-}
 
 /// A report with its diagrams: `report.md` with SVG files, or `report.tex`, which holds its own.
 pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
@@ -42,7 +34,6 @@ pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
     drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.engine, &torque)));
     if let Some(Ok(Numbers { loads, .. })) = &numbers {
         drawn.extend(calculation::figures(subject.engine, loads));
-        drawn.extend(calculation::bearing_figures(loads));
     }
     [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
 }

@@ -15,7 +15,6 @@ mod compare;
 mod dialect;
 mod document;
 mod engine_cells;
-pub mod figure;
 mod firmness;
 mod folder;
 mod loads_document;
@@ -27,26 +26,22 @@ mod open_words;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod page;
-pub mod plot;
 mod remedy;
 mod render;
 mod residual;
 mod star;
-mod svg;
 mod sweep;
 mod table;
 mod theorem;
-mod tikz;
-mod typeset;
 mod views;
+
+use crate::page::{figure, number as typeset, plot, svg, tikz};
 
 pub use accuracy_document::{AccuracyDocument, accuracy_document};
 pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
 pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
-pub use bearings::{
-    BearingsDocument, bearings_document, bearings_lines, bearings_page, bearings_rows, bearings_tables,
-};
+pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
 pub use claim_page::claims_page;
 pub use claim_words::{claim_finding, claim_status, table_finding};
@@ -70,6 +65,4 @@ pub use residual::{
     AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
     whole_summary, whose_masses, why_not,
 };
-pub use svg::svg;
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
-pub use tikz::tikz;

@@ -11,7 +11,7 @@ use super::folder::File;
 use super::open_page::OpenPage;
 use super::remedy::remedy_section;
 use super::star::{star_figure, torque_figure};
-use super::svg::svg;
+use super::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
@@ -330,7 +330,7 @@ const BANKS: &str = "Between two banks an angle φ apart the direct phases of or
 
 pub(super) fn drawing(named: NamedFigure, dialect: Dialect) -> Drawing {
     let body = match dialect {
-        Dialect::Latex => tikz::tikz(&named.figure),
+        Dialect::Latex => tikz(&named.figure),
         _ => format!("{}.svg", named.name),
     };
     Drawing { caption: dialect.prose(&named.caption), body }

@@ -10,7 +10,6 @@ const LATEX: &str = include_str!("../../templates/report.tex");
 const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
 const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
-const BEARINGS: &str = include_str!("../../templates/bearings.md");
 const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
 const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
@@ -45,11 +44,6 @@ pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
 /// Fills the template of a page of claims.
 pub(super) fn claims(page: &impl Serialize) -> String {
     fill(CLAIMS, page, false)
-}
-
-/// Fills the template of a page of main bearings.
-pub(super) fn bearings(page: &impl Serialize) -> String {
-    fill(BEARINGS, page, false)
 }
 
 /// Fills the template of a page on accuracy.

@@ -8,6 +8,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
+use crate::page::{Format, Text, phrase, text_in};
 use crate::proof::{Quantity, Shape, ShapeEvidence};
 use crate::verdict::{
     Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, WholeOrder,
@@ -84,25 +85,30 @@ pub(super) fn class_sources(class: &Class) -> String {
     cylinders.into_iter().chain(turning).collect::<Vec<_>>().join(", ")
 }
 
-/// What is known of an order that several sums make up: `0`, `not 0, elliptical`, `not decided`.
-pub(super) fn whole_words(whole: &WholeOrder) -> String {
+/// What is known of an order that several sums make up: zero, `not 0, elliptical`, `not decided`.
+pub(super) fn whole_text(whole: &WholeOrder) -> Text {
     let nothing_known = whole.outcomes.contains(&Outcome::Open);
     match whole.shape {
-        Shape::Balanced => "0".to_owned(),
-        Shape::NotDecided if nothing_known => "depends on the rods".to_owned(),
-        Shape::NotDecided if !whole.is_left() => "not decided".to_owned(),
-        Shape::NotDecided => "not 0".to_owned(),
-        shape => format!("not 0, {}", shape_name(shape)),
+        Shape::Balanced => Text::zero(),
+        Shape::NotDecided if nothing_known => "depends on the rods".into(),
+        Shape::NotDecided if !whole.is_left() => "not decided".into(),
+        Shape::NotDecided => "not 0".into(),
+        shape => phrase!("not 0, {}", shape_name(shape)),
     }
 }
 
 /// The force and the moment of a whole order in a few words each.
-pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
+pub(super) fn whole(order: &OrderVerdict) -> [Text; 2] {
     match order.parts.as_slice() {
-        [only] => [force_summary(only), moment_summary(only)],
-        _ if !order.exists() => [DOES_NOT_EXIST.to_owned(), DOES_NOT_EXIST.to_owned()],
-        _ => [&order.force, &order.moment].map(whole_words),
+        [only] => [force(only), moment(only)],
+        _ if !order.exists() => [DOES_NOT_EXIST.into(), DOES_NOT_EXIST.into()],
+        _ => [&order.force, &order.moment].map(whole_text),
     }
+}
+
+/// The same as plain text.
+pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
+    whole(order).map(|text| text_in(&text, Format::PLAIN))
 }
 
 /// A sentence on a whole order, how it is known whether it vanishes.
@@ -152,48 +158,52 @@ pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> Stri
     format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}")
 }
 
-/// The force of an order in a few words: `0`, `= 4, planar`, or that the order does not exist.
-pub fn force_summary(order: &OrderBalance) -> String {
-    force_words(order, Amount::plain)
+/// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
+pub(super) fn force(order: &OrderBalance) -> Text {
+    if order.exists { summary(&order.force, None) } else { DOES_NOT_EXIST.into() }
 }
 
-/// The moment of an order in a few words: `0` or `couple = √10 ≈ 3.1623, rotating`.
-pub fn moment_summary(order: &OrderBalance) -> String {
-    moment_words(order, Amount::plain)
+/// The moment of an order in a few words: zero or `couple √10 ≈ 3.162, rotating`.
+pub(super) fn moment(order: &OrderBalance) -> Text {
+    if order.exists { summary(&order.moment, Some(moment_name(order))) } else { DOES_NOT_EXIST.into() }
 }
 
-/// The inertia torque of an order in a few words: `0` or `= 4`.
-pub fn torque_summary(torque: &TorqueVerdict) -> String {
+/// The inertia torque of an order in a few words: zero or its amplitude.
+pub(super) fn torque(torque: &TorqueVerdict) -> Text {
     match torque.parts.as_slice() {
-        [only] => torque_part_summary(only),
-        _ if !torque.exists() => DOES_NOT_EXIST.to_owned(),
+        [only] => torque_part(only),
+        _ if !torque.exists() => DOES_NOT_EXIST.into(),
         _ => match torque.outcome.vanishes() {
-            Some(true) => "0".to_owned(),
-            Some(false) => "not 0".to_owned(),
-            None => "not decided".to_owned(),
+            Some(true) => Text::zero(),
+            Some(false) => "not 0".into(),
+            None => "not decided".into(),
         },
     }
 }
 
 /// The same of one of its sums.
-pub(super) fn torque_part_summary(part: &TorquePart) -> String {
-    if !part.exists {
-        DOES_NOT_EXIST.to_owned()
-    } else if part.verdict.vanishes() {
-        "0".to_owned()
-    } else {
-        modulus(&part.verdict).plain()
-    }
+pub(super) fn torque_part(part: &TorquePart) -> Text {
+    if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
 }
 
-/// The same two cells as prose, with formulas.
-pub(super) fn summary_prose(order: &OrderBalance) -> [String; 2] {
-    [force_words(order, Amount::prose), moment_words(order, Amount::prose)]
+/// The force as plain text.
+pub fn force_summary(order: &OrderBalance) -> String {
+    text_in(&force(order), Format::PLAIN)
+}
+
+/// The moment as plain text.
+pub fn moment_summary(order: &OrderBalance) -> String {
+    text_in(&moment(order), Format::PLAIN)
+}
+
+/// The inertia torque as plain text.
+pub fn torque_summary(of: &TorqueVerdict) -> String {
+    text_in(&torque(of), Format::PLAIN)
 }
 
 /// What the summaries are counted in.
 pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
-                          times the unit of the positions; = exact, ≈ decimal.";
+                          times the unit of the positions; exact but after ≈.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<String> {
@@ -249,19 +259,12 @@ pub const AS_BUILT: &str = "As built";
 /// The same of the other one.
 pub const PISTONS_ALONE: &str = "The pistons alone";
 
-fn force_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
-    if order.exists { summary(&order.force, "", set) } else { DOES_NOT_EXIST.to_owned() }
-}
-
-fn moment_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
-    if order.exists { summary(&order.moment, moment_name(order), set) } else { DOES_NOT_EXIST.to_owned() }
-}
-
-fn summary(balance: &Balance, kind: &str, set: fn(&Amount) -> String) -> String {
-    let space = if kind.is_empty() { "" } else { " " };
-    match balance.shape {
-        Shape::Balanced => "0".to_owned(),
-        shape => format!("{kind}{space}{}, {}", set(&largest(balance)), shape_name(shape)),
+fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {
+    let size = || Text::from(largest(balance));
+    match (balance.shape, kind) {
+        (Shape::Balanced, _) => Text::zero(),
+        (shape, Some(kind)) => phrase!("{} {}, {}", kind, size(), shape_name(shape)),
+        (shape, None) => phrase!("{}, {}", size(), shape_name(shape)),
     }
 }
 

@@ -9,6 +9,7 @@ use super::residual;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::order::{self, Source, TurningMass};
+use crate::page::Text;
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
 
@@ -74,7 +75,7 @@ pub(super) fn summary(dialect: Dialect, engine: &Engine, orders: &[OrderVerdict]
     };
     let part = |part: &OrderBalance| {
         let firm = if part.class.is_none() { firmness::summary(engine, part) } else { "–".to_owned() };
-        row(residual::order_name(part), residual::summary_prose(part), firm)
+        row(residual::order_name(part), [residual::force_summary(part), residual::moment_summary(part)], firm)
     };
     let rows = orders.iter().flat_map(|order| {
         let whole = || row(order.order.to_string(), residual::whole_summary(order), "–".to_owned());
@@ -116,6 +117,22 @@ pub(super) fn cylinders(dialect: Dialect, engine: &Engine) -> Table {
     };
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     Table::new(dialect, &header, engine.cylinders().iter().map(row).collect())
+}
+
+/// What stands over positions along the crankshaft.
+pub(super) fn position_heading(engine: &Engine) -> Text {
+    match engine.length_unit() {
+        LengthUnit::Metre => "Position (m)".into(),
+        LengthUnit::Spacing => "Position".into(),
+    }
+}
+
+/// What stands over the positions of loads.
+pub(super) fn load_heading(engine: &Engine) -> Text {
+    match engine.length_unit() {
+        LengthUnit::Metre => "Load at (m)".into(),
+        LengthUnit::Spacing => "Load at".into(),
+    }
 }
 
 /// ` (m)`, or nothing where positions are multiples of the spacing.

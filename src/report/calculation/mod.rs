@@ -14,12 +14,11 @@ mod words;
 
 use serde::Serialize;
 
-pub(super) use amounts::{Unit, digits, largest, vector};
+pub(super) use amounts::{Unit, largest, plain, vector};
 pub use largest::Numbers;
 pub(super) use plots::figures;
 pub use summary::{Rows, loads_lines, loads_rows};
 
-use super::bearings;
 use super::dialect::Dialect;
 use super::loads_document::share;
 use super::page::NamedFigure;
@@ -172,7 +171,7 @@ impl Results {
             orders: results::orders(engine, loads).into_iter().map(|group| lines(group, String::new())).collect(),
             peaks,
             torque,
-            bearings: bearing_section(engine, loads, dialect),
+            bearings: None,
             needed: Some(largest::chosen_lines(engine, numbers, needed).join(" ")).filter(|words| !words.is_empty()).map(|words| dialect.prose(&words)),
             plots,
             limits: prose(words::limits(engine, loads)),
@@ -227,10 +226,10 @@ fn vectors_table(engine: &Engine, loads: &Loads, dialect: Dialect) -> Table {
     let row = |order: &crate::loads::OrderLoads| {
         vec![
             order.order.to_string(),
-            amounts::vector(&order.force.direct, force),
-            amounts::vector(&order.force.reverse, force),
-            amounts::vector(&order.moment.direct, moment),
-            amounts::vector(&order.moment.reverse, moment),
+            plain(amounts::vector(&order.force.direct, force)),
+            plain(amounts::vector(&order.force.reverse, force)),
+            plain(amounts::vector(&order.moment.direct, moment)),
+            plain(amounts::vector(&order.moment.reverse, moment)),
         ]
     };
     let header = ["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"];
@@ -244,7 +243,7 @@ fn ellipses_table(engine: &Engine, loads: &Loads, dialect: Dialect) -> Table {
             [("force", Quantity::Force, &order.force), ("moment", Quantity::Moment, &order.moment)]
         {
             let unit = Unit::of(engine, loads, quantity);
-            let mut row = vec![order.order.to_string(), name.to_owned(), amounts::largest(swing, unit)];
+            let mut row = vec![order.order.to_string(), name.to_owned(), plain(amounts::largest(swing, unit))];
             if swing.vanishes() {
                 row.extend(["0", "–", "0", "0", "0"].map(str::to_owned));
             } else {
@@ -253,7 +252,7 @@ fn ellipses_table(engine: &Engine, loads: &Loads, dialect: Dialect) -> Table {
                 let part = |value: f64, is_zero: bool| match is_zero {
                     true => "0".to_owned(),
                     false if value <= 1e-12 * largest => "≈ 0".to_owned(),
-                    false => amounts::amount(value, unit),
+                    false => plain(amounts::amount(value, unit)),
                 };
                 row.push(part(swing.smallest(), swing.path.is_line));
                 row.push(
@@ -280,27 +279,6 @@ fn units(engine: &Engine, loads: &Loads) -> String {
          yawing moment. Angles of the vectors are those at θ = 0.",
         force.name, moment.name
     )
-}
-
-fn bearing_section(engine: &Engine, loads: &Loads, dialect: Dialect) -> Option<BearingSection> {
-    let [continuous, determinate] = loads.bearings.as_ref()?;
-    let table = |rows: Rows| {
-        let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
-        Table::new(dialect, &header, rows.rows)
-    };
-    Some(BearingSection {
-        words: bearings::bearings_lines(continuous, determinate).iter().map(|line| dialect.prose(line)).collect(),
-        peaks: table(bearings::bearings_rows(engine, continuous, determinate)),
-        orders: table(bearings::bearings_tables(continuous)),
-        assumptions: bearings::ASSUMPTIONS.iter().map(|line| dialect.prose(line)).collect(),
-        plots: bearing_figures(loads).into_iter().map(|figure| super::page::drawing(figure, dialect)).collect(),
-    })
-}
-
-/// The plots of the main bearings, where the scene has any.
-pub(super) fn bearing_figures(loads: &Loads) -> Vec<NamedFigure> {
-    let continuous = loads.bearings.iter().map(|[continuous, _]| continuous);
-    continuous.flat_map(bearings::drawings).flatten().collect()
 }
 
 fn torque_section(engine: &Engine, loads: &Loads, largest: Option<String>, dialect: Dialect) -> Option<TorqueSection> {

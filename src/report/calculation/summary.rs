@@ -1,7 +1,7 @@
 //! What does `loads` show on a terminal? The largest values, a row per order, and the peaks.
 
 use super::super::residual;
-use super::amounts::{self, Unit, amount, digits};
+use super::amounts::{self, Unit, amount, digits, plain};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed, OrderLoads, Peak, Swing, TorqueOrder};
@@ -32,7 +32,7 @@ pub fn loads_rows(engine: &Engine, loads: &Loads) -> Rows {
             false => DOES_NOT_EXIST,
         };
         let swing = |part: fn(&OrderLoads) -> &Swing, unit: Unit| match judged {
-            Some(order) if order.exists(engine) => amounts::largest(part(order), unit),
+            Some(order) if order.exists(engine) => plain(amounts::largest(part(order), unit)),
             Some(_) => DOES_NOT_EXIST.to_owned(),
             None => unjudged.to_owned(),
         };
@@ -60,7 +60,7 @@ pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> S
 pub(super) fn torque_amplitude(order: &TorqueOrder, unit: Unit) -> String {
     match order.vector.outcome {
         crate::loads::Outcome::Zero => "0".to_owned(),
-        _ => amount(order.vector.value.norm(), unit),
+        _ => plain(amount(order.vector.value.norm(), unit)),
     }
 }
 

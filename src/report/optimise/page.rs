@@ -135,5 +135,5 @@ fn drawing(layout: &Engine, front: &Front) -> String {
         PointMark::ring(at(&uniform.design), name).of("one balance factor for all throws")
     };
     plot.marks.extend(front.uniform.iter().map(uniform));
-    svg::svg(&plot.figure(), "Largest bearing load over the mass of the crankshaft")
+    svg(&plot.figure(), "Largest bearing load over the mass of the crankshaft")
 }

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use super::dialect::Dialect;
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
+use super::markup::{Mark as Sign, marks};
 use crate::text::latex;
 
 /// Longer paths are split, so that TeX holds only so many points at a time.
@@ -53,11 +53,21 @@ fn command(mark: &Mark) -> String {
                 Anchor::Middle => "center",
                 Anchor::End => "east",
             };
-            let text = prose.as_ref().map_or_else(|| latex(text), |prose| Dialect::Latex.prose(prose));
+            let text = prose.as_ref().map_or_else(|| latex(text), |prose| prose_in_tex(prose));
             let text = if *bold { format!("\\textbf{{{text}}}") } else { text };
             format!("\\node[anchor={anchor},inner sep=0pt] at {} {{{text}}};", point(at))
         }
     }
+}
+
+/// Words with `$formulas$`.
+fn prose_in_tex(prose: &str) -> String {
+    let set = |mark: Sign| match mark {
+        Sign::Words(words) => latex(words),
+        Sign::Formula(tex) => format!("${tex}$"),
+        Sign::Bold | Sign::Place => String::new(),
+    };
+    marks(prose).into_iter().map(set).collect()
 }
 
 fn path(points: &[Point], stroke: &Stroke) -> String {

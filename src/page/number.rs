@@ -1,4 +1,4 @@
-//! How do numbers become text? In one place: exact ones after `=`, decimals after `≈`.
+//! How do numbers become text? In one place: exact ones bare, decimals after `≈`, what has a unit to sensible figures.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -16,12 +16,22 @@ const LONGEST_FORM: usize = 90;
 const MOST_DIGITS: usize = 6;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
-pub(super) fn number(value: &BigRational) -> String {
-    let text = terminating(value).unwrap_or_else(|| value.abs().to_string());
+pub(crate) fn number(value: &BigRational) -> String {
+    let text = exact_text(value);
     if text.len() > MOST_LETTERS {
-        return format!("≈ {}", decimal(value.to_f64().unwrap_or(f64::NAN)));
+        return approximate(value.to_f64().unwrap_or(f64::NAN));
     }
     if value.is_negative() { format!("−{text}") } else { text }
+}
+
+/// The modulus, exactly.
+fn exact_text(value: &BigRational) -> String {
+    terminating(value).unwrap_or_else(|| value.abs().to_string())
+}
+
+/// Whether an exact number is too long to be read.
+fn is_long(value: &BigRational) -> bool {
+    exact_text(value).len() > MOST_LETTERS
 }
 
 /// The decimal form of a modulus, where it ends after a few places.
@@ -42,7 +52,7 @@ fn terminating(value: &BigRational) -> Option<String> {
 }
 
 /// An exact number of degrees: `22.5°`, `(360/7)°`.
-pub(super) fn degrees(value: &BigRational) -> String {
+pub(crate) fn degrees(value: &BigRational) -> String {
     let text = number(value);
     if !text.contains('/') || text.starts_with('≈') {
         return format!("{text}°");
@@ -52,26 +62,30 @@ pub(super) fn degrees(value: &BigRational) -> String {
 }
 
 /// A number of turns in degrees, not reduced: a firing interval of `720°`.
-pub(super) fn turns(value: &BigRational) -> String {
+pub(crate) fn turns(value: &BigRational) -> String {
     degrees(&(value * BigRational::from_integer(360.into())))
 }
 
 /// A direction in `[0°, 360°)`.
-pub(super) fn angle(turn: &Turn) -> String {
+pub(crate) fn angle(turn: &Turn) -> String {
     degrees(&turn.degrees())
 }
 
 /// A direction in `(−180°, 180°]`, as bank angles are spoken of.
-pub(super) fn signed_degrees(turn: &Turn) -> BigRational {
+pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
     let degrees = turn.degrees();
     let full = BigRational::from_integer(360.into());
     if &degrees * BigRational::from_integer(2.into()) > full { degrees - full } else { degrees }
 }
 
-/// A decimal of four places, or of four digits where it is small.
-pub(super) fn decimal(value: f64) -> String {
+/// A decimal of four digits; whole numbers whole.
+pub(crate) fn decimal(value: f64) -> String {
     let text = match value.abs() {
         size if size != 0.0 && !(0.01..1e9).contains(&size) => format!("{value:.3e}"),
+        size if size >= 999.95 => format!("{value:.0}"),
+        size if size >= 99.995 => format!("{value:.1}"),
+        size if size >= 9.9995 => format!("{value:.2}"),
+        size if size >= 0.99995 => format!("{value:.3}"),
         _ => format!("{value:.4}"),
     };
     text.replace('-', "−")
@@ -84,9 +98,33 @@ fn is_readable(form: &Form) -> bool {
     text.chars().count() <= LONGEST_FORM && longest_number <= MOST_DIGITS
 }
 
+/// A number on a page.
+#[derive(Clone, Debug)]
+pub enum Number {
+    /// Exactly zero, proved.
+    Zero,
+    /// An exact number that is short enough to be read.
+    Exact(BigRational),
+    /// An irrational number, exact, with its decimals.
+    Closed(Form, f64),
+    /// A decimal.
+    Decimal(f64),
+}
+
+impl Number {
+    /// An exact number; a decimal where it is too long to be read.
+    pub fn exact(value: &BigRational) -> Self {
+        match value {
+            zero if zero.is_zero() => Number::Zero,
+            long if is_long(long) => Number::Decimal(long.to_f64().unwrap_or(f64::NAN)),
+            short => Number::Exact(short.clone()),
+        }
+    }
+}
+
 /// A length: exact where a closed form is known, and in decimals.
-#[derive(Clone)]
-pub(super) struct Amount {
+#[derive(Clone, Debug)]
+pub struct Amount {
     /// The number itself.
     pub exact: Option<Form>,
     /// Its decimals.
@@ -107,34 +145,35 @@ impl Amount {
         Amount { exact, decimal: (self.decimal + other.decimal) / 2.0 }
     }
 
-    /// Plain text: `= 4`, `= √10 ≈ 3.1623`, `≈ 0.1234`.
+    /// Plain text: `4`, `√10 ≈ 3.162`, `≈ 0.1234`.
     pub fn plain(&self) -> String {
-        self.set(|form| form.to_string())
+        super::text_in(&self.clone().into(), super::Format::PLAIN)
     }
 
-    /// Prose with a formula: `= $\sqrt{10}$ ≈ 3.1623`.
+    /// Prose with a formula: `$\\sqrt{10}$ ≈ 3.162`.
     pub fn prose(&self) -> String {
-        self.set(|form| format!("${}$", form.tex()))
+        match self.number() {
+            Number::Closed(form, decimal) => format!("${}$ {}", form.tex(), approximate(decimal)),
+            _ => self.plain(),
+        }
     }
 
-    fn set(&self, irrational: impl Fn(&Form) -> String) -> String {
-        let Some(form) = &self.exact else { return format!("≈ {}", decimal(self.decimal)) };
-        match form.as_rational() {
-            Some(value) => related(&value),
-            None if is_readable(form) => format!("= {} ≈ {}", irrational(form), decimal(self.decimal)),
-            None => format!("≈ {}", decimal(self.decimal)),
+    /// As it is shown.
+    pub fn number(&self) -> Number {
+        match &self.exact {
+            None => Number::Decimal(self.decimal),
+            Some(form) => match form.as_rational() {
+                Some(value) => Number::exact(&value),
+                None if is_readable(form) => Number::Closed(form.clone(), self.decimal),
+                None => Number::Decimal(self.decimal),
+            },
         }
     }
 }
 
-/// `= 4`; where a number is too long to be shown exactly, `≈ 0.1429`.
-fn related(value: &BigRational) -> String {
-    let text = number(value);
-    if text.starts_with('≈') { text } else { format!("= {text}") }
-}
-
 /// A direction: exact where a closed form is known.
-pub(super) struct Bearing {
+#[derive(Clone, Debug)]
+pub struct Bearing {
     /// The direction itself.
     pub exact: Option<Direction>,
     /// In degrees, in `(−180, 180]`.
@@ -142,48 +181,74 @@ pub(super) struct Bearing {
 }
 
 impl Bearing {
-    /// Prose: `= 45°`, `= $-\arctan(\tfrac{1}{3})$ ≈ −18.4349°`, `≈ 12.3456°`.
-    pub fn prose(&self) -> String {
-        self.set("180^\\circ", "-", |form| format!("\\arctan({})", form.tex()), |formula| format!("${formula}$"))
+    /// An arctangent in TeX and as plain text, where it is one.
+    pub(crate) fn arctangent(&self) -> Option<[String; 2]> {
+        let Some(Direction::Arctangent { tangent, opposite }) = &self.exact else { return None };
+        let negative = tangent.to_float() < 0.0;
+        let size = if negative { tangent.scaled(&-BigRational::one()) } else { tangent.clone() };
+        let set = |half_turn: &str, minus: &str, function: String| {
+            // An arctangent lies within 90° of 0°; the opposite direction is half a turn from it.
+            let before = match (opposite, negative) {
+                (false, false) => String::new(),
+                (false, true) => minus.to_owned(),
+                (true, true) => format!("{half_turn} {minus} "),
+                (true, false) => format!("{minus}{half_turn} + "),
+            };
+            format!("{before}{function}")
+        };
+        Some([set("180^\\circ", "-", format!("\\arctan({})", size.tex())), set("180°", "−", format!("arctan({size})"))])
     }
 
-    /// Plain text: `= −arctan(1/3) ≈ −18.4349°`.
+    /// Plain text: `−arctan(1/3) ≈ −18.43°`.
     pub fn plain(&self) -> String {
-        self.set("180°", "−", |form| format!("arctan({form})"), |formula| formula)
+        super::text_in(&self.clone().into(), super::Format::PLAIN)
     }
 
-    fn set(
-        &self,
-        half_turn: &str,
-        minus: &str,
-        arctangent: impl Fn(&Form) -> String,
-        formula: impl Fn(String) -> String,
-    ) -> String {
-        let decimals = format!("≈ {}°", decimal(self.decimal));
+    /// Prose with a formula.
+    pub fn prose(&self) -> String {
+        match self.arctangent() {
+            Some([tex, _]) => format!("${tex}$ {}", self.degrees()),
+            None => self.degrees(),
+        }
+    }
+
+    /// The degrees: exact where they are rational, else decimals.
+    pub(crate) fn degrees(&self) -> String {
         match &self.exact {
-            None => decimals,
-            Some(Direction::Turn(turn)) => {
-                let text = degrees(&signed_degrees(turn));
-                if text.starts_with('≈') { text } else { format!("= {text}") }
-            }
-            Some(Direction::Arctangent { tangent, opposite }) => {
-                let negative = tangent.to_float() < 0.0;
-                let size = if negative { tangent.scaled(&-BigRational::one()) } else { tangent.clone() };
-                // An arctangent lies within 90° of 0°; the opposite direction is half a turn from it.
-                let before = match (opposite, negative) {
-                    (false, false) => String::new(),
-                    (false, true) => minus.to_owned(),
-                    (true, true) => format!("{half_turn} {minus} "),
-                    (true, false) => format!("{minus}{half_turn} + "),
-                };
-                format!("= {} {decimals}", formula(format!("{before}{}", arctangent(&size))))
-            }
+            Some(Direction::Turn(turn)) => degrees(&signed_degrees(turn)),
+            Some(Direction::Arctangent { .. }) | None => format!("{}°", approximate(self.decimal)),
         }
     }
 }
 
+/// A decimal after its sign.
+pub(crate) fn approximate(value: f64) -> String {
+    format!("≈ {}", decimal(value))
+}
+
+/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`.
+pub fn sensible(value: f64) -> String {
+    let size = value.abs();
+    let text = match size {
+        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => format!("{value:.2e}"),
+        _ if size >= 99.95 => format!("{value:.0}"),
+        _ if size >= 9.995 => format!("{value:.1}"),
+        _ if size >= 0.9995 => format!("{value:.2}"),
+        _ => format!("{value:.3}"),
+    };
+    text.replace('-', "−")
+}
+
+/// A unit behind its number.
+pub(crate) fn behind(unit: super::Unit) -> String {
+    match unit == super::Unit::DEGREE {
+        true => unit.name.to_owned(),
+        false => format!("\u{202f}{}", unit.name),
+    }
+}
+
 /// Names in a row, runs of three and more numbers drawn together: `1, 4–7`.
-pub(super) fn names(names: &[&str]) -> String {
+pub(crate) fn names(names: &[&str]) -> String {
     let numbers: Option<Vec<u32>> = names.iter().map(|name| name.parse().ok()).collect();
     let Some(mut numbers) = numbers else { return names.join(", ") };
     numbers.sort_unstable();
@@ -203,7 +268,7 @@ pub(super) fn names(names: &[&str]) -> String {
 }
 
 /// A multiple of an angle as it is worked out by hand: `2·270°`, nothing for a factor of 0.
-pub(super) fn multiple(factor: i64, degrees_value: &BigRational) -> Option<(bool, String)> {
+pub(crate) fn multiple(factor: i64, degrees_value: &BigRational) -> Option<(bool, String)> {
     let product_sign = degrees_value * BigRational::from_integer(factor.into());
     if factor.is_zero() || degrees_value.is_zero() {
         return None;
@@ -214,7 +279,7 @@ pub(super) fn multiple(factor: i64, degrees_value: &BigRational) -> Option<(bool
 }
 
 /// The kinds of regular polygon that proofs speak of.
-pub(super) fn polygon_name(sides: u64) -> String {
+pub(crate) fn polygon_name(sides: u64) -> String {
     match sides {
         2 => "an opposed pair".to_owned(),
         3 => "a regular triangle".to_owned(),

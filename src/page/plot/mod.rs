@@ -1,6 +1,6 @@
 //! How is a function shown? Curves over an axis, a vector that turns, and values over a plane, as drawings.
 //!
-//! Every drawing is a [`Figure`]: marks in millimetres that [`super::svg`] and [`super::tikz`] print. Values that are
+//! Every drawing is a [`Figure`]: marks in millimetres that [`crate::page::svg`] and [`crate::page::tikz`] print. Values that are
 //! not finite, or not positive on a logarithmic axis, have no place and break a curve; no input panics.
 //!
 //! ```standalone_crate
