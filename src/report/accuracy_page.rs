@@ -8,7 +8,7 @@ use super::dialect::Dialect;
 use super::figure::Ink;
 use super::folder::File;
 use super::plot::{Axis, Curve, Plot, PointMark};
-use super::table::Table;
+use super::old::Table;
 use super::{render, svg};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
