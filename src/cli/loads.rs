@@ -8,8 +8,8 @@ use crankstar::loads::{self, Needed};
 use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
-use super::verify::proved_or_without;
 use super::pages::shown;
+use super::verify::proved_or_without;
 use super::{EngineAndOrders, write};
 
 /// The percentage of a bare `--auto`.

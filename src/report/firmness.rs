@@ -40,7 +40,8 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
     let mut table = Table::new(header);
     for order in orders.iter().flat_map(|order| &order.parts) {
         let force = firmness(engine, &order.force).map(|firmness| (phrase!("force, order {}", order.order), firmness));
-        let moment = firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
+        let moment =
+            firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
         table.rows.extend([force, moment].into_iter().flatten().map(|(name, firmness)| row(name, &firmness)));
     }
     if table.rows.is_empty() {

@@ -48,7 +48,9 @@ pub fn index(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> File {
     let line = |(entry, engine, orders): &(Entry, Engine, Vec<OrderVerdict>)| Line {
         name: entry.name,
         title: dialect.quoted(engine.title()),
-        firing: engine.firing().map_or_else(String::new, |firing| crate::page::text_in(&intervals(firing), crate::page::Format::GITHUB)),
+        firing: engine
+            .firing()
+            .map_or_else(String::new, |firing| crate::page::text_in(&intervals(firing), crate::page::Format::GITHUB)),
         forces: cells(orders, 0),
         moments: cells(orders, 1),
     };

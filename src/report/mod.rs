@@ -46,11 +46,11 @@ pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
 pub use dialect::Dialect;
 pub use document::document;
-pub use folder::{File, index};
-pub use old::Rows;
-pub use loads_document::{LoadsDocument, loads_document};
 pub use engine_page::{Contents, engine_answer, engine_page};
 pub use family_page::{family_answer, family_page, open_document};
+pub use folder::{File, index};
+pub use loads_document::{LoadsDocument, loads_document};
+pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
     OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,

@@ -33,7 +33,8 @@ pub(super) fn section(engine: &Engine, theorem: &Result<Theorem, NoTheorem>) -> 
 
 /// What is true of every order, of the force and of the moment.
 pub(super) fn statements(engine: &Engine, theorem: &Theorem) -> Vec<Text> {
-    let statement = |name, every| Text::phrase(format!("{}{}", statement(name, every), whose(engine, theorem)), Vec::new());
+    let statement =
+        |name, every| Text::phrase(format!("{}{}", statement(name, every), whose(engine, theorem)), Vec::new());
     vec![statement("force", &theorem.force), statement("moment", &theorem.moment)]
 }
 

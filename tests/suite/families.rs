@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crankstar::engine::{DELTA, Family, PHI};
 use crankstar::exact::Turn;
 use crankstar::family::{self, Left, NotComparable, OpenVerdict, When};
-use crankstar::engine::{DELTA, Family, PHI};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
+use crankstar::page::Format;
 use crankstar::proof::Quantity;
 use crankstar::{order, report};
 use num_rational::BigRational;
@@ -199,9 +200,7 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
 fn values_close_a_family_and_keep_it_beside() {
     let text = "values = { a = '22 mm', b = '16 mm', c = '30 mm' }\n\
                 vee = { bank_angle = 90, throws = [0, 180, 180, 0], spacing = '2a + b + 2c', bank_offset = 'b' }";
-    let Layout::Known(engine, Some(family)) = file::parse_layout("v8", text).expect("it reads") else {
-        panic!("open")
-    };
+    let Layout::Known(engine, Some(family)) = file::parse_layout("v8", text).expect("it reads") else { panic!("open") };
     assert_eq!(engine.cylinders[0].position.to_string(), "47/250");
     assert_eq!(family.unknowns().into_iter().collect::<Vec<_>>(), ["a", "b", "c"]);
     assert_eq!(file::parse("v8", text).expect("it is known").cylinders, engine.cylinders);
@@ -224,15 +223,14 @@ fn mistakes_about_unknowns_are_told() {
 }
 
 #[test]
-fn reports_on_families_are_written_in_every_dialect() {
+fn reports_on_families_are_written_in_every_format() {
     for text in [V_TWIN, V6_SPLIT, W, UNEQUAL] {
         let family = open(text);
         let orders = family::classify(&family, &family.orders).expect("orders");
-        for dialect in [report::Dialect::GithubMarkdown, report::Dialect::DollarMarkdown, report::Dialect::Latex] {
-            let files = report::open_report(&family, &orders, dialect);
-            assert!(
-                files[0].text.contains("Summary") && files[0].text.contains("opposite") || text == UNEQUAL || text == W
-            );
+        let page = report::family_page(&family, &orders);
+        for format in [Format::GITHUB, pages::DOLLARS, Format::Latex, Format::Html, Format::PLAIN] {
+            let written = pages::text(&page, format);
+            assert!(written.contains("Left open") && written.contains("opposite") || text == UNEQUAL || text == W);
         }
     }
 }

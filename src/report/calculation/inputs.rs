@@ -7,8 +7,8 @@ use super::expression::{Expression, Line, fraction, power, quantity};
 use crate::engine::{Engine, Given, Measure};
 use crate::exact::Turn;
 use crate::loads::{Loads, Scale};
-use crate::proof::Sense;
 use crate::page::{Number, Table, Text, phrase};
+use crate::proof::Sense;
 use crate::report::table::{position, position_heading};
 use crate::report::typeset;
 

@@ -48,9 +48,7 @@ pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Nu
         phrase!("Largest moment: {}.", value(&largest.moment, unit(Quantity::Moment))),
     ];
     let torque = largest.torque.iter();
-    lines.extend(
-        torque.map(|torque| phrase!("Largest inertia torque: {}.", value(torque, unit(Quantity::Torque)))),
-    );
+    lines.extend(torque.map(|torque| phrase!("Largest inertia torque: {}.", value(torque, unit(Quantity::Torque)))));
     lines
 }
 

@@ -7,9 +7,9 @@ use num_complex::Complex;
 use super::amounts::Unit;
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Waveform};
-use crate::proof::Quantity;
 use crate::page::plot::{Axis, Curve, Plot, Polar};
 use crate::page::{Picture, phrase};
+use crate::proof::Quantity;
 
 /// Steps of a revolution in a plot.
 const STEPS: usize = 360;

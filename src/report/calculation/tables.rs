@@ -12,8 +12,7 @@ use crate::report::loads_document::share;
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
-    let mut table =
-        Table::new(["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"]);
+    let mut table = Table::new(["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"]);
     let peaks: [(Peak, Unit); 2] = [
         (loads.force.peak(), Unit::of(engine, loads, Quantity::Force)),
         (loads.moment.peak(), Unit::of(engine, loads, Quantity::Moment)),

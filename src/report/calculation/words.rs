@@ -24,9 +24,7 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
         );
     }
     if loads.groups.len() == 1 {
-        lines.push(
-            "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".into(),
-        );
+        lines.push("No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".into());
     }
     if !engine.has_offset() {
         lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".into());
@@ -37,7 +35,8 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     }
     if Arm::of(engine) == Arm::Spacing {
         lines.push(
-            "The file does not say how far apart the cylinders stand: moments are in newtons times that spacing a.".into(),
+            "The file does not say how far apart the cylinders stand: moments are in newtons times that spacing a."
+                .into(),
         );
     }
     lines

@@ -7,7 +7,7 @@ use crate::order::{self, Masses};
 use crate::page::{self, Block, Document, Piece, Table, Text, phrase};
 use crate::proof::{Quantity, Shape};
 use crate::remedy::{self, Wish};
-use crate::verdict::{Judgement, Outcome, OrderVerdict, Theorem, WholeOrder};
+use crate::verdict::{Judgement, OrderVerdict, Outcome, Theorem, WholeOrder};
 
 /// Orders above this are usually left as they are.
 const USUALLY_CURED: u32 = 2;
@@ -118,13 +118,7 @@ const MOMENT: [&str; 3] = [
 ];
 
 /// The largest value of an order with its unit; none where the numbers do not hold it.
-fn in_units(
-    engine: &Engine,
-    numbers: &Numbers,
-    order: u32,
-    quantity: Quantity,
-    whole: &WholeOrder,
-) -> Option<Text> {
+fn in_units(engine: &Engine, numbers: &Numbers, order: u32, quantity: Quantity, whole: &WholeOrder) -> Option<Text> {
     let loads = numbers.loads.orders.iter().find(|loads| loads.order == order)?;
     let swing = if quantity == Quantity::Force { &loads.force } else { &loads.moment };
     let unit = Unit::of(engine, &numbers.loads, quantity);
@@ -164,9 +158,15 @@ fn cure(engine: &Engine, judged: &Judgement, order: &OrderVerdict) -> Option<Tex
             "Order 1: {} for what turns with the crank, and one balancer shaft at crank speed for what turns against it.",
             counterweights(engine, judged)
         ),
-        (_, [true, false]) => phrase!("Order {}: one balancer shaft at {} crank speed, turning with the crank.", k, times(k)),
-        (_, [false, true]) => phrase!("Order {}: one balancer shaft at {} crank speed, turning against the crank.", k, times(k)),
-        (_, [true, true]) => phrase!("Order {}: two balancer shafts at {} crank speed, one turning each way.", k, times(k)),
+        (_, [true, false]) => {
+            phrase!("Order {}: one balancer shaft at {} crank speed, turning with the crank.", k, times(k))
+        }
+        (_, [false, true]) => {
+            phrase!("Order {}: one balancer shaft at {} crank speed, turning against the crank.", k, times(k))
+        }
+        (_, [true, true]) => {
+            phrase!("Order {}: two balancer shafts at {} crank speed, one turning each way.", k, times(k))
+        }
     };
     Some(words.and(usually))
 }
@@ -282,15 +282,16 @@ pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
 pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Option<Table> {
     let numbers = numbers.filter(|numbers| is_as_built(engine, judged) && numbers.loads.scale.is_some())?;
     let mut table = Table::new(["Order", "Force", "Moment"]);
-    let cell = |order: &OrderVerdict, quantity: Quantity, whole: &WholeOrder| {
-        match (whole.shape, in_units(engine, numbers, order.order, quantity, whole)) {
-            (Shape::Balanced, _) => Text::zero(),
-            (shape, Some(size)) if quantity == Quantity::Moment && order.moment_is_couple() => {
-                phrase!("couple {}, {}", size, residual::shape_name(shape))
-            }
-            (shape, Some(size)) => phrase!("{}, {}", size, residual::shape_name(shape)),
-            (_, None) => residual::whole_text(whole),
+    let cell = |order: &OrderVerdict, quantity: Quantity, whole: &WholeOrder| match (
+        whole.shape,
+        in_units(engine, numbers, order.order, quantity, whole),
+    ) {
+        (Shape::Balanced, _) => Text::zero(),
+        (shape, Some(size)) if quantity == Quantity::Moment && order.moment_is_couple() => {
+            phrase!("couple {}, {}", size, residual::shape_name(shape))
         }
+        (shape, Some(size)) => phrase!("{}, {}", size, residual::shape_name(shape)),
+        (_, None) => residual::whole_text(whole),
     };
     for order in judged.orders.iter().filter(|order| order.exists()) {
         let force = cell(order, Quantity::Force, &order.force);

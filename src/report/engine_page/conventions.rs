@@ -28,7 +28,8 @@ pub(super) fn units(engine: &Engine) -> Text {
     forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS)
 }
 
-const LARGEST: &str = "the number is the largest value through a revolution, $\\tfrac12(\\lvert P^{+}\\rvert + \\lvert P^{-}\\rvert)$;";
+const LARGEST: &str =
+    "the number is the largest value through a revolution, $\\tfrac12(\\lvert P^{+}\\rvert + \\lvert P^{-}\\rvert)$;";
 const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
                      taken about the reference plane.";
 
@@ -44,10 +45,8 @@ fn assumed(engine: &Engine) -> Text {
     }
 }
 
-const RIGID: &str =
-    "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself.";
-const RODS_DIFFER: &str =
-    " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
+const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself.";
+const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 

@@ -84,7 +84,10 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     let both = list(&|order| always(&order.force) && always(&order.moment));
     let forces = list(&|order| always(&order.force) && !always(&order.moment));
     if !both.is_empty() {
-        lines.push(phrase!("Whatever they are, force and moment of {} vanish.", super::residual::orders_in_words(&both)));
+        lines.push(phrase!(
+            "Whatever they are, force and moment of {} vanish.",
+            super::residual::orders_in_words(&both)
+        ));
     }
     if !forces.is_empty() {
         lines.push(phrase!("Whatever they are, the force of {} vanishes.", super::residual::orders_in_words(&forces)));
