@@ -6,6 +6,8 @@ use crankstar::order::{MassGroup, NotComparable};
 use crankstar::page::Format;
 use crankstar::proof::Quantity;
 use crankstar::verdict::Judgement;
+
+use crate::support::pages;
 use num_rational::BigRational;
 
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
