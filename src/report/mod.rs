@@ -73,3 +73,4 @@ pub use residual::{
 pub use svg::svg;
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
 pub use tikz::tikz;
+pub use views::{end_view, side_view};

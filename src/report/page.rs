@@ -14,7 +14,7 @@ use super::star::{star_figure, torque_figure};
 use super::svg::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
-use super::views::{end_view, side_view};
+use super::views::{end_view, end_view_caption, side_view, side_view_caption};
 use super::{argument, firmness, residual, tikz, typeset};
 use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
@@ -188,16 +188,8 @@ fn of_order<'a>(order: &'a OrderVerdict, name: &str, file: &str) -> Vec<StarOf<'
 pub(super) fn figures(engine: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
     let named = |name: String, caption: String, figure| NamedFigure { name, caption, figure };
     let mut figures = vec![
-        named(
-            "end-view".into(),
-            "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise: crankpins inside, cylinders outside.".into(),
-            end_view(engine),
-        ),
-        named(
-            "side-view".into(),
-            "The crankshaft from the side with the throw angles below, the cylinders above, and the reference plane of the moments dashed.".into(),
-            side_view(engine),
-        ),
+        named("end-view".into(), end_view_caption(engine), end_view(engine)),
+        named("side-view".into(), side_view_caption(engine), side_view(engine)),
     ];
     figures.extend(stars(judged).into_iter().map(|star| {
         let caption = format!(

@@ -46,7 +46,7 @@ impl Curve {
 
 /// A rectangle of the page.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Area {
+pub(in crate::report) struct Area {
     pub low: Point,
     pub high: Point,
 }

@@ -5,26 +5,39 @@ use super::curve::Area;
 use super::number::text_width;
 
 /// Height of a line of text in millimetres.
-pub(super) const LINE: f64 = 3.6;
+pub(in crate::report) const LINE: f64 = 3.6;
 /// Curves are felt at points this far apart.
 const FEELER: f64 = 0.8;
 /// A label on another is as bad as one on so many points of curves.
 const COLLISION: usize = 1000;
 
 /// A place where a label may stand.
-pub(super) type Place = (Point, Anchor);
+pub(in crate::report) type Place = (Point, Anchor);
 
 /// What is on the page already, and has to be seen.
-pub(super) struct Labels {
+pub(in crate::report) struct Labels {
     bounds: Area,
     taken: Vec<Area>,
     felt: Vec<Point>,
+    /// Whether a text on a line hides it.
+    hides: bool,
 }
 
 impl Labels {
     /// Labels go inside these bounds, and beside what the figure shows in them.
     pub fn new(bounds: Area) -> Self {
-        Labels { bounds, taken: Vec::new(), felt: Vec::new() }
+        Labels { bounds, taken: Vec::new(), felt: Vec::new(), hides: false }
+    }
+
+    /// Labels go anywhere, and stand on white where they must lie on a line.
+    pub fn anywhere() -> Self {
+        let far = Point::new(1e4, 1e4);
+        Labels { hides: true, ..Labels::new(Area { low: -far, high: far }) }
+    }
+
+    /// A rectangle that has to be seen.
+    pub fn avoid_area(&mut self, area: Area) {
+        self.taken.push(area);
     }
 
     /// A curve that should be seen.
@@ -51,7 +64,8 @@ impl Labels {
             Mark::Rectangles { corners, .. } => corners.iter().any(|&(low, high)| area.meets(&Area { low, high })),
             _ => false,
         };
-        if figure.marks.iter().any(covers) {
+        let hides = self.hides && self.felt.iter().any(|point| area.holds(*point));
+        if hides || figure.marks.iter().any(covers) {
             figure.rectangles(vec![(area.low, area.high)], Ink::Shade(0));
         }
         figure.text(best.0, text, best.1);
@@ -106,7 +120,7 @@ impl Labels {
 }
 
 /// What a text covers, with a little air.
-fn area(text: &str, (at, anchor): &Place) -> Area {
+pub(in crate::report) fn area(text: &str, (at, anchor): &Place) -> Area {
     let width = text_width(text);
     let left = match anchor {
         Anchor::Start => 0.0,

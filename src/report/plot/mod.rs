@@ -14,12 +14,12 @@
 //! ```
 
 mod axis;
-mod curve;
+pub(super) mod curve;
 mod frame;
 mod head;
-mod labels;
+pub(super) mod labels;
 mod map;
-mod number;
+pub(super) mod number;
 mod polar;
 
 pub use axis::{Axis, Ruler, Scale, Tick};
