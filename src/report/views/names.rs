@@ -12,6 +12,9 @@ use super::signed_angle;
 
 /// More banks than this are named by their cylinders and not by their angles.
 const MOST_ANGLES: usize = 8;
+/// Pins that are closer than this on the page share their names, as do pistons that nearly cover each other.
+const TOUCHING: f64 = 2.0;
+const COVERING: f64 = 0.9;
 
 /// A place for a text on this side of a point.
 fn beside(at: Point, way: Point, far: f64) -> Place {
@@ -41,7 +44,7 @@ fn write(figure: &mut Figure, labels: &mut Labels, name: &str, from: Point, plac
 pub(super) fn name_pins(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]) {
     let mut pins: Vec<(Point, Vec<&str>)> = Vec::new();
     for linkage in linkages {
-        match pins.iter_mut().find(|(pin, _)| (pin - linkage.pin).norm() < 1e-6) {
+        match pins.iter_mut().find(|(pin, _)| (pin - linkage.pin).norm() < TOUCHING) {
             Some((_, names)) => names.extend(&linkage.names),
             None => pins.push((linkage.pin, linkage.names.clone())),
         }
@@ -67,23 +70,17 @@ fn gathered<'a, 'b, K: Ord>(
     groups
 }
 
-/// Lengths are equal where they agree to a thousandth of a millimetre.
-fn thousandths(length: f64) -> i64 {
-    (length * 1000.0).round() as i64
-}
-
 /// The cylinders whose pistons stand at one height, beside the cylinder; outside it where a bank has but one.
 pub(super) fn name_pistons(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], half: f64) {
     let banks = gathered(linkages, |linkage| linkage.bank);
     let has_angles = (2..=MOST_ANGLES).contains(&banks.len());
     for bank in banks.values() {
-        let mut heights: BTreeMap<(i64, i64), Vec<&Linkage>> = BTreeMap::new();
-        for &linkage in bank {
-            let side = ((linkage.foot * linkage.across.conj()).re, linkage.height());
-            heights.entry((thousandths(side.0), thousandths(side.1))).or_default().push(linkage);
-        }
+        let mut bank = bank.clone();
+        let place = |linkage: &Linkage| ((linkage.foot * linkage.across.conj()).re, linkage.height());
+        bank.sort_by(|a, b| place(a).0.total_cmp(&place(b).0).then(place(a).1.total_cmp(&place(b).1)));
+        let heights: Vec<&[&Linkage]> = bank.chunk_by(|a, b| (a.piston - b.piston).norm() < COVERING).collect();
         let is_alone = heights.len() == 1 && !has_angles;
-        for at_height in heights.values() {
+        for at_height in heights {
             let Linkage { along, across, piston, foot, stroke, .. } = at_height[0];
             let names: Vec<&str> = at_height.iter().flat_map(|linkage| linkage.names.iter().copied()).collect();
             let head = foot + along * (stroke.1 + CROWN + HEAD);
