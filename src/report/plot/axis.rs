@@ -75,6 +75,15 @@ impl Axis {
         Axis { range: Some((from, to)), ticks: Some(ticks.collect()), ..Axis::linear(label) }
     }
 
+    /// A linear axis from one angle to another in degrees, with ticks at parts of a turn that have room.
+    pub fn degrees(label: impl Into<String>, from: f64, to: f64) -> Self {
+        let (low, high) = (from.min(to), from.max(to));
+        match [1, 2, 5, 10, 15, 30, 45, 60, 90, 180].into_iter().find(|step| high - low <= f64::from(*step) * 8.0) {
+            Some(step) if high - low >= 4.0 => Axis::angle(label, low, high, step),
+            _ => Axis::linear(label).within(low, high),
+        }
+    }
+
     /// The same axis from one value to another.
     pub fn within(self, low: f64, high: f64) -> Self {
         Axis { range: Some((low, high)), ..self }

@@ -10,6 +10,8 @@ pub(in crate::report) const LINE: f64 = 3.6;
 const FEELER: f64 = 0.8;
 /// A label on another is as bad as one on so many points of curves.
 const COLLISION: usize = 1000;
+/// A point of a curve under a name, against what else speaks against a place.
+const LINE_COST: usize = 25;
 
 /// A place where a label may stand.
 pub(in crate::report) type Place = (Point, Anchor);
@@ -71,6 +73,19 @@ impl Labels {
         figure.text(best.0, text, best.1);
         self.taken.push(area);
         Some(best)
+    }
+
+    /// The best of places that have costs of their own, with its cost in all; the first of equals.
+    pub fn best(&self, text: &str, places: impl Iterator<Item = (Place, usize)>) -> Option<(usize, usize)> {
+        let costs = places.map(|(place, own)| own + LINE_COST * self.cost(&area(text, &place)));
+        costs.enumerate().min_by_key(|(_, cost)| *cost)
+    }
+
+    /// Writes a text at the best of these places, unless each lies on another text or sign or leaves the bounds.
+    pub fn write_if_free(&mut self, figure: &mut Figure, text: &str, places: &[Place]) {
+        let is_free = |place: &&Place| self.cost(&area(text, place)) < COLLISION;
+        let free: Vec<Place> = places.iter().filter(is_free).copied().collect();
+        self.write(figure, text, &free);
     }
 
     /// Writes texts that belong together, such as the numbers of an axis: each at its place of the best row of places.

@@ -1,10 +1,11 @@
 //! Which plots show a sweep? Curves over one parameter with the exact zeros marked, or maps over two.
 
 use super::super::figure::Figure;
+use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
-use super::words::{axis, exact, float, quantity_name, unit};
+use super::words::{axis, exact, float, quantity_name, short_number, unit};
 use crate::proof::Quantity;
-use crate::sweep::{Amplitudes, Sweep, SweptEngine, ZeroSet, Zeros};
+use crate::sweep::{Amplitudes, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 use crate::text::Format;
 
 /// A drawing with its name and what it shows.
@@ -55,28 +56,59 @@ fn value_axis(sweep: &Sweep, quantity: Quantity) -> Axis {
     Axis::linear(format!("{name} in {}", unit(sweep, quantity)))
 }
 
+/// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let parameter = &sweep.parameters[0];
-    let is_angle = sweep.zeros.is_some();
-    let title = format!("Order {order} of the {}", quantity_name(quantity));
+    let is_angle = sweep.zeros.is_some() || is_angle(parameter);
     let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
     let label = axis(parameter, is_angle);
-    let x = if is_angle { Axis::angle(label, ends.0.min(ends.1), ends.0.max(ends.1), 30) } else { Axis::linear(label) };
-    let x = if is_angle && (ends.1 - ends.0).abs() < 60.0 { Axis { ticks: None, ..x } } else { x };
-    let mut plot = Plot::new(title, x, value_axis(sweep, quantity));
-    let parts: [(&str, Amplitude); 4] = [
-        ("largest", |a| a.largest.value),
-        ("smallest", |a| a.smallest.value),
-        ("along", |a| a.along.value),
-        ("across", |a| a.across.value),
-    ];
-    for (number, (name, part)) in parts.into_iter().enumerate() {
-        let point =
-            |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
-        plot.curves.push(Curve::new(number, name, sweep.curve.iter().filter_map(point).collect()));
-    }
-    plot.marks = marks(sweep, quantity, order, place);
-    plot.figure()
+    let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
+    let title = format!("Order {order} of the {}", quantity_name(quantity));
+    let marks = marks(sweep, quantity, order, place);
+    let panel = |title: String, parts: [(&str, Amplitude); 2], is_shown: fn(&PointMark) -> bool| {
+        let mut plot = Plot::new(title, x.clone(), value_axis(sweep, quantity));
+        for (number, (name, part)) in parts.into_iter().enumerate() {
+            let point =
+                |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
+            let curve = Curve::new(number, name, sweep.curve.iter().filter_map(point).collect());
+            plot.curves.push(Curve { width: if number == 0 { 0.7 } else { 0.45 }, ..curve });
+        }
+        plot.marks = marks.iter().filter(|mark| is_shown(mark)).cloned().collect();
+        plot.figure()
+    };
+    let axes: [(&str, Amplitude); 2] = [("largest", |a| a.largest.value), ("smallest", |a| a.smallest.value)];
+    let parts: [(&str, Amplitude); 2] = [("along", |a| a.along.value), ("across", |a| a.across.value)];
+    // Zeros of one part are no zeros of the largest amplitude.
+    let of_axes = |mark: &PointMark| mark.filled || mark.label.ends_with(ALL);
+    stacked(vec![
+        panel(format!("{title}: largest and smallest"), axes, of_axes),
+        panel(format!("{title}: along the reference direction, and across"), parts, |mark| !mark.filled),
+    ])
+}
+
+/// What a zero of the whole vector is called.
+const ALL: &str = "all";
+
+/// Keys of a layout file that hold angles.
+const ANGLES: [&str; 11] = [
+    "bank_angle",
+    "pin_split",
+    "throws",
+    "banks",
+    "pin_splits",
+    "row_rotation",
+    "row_throw",
+    "throw",
+    "bank",
+    "angle",
+    "phi",
+];
+
+/// Whether the parameter is an angle in degrees.
+fn is_angle(parameter: &Parameter) -> bool {
+    let key = parameter.key.to_string();
+    let named = key.split(['.', '[', ']']).any(|part| ANGLES.contains(&part));
+    named && ["", "°", "deg"].contains(&parameter.range.unit())
 }
 
 /// Rings where a part vanishes, dots where one of the two vectors does and the other one draws a circle.
@@ -86,7 +118,7 @@ fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<Poi
     let at = |which: Zeros| of(which).map_or(&[][..], |set: &ZeroSet| &set.at);
     let all = at(Zeros::Largest);
     let mut marks = Vec::new();
-    for (which, name) in [(Zeros::Largest, "all"), (Zeros::Along, "along"), (Zeros::Across, "across")] {
+    for (which, name) in [(Zeros::Largest, ALL), (Zeros::Along, "along"), (Zeros::Across, "across")] {
         let own = at(which).iter().filter(|value| which == Zeros::Largest || !all.contains(value));
         marks.extend(
             own.map(|value| PointMark::ring((float(value), 0.0), format!("{}° {name}", exact(value))).of("exact zero")),
@@ -111,7 +143,7 @@ fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<PointMark>
     let mark = |point: &SweptEngine| {
         let amplitudes = amplitudes(point, place, quantity)?;
         let name = match amplitudes {
-            a if a.largest.vanishes => "all",
+            a if a.largest.vanishes => ALL,
             a if a.along.vanishes => "along",
             a if a.across.vanishes => "across",
             _ => return None,
@@ -129,12 +161,15 @@ fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<PointMark>
 fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let [slow, fast] = [&sweep.parameters[0], &sweep.parameters[1]];
     let columns = fast.range.count();
-    let around = |parameter: &crate::sweep::Parameter| {
+    let around = |parameter: &Parameter| {
         // Cells reach half a step beyond the outer values.
         let (first, last) = (float(&parameter.range.value(0)), float(&parameter.range.last()));
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
-        Axis::linear(axis(parameter, false)).within(first - half, last + half)
+        let is_angle = is_angle(parameter);
+        let label = axis(parameter, is_angle);
+        let (low, high) = (first - half, last + half);
+        if is_angle { Axis::degrees(label, low, high) } else { Axis::linear(label).within(low, high) }
     };
     let largest = |point: &SweptEngine| amplitudes(point, place, quantity).map_or(f64::NAN, |a| a.largest.value);
     let mut rows: Vec<Vec<f64>> = sweep.points.chunks(columns).map(|row| row.iter().map(largest).collect()).collect();
@@ -154,6 +189,9 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     if marks.len() > MOST_MARKS {
         marks.clear();
     }
+    if marks.is_empty() {
+        marks.extend(least(sweep, &largest));
+    }
     let map = Map {
         title: format!("Order {order}: largest {}", quantity_name(quantity)),
         x: around(fast),
@@ -164,4 +202,12 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
         marks,
     };
     map.figure()
+}
+
+/// The point of the grid with the least amplitude, named by its value.
+fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Option<PointMark> {
+    let points = sweep.points.iter().filter(|point| largest(point).is_finite());
+    let best = points.min_by(|a, b| largest(a).total_cmp(&largest(b)))?;
+    let at = (float(best.values.get(1)?), float(best.values.first()?));
+    Some(PointMark::dot(at, format!("≈ {}", short_number(largest(best)))).of("least on the grid"))
 }

@@ -3,6 +3,7 @@
 use super::super::figure::{Figure, Mark, Point};
 use super::super::plot::curve::Area;
 use super::super::plot::labels;
+use super::super::plot::stack::shift;
 
 /// Air at the edges, in millimetres.
 const AIR: f64 = 1.5;
@@ -22,20 +23,6 @@ pub(in crate::report) fn cropped(mut figure: Figure) -> Figure {
     figure
 }
 
-/// Drawings below each other on one page.
-pub(in crate::report) fn stacked(figures: Vec<Figure>) -> Figure {
-    let width = figures.iter().map(|figure| figure.width).fold(0.0, f64::max);
-    let mut page = Figure::new(width, figures.iter().map(|figure| figure.height).sum());
-    let mut top = page.height;
-    for mut figure in figures {
-        top -= figure.height;
-        let way = Point::new((width - figure.width) / 2.0, top);
-        figure.marks.iter_mut().for_each(|mark| shift(mark, way));
-        page.marks.append(&mut figure.marks);
-    }
-    page
-}
-
 /// What a mark covers, about: a part for each of its points.
 fn reach(mark: &Mark) -> Vec<Area> {
     let around = |at: &Point, far: f64| {
@@ -50,23 +37,5 @@ fn reach(mark: &Mark) -> Vec<Area> {
         }
         Mark::Rectangles { corners, .. } => corners.iter().map(|&(low, high)| Area { low, high }).collect(),
         Mark::Text { at, text, anchor, .. } => vec![labels::area(text, &(*at, *anchor))],
-    }
-}
-
-fn shift(mark: &mut Mark, way: Point) {
-    match mark {
-        Mark::Line { from, to, .. } => {
-            *from += way;
-            *to += way;
-        }
-        Mark::Circle { centre, .. } => *centre += way,
-        Mark::Polygon { corners: points, .. } | Mark::Path { points, .. } => {
-            points.iter_mut().for_each(|point| *point += way);
-        }
-        Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
-            *low += way;
-            *high += way;
-        }),
-        Mark::Text { at, .. } => *at += way,
     }
 }

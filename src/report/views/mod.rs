@@ -3,7 +3,7 @@
 mod below;
 mod caption;
 mod crankshaft;
-pub(super) mod crop;
+mod crop;
 mod end_view;
 mod linkage;
 mod names;
