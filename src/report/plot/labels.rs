@@ -82,10 +82,10 @@ impl Labels {
     }
 
     /// Writes a text at the best of these places, unless each lies on another text or sign or leaves the bounds.
-    pub fn write_if_free(&mut self, figure: &mut Figure, text: &str, places: &[Place]) {
+    pub fn write_if_free(&mut self, figure: &mut Figure, text: &str, places: &[Place]) -> Option<Place> {
         let is_free = |place: &&Place| self.cost(&area(text, place)) < COLLISION;
         let free: Vec<Place> = places.iter().filter(is_free).copied().collect();
-        self.write(figure, text, &free);
+        self.write(figure, text, &free)
     }
 
     /// Writes texts that belong together, such as the numbers of an axis: each at its place of the best row of places.
@@ -100,7 +100,8 @@ impl Labels {
         }
     }
 
-    /// Writes the name of a point beside it, farther off with a thin line to it where there is no room nearer.
+    /// Writes the name of a point beside it, farther off with a thin line to it where there is no room nearer, and not
+    /// at all where there is none.
     pub fn name_point(&mut self, figure: &mut Figure, text: &str, at: Point) {
         let ring = |far: f64| {
             let (slant, up) = (far * 0.75, far.max(2.6));
@@ -116,8 +117,8 @@ impl Labels {
             ]
             .map(|(right, up, anchor)| (at + Point::new(right, up), anchor))
         };
-        let places: Vec<Place> = [1.8, 5.0, 8.0].into_iter().flat_map(ring).collect();
-        let Some((end, _)) = self.write(figure, text, &places) else { return };
+        let places: Vec<Place> = [1.8, 3.4, 5.0, 8.0, 11.0].into_iter().flat_map(ring).collect();
+        let Some((end, _)) = self.write_if_free(figure, text, &places) else { return };
         let way = end - at;
         if way.norm() > 4.5 {
             let along = way / way.norm();

@@ -37,6 +37,10 @@ const LEVELS: f64 = 40.0;
 /// The bar of the scale.
 const BAR: f64 = 5.0;
 const BAR_GAP: f64 = 4.0;
+/// Contour lines that stay within this are points.
+const SHORTEST: f64 = 0.1;
+/// Shorter contour lines than this have no name; the scale tells their values too.
+const LONG_ENOUGH: f64 = 35.0;
 /// Places along a contour line that are tried for its value.
 const NAME_PLACES: usize = 12;
 /// Cells reach this far under the next, so that no seam shows between them.
@@ -78,7 +82,6 @@ impl Map {
         for (name, line) in contours {
             let stride = (line.len() / NAME_PLACES).max(1);
             let inner = line.iter().skip(stride / 2).step_by(stride);
-            // On its own line a name costs little; on another name or a mark it is left out, for the scale tells it too.
             let places: Vec<_> = inner.map(|at| (*at, Anchor::Middle)).collect();
             labels.write_if_free(&mut figure, &name, &places);
         }
@@ -103,11 +106,15 @@ impl Map {
             for line in contour(&values, tick.value) {
                 let on_page =
                     |at: &Point| Some(area.low + Point::new((at.re + 0.5) * cell.re, (at.im + 0.5) * cell.im));
-                for run in pieces(line.iter().map(on_page), area).into_iter().filter(|run| run.len() > 1) {
+                // Where a value of the grid is that of the line, there is a line of no length.
+                let long = |run: &Vec<Point>| run.iter().any(|at| (at - run[0]).norm() > SHORTEST);
+                for run in pieces(line.iter().map(on_page), area).into_iter().filter(long) {
                     figure.path(run.clone(), Stroke::solid(Ink::Shade(0), 0.5));
                     figure.path(run.clone(), Stroke::solid(Ink::Black, 0.2));
                     labels.avoid_path(&run);
-                    named.push((tick.label.clone(), run));
+                    if run.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>() > LONG_ENOUGH {
+                        named.push((tick.label.clone(), run));
+                    }
                 }
             }
         }

@@ -22,13 +22,14 @@ pub(super) mod labels;
 mod map;
 mod names;
 pub(super) mod number;
-pub(super) mod open;
+mod open;
 mod polar;
 pub(super) mod stack;
 
 pub use axis::{Axis, Ruler, Scale, Tick};
 pub use curve::Curve;
 pub use map::Map;
+pub use open::{amplitudes, amplitudes_caption};
 pub use polar::Polar;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
@@ -47,7 +48,7 @@ const STEPS: (usize, usize) = (7, 6);
 pub struct PointMark {
     /// Where.
     pub at: (f64, f64),
-    /// What is written beside it, in plain text; nothing where it is empty.
+    /// What is written beside it, in plain text; nothing where it is empty or has no room.
     pub label: String,
     /// The name of its kind in the legend; none where it is empty.
     pub series: String,

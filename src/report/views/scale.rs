@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use crate::engine::{Engine, throws};
 
 /// The outermost cylinders and bearings are this far apart at most, in millimetres.
-const LONGEST: f64 = 88.0;
+const LONGEST: f64 = 84.0;
 /// Where there are many places, each has this much room, up to a limit.
 const CROWDED: f64 = 3.4;
 const WIDEST: f64 = 240.0;
