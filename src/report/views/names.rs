@@ -11,7 +11,7 @@ use super::linkage::Linkage;
 use super::signed_angle;
 
 /// More banks than this are named by their cylinders and not by their angles.
-const MOST_ANGLES: usize = 8;
+const MOST_ANGLES: usize = 4;
 /// Pins that are closer than this on the page share their names, as do pistons that nearly cover each other.
 const TOUCHING: f64 = 2.0;
 const COVERING: f64 = 0.9;
