@@ -51,7 +51,7 @@ pub(in crate::report) fn side_view_caption(engine: &Engine) -> String {
         _ => "Above them the cylinders, a row for each bank with its angle at the left.".to_owned(),
     });
     if !engine.crankshaft().counterweights.is_empty() {
-        words.push("Counterweights are black, in the same code.".to_owned());
+        words.push("Counterweights are black and filled, grey or hollow likewise.".to_owned());
     }
     words.push("The red dashed line is the plane that moments are taken about.".to_owned());
     words.join(" ")

@@ -44,7 +44,7 @@ impl Side {
     /// What the legend calls it.
     pub fn words(self) -> &'static str {
         match self {
-            Side::Away => "away from the reader",
+            Side::Away => "away",
             Side::InPlane => "in the plane of the page",
             Side::Near => "towards the reader",
         }

@@ -19,7 +19,7 @@ use crate::engine::Engine;
 const FIRST_ROW: f64 = RADIUS + 4.5;
 const ANGLES: f64 = -RADIUS - 4.6;
 /// Lines of the legend are not longer than this, or than the crankshaft.
-const LEGEND: f64 = 66.0;
+const LEGEND: f64 = 82.0;
 
 /// The engine from the side, positions to scale: pins at their heights, filled where they stand towards the reader.
 pub fn side_view(engine: &Engine) -> Figure {
@@ -76,6 +76,7 @@ fn write_angles(figure: &mut Figure, throws: &[Drawn]) -> f64 {
 /// What can stand in the legend.
 enum Entry {
     Pin(Side),
+    /// Counterweights have the code of the pins; one of them stands for all.
     Counterweight(Side),
     Bearing,
 }
@@ -84,7 +85,7 @@ impl Entry {
     fn words(&self) -> String {
         match self {
             Entry::Pin(side) => format!("pin {}", side.words()),
-            Entry::Counterweight(side) => format!("counterweight {}", side.words()),
+            Entry::Counterweight(_) => "counterweight, likewise".to_owned(),
             Entry::Bearing => "main bearing".to_owned(),
         }
     }
@@ -100,14 +101,14 @@ impl Entry {
 
 /// What the signs mean that are on this drawing, in lines below it.
 fn draw_legend(figure: &mut Figure, engine: &Engine, throws: &[Drawn], (left, right): (f64, f64), top: f64) {
-    let weights: Vec<Side> = engine.crankshaft().counterweights.iter().map(|weight| Side::of(&weight.angle)).collect();
     let sides = [Side::Near, Side::InPlane, Side::Away];
     let pins = sides.into_iter().filter(|side| throws.iter().any(|throw| throw.side == *side)).map(Entry::Pin);
-    let weights = sides.into_iter().filter(|side| weights.contains(side)).map(Entry::Counterweight);
+    let weight = engine.crankshaft().counterweights.first();
+    let weight = weight.map(|weight| Entry::Counterweight(Side::of(&weight.angle)));
     let bearings = (!engine.bearings().is_empty()).then_some(Entry::Bearing);
     let start = left - 12.0;
     let (mut x, mut y) = (start, top);
-    for entry in pins.chain(weights).chain(bearings) {
+    for entry in pins.chain(weight).chain(bearings) {
         let words = entry.words();
         let width = 3.2 + text_width(&words);
         if x > start && x + width > start + LEGEND.max(right - start) {
