@@ -13,7 +13,7 @@ const LONGEST: f64 = 46.0;
 /// A name belongs to its curve if every other one is farther from it by this.
 const CLEAR: f64 = 1.6;
 /// Places along a curve that are tried.
-const PLACES: usize = 48;
+const PLACES: usize = 30;
 /// A place that costs more is no place: the name goes to the legend.
 const WORST: usize = 300;
 
