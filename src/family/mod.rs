@@ -84,12 +84,18 @@ impl OpenVerdict {
     /// The angles φ in (0°, 360°) at which it vanishes for all lengths; `None` where it always does, where δ enters,
     /// or where some sum is not solved.
     pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
+        self.angles_of(PHI)
+    }
+
+    /// The angles of an unknown, φ or δ, in (0°, 360°) at which it vanishes for all lengths; `None` where it always does,
+    /// where the other one enters, or where some sum is not solved.
+    pub fn angles_of(&self, unknown: &str) -> Option<BTreeSet<Turn>> {
         if self.never() {
             return Some(BTreeSet::new());
         }
         let open = self.sums.iter().filter(|sum| !matches!(sum.when, When::Always));
         let sets = open.map(|sum| match &sum.when {
-            When::Where(angles) => angles.bank_angles(),
+            When::Where(angles) => angles.angles_of(unknown),
             _ => None,
         });
         let sets = sets.collect::<Option<Vec<BTreeSet<Turn>>>>()?;

@@ -10,6 +10,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::Part;
+use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::proof::Certificate;
@@ -77,24 +78,22 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// The angles φ in (0°, 360°); `None` where δ enters.
-    fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
-        if !self.delta.is_zero() || self.phi.is_zero() {
+    /// The angles of an unknown, φ or δ, in (0°, 360°); `None` where the other one enters.
+    fn angles_of(&self, unknown: &str) -> Option<BTreeSet<Turn>> {
+        let (own, other) = if unknown == PHI { (&self.phi, &self.delta) } else { (&self.delta, &self.phi) };
+        if !other.is_zero() || own.is_zero() {
             return None;
         }
-        // pφ = t + m with 0 < φ < 1: m runs over the whole numbers between −t and p − t.
-        let (low, high) = if self.phi.is_positive() {
-            (BigRational::zero(), self.phi.clone())
-        } else {
-            (self.phi.clone(), BigRational::zero())
-        };
+        // px = t + m with 0 < x < 1: m runs over the whole numbers between −t and p − t.
+        let (low, high) =
+            if own.is_positive() { (BigRational::zero(), own.clone()) } else { (own.clone(), BigRational::zero()) };
         let mut m = (low - self.turn.turns()).floor().to_integer();
         let last = (high - self.turn.turns()).ceil().to_integer();
         let mut angles = BTreeSet::new();
         while m <= last {
-            let phi = (self.turn.turns() + BigRational::from_integer(m.clone())) / &self.phi;
-            if phi.is_positive() && phi < BigRational::from_integer(1.into()) {
-                angles.insert(Turn::new(phi));
+            let angle = (self.turn.turns() + BigRational::from_integer(m.clone())) / own;
+            if angle.is_positive() && angle < BigRational::from_integer(1.into()) {
+                angles.insert(Turn::new(angle));
             }
             m += BigInt::from(1);
         }
@@ -105,9 +104,18 @@ impl Condition {
 impl Angles {
     /// The angles φ in (0°, 360°) at which a condition holds; `None` where δ enters.
     pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
+        self.angles_of(PHI)
+    }
+
+    /// The angles of an unknown, φ or δ, in (0°, 360°) at which a condition holds; `None` where the other one enters.
+    pub fn angles_of(&self, unknown: &str) -> Option<BTreeSet<Turn>> {
         let mut all = BTreeSet::new();
         for alternative in &self.alternatives {
-            let sets = alternative.conditions.iter().map(Condition::bank_angles).collect::<Option<Vec<_>>>()?;
+            let sets = alternative
+                .conditions
+                .iter()
+                .map(|condition| condition.angles_of(unknown))
+                .collect::<Option<Vec<_>>>()?;
             all.extend(sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())?);
         }
         Some(all)

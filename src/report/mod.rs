@@ -33,6 +33,8 @@ mod table;
 mod theorem;
 mod views;
 
+pub use views::{end_view, side_view};
+
 use crate::page::{figure, number as typeset, plot, svg, tikz};
 
 pub use accuracy_document::{AccuracyDocument, accuracy_document};
@@ -47,7 +49,7 @@ pub use compare::{CompareDocument, Compared, compare_document, compare_lines, co
 pub use dialect::Dialect;
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
-pub use family_page::{family_answer, family_page, open_document};
+pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use folder::{File, index};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use old::Rows;

@@ -51,6 +51,7 @@ mod sweep;
 mod theorems;
 mod theory;
 mod thesis;
+mod views;
 mod whole_cheats;
 
 mod support {

@@ -71,8 +71,11 @@ fn in_powers(value: f64, power: i32) -> String {
     }
 }
 
+/// No text is taken to be narrower than this for each of its letters.
+const NARROWEST: f64 = 1.65;
+
 /// About the width of a text on the page in millimetres, in the widest face that stands in for Helvetica.
-pub(super) fn text_width(text: &str) -> f64 {
+pub(crate) fn text_width(text: &str) -> f64 {
     let width = |letter: char| match letter {
         THIN => 0.6,
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | '.' | ',' | ';' | ':' | '·' | '\'' | '(' | ')' | ' ' | '/' => 1.05,
@@ -81,5 +84,6 @@ pub(super) fn text_width(text: &str) -> f64 {
         letter if letter == '⁻' || SUPERSCRIPTS.contains(&letter) => 1.2,
         _ => 1.88,
     };
-    text.chars().map(width).sum()
+    let sum: f64 = text.chars().map(width).sum();
+    sum.max(NARROWEST * text.chars().count() as f64)
 }
