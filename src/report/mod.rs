@@ -19,6 +19,7 @@ pub mod figure;
 mod firmness;
 mod folder;
 mod loads_document;
+pub mod moving;
 mod multiples;
 mod open_document;
 mod open_page;
