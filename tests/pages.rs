@@ -1,7 +1,10 @@
 //! Do the reports look right where they are read: in LaTeX, on a Markdown page, in a browser?
 //!
-//! These tests need pdflatex, pandoc 3, node with KaTeX, and Chromium: `.ci/run` installs them and runs
+//! These tests need pdflatex, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
+
+#[path = "pages/moving.rs"]
+mod moving;
 
 use std::collections::BTreeSet;
 use std::fs;
