@@ -141,7 +141,7 @@
             path(panel, "vector", arrow(polar(from, towards), polar(to, towards), 7));
             from = to;
           }
-          const [x, y] = polar(Math.max(from, 20) + 10, towards);
+          const [x, y] = polar(Math.max(from, 3 * sense.rays.length) + 10, towards);
           draw(panel, "text", { x: x * (1 + (2 * ray.label.length) / size([x, y])), y }, ray.label);
         }
       });
