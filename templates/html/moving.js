@@ -22,7 +22,7 @@
     set(put(parent, document.createElementNS("http://www.w3.org/2000/svg", name), text), attributes);
   const path = (parent, kind, d) => draw(parent, "path", { class: kind, d });
 
-  // Points [x, y] of a drawing; angle 0 points up, angles grow anticlockwise.
+  // Points [x, y] of a drawing; angle 0 is up, angles grow anticlockwise.
   const polar = (length, degrees) => [-length * Math.sin(degrees * RADIANS), -length * Math.cos(degrees * RADIANS)];
   const plus = ([a, b], [c, d]) => [a + c, b + d];
   const times = ([a, b], by) => [a * by, b * by];
@@ -48,7 +48,7 @@
     const home = angle ? angle.start.at : 0; // the value that finished words are about
     let value = home;
 
-    // What the exact list says of a sum: whole numbers are compared, nothing is reckoned.
+    // What the exact list says of a sum: whole numbers are compared.
     const atHome = () => value === home;
     const outcome = ({ zero, zeros }) => {
       if (atHome()) return zero ? "zero" : "not_zero";
