@@ -20,6 +20,7 @@ mod family_page;
 mod firmness;
 mod folder;
 mod loads_document;
+pub mod moving;
 mod multiples;
 mod old;
 #[cfg(feature = "optimise")]

@@ -34,6 +34,7 @@ mod layout_random;
 mod loads;
 mod mechanism_files;
 mod motion;
+mod moving;
 mod odd_surroundings;
 mod open_certificate_cheats;
 #[cfg(feature = "optimise")]

@@ -8,11 +8,12 @@ use crankstar::family;
 use crankstar::file::{self, Layout, Template};
 use crankstar::page::figure::{Anchor, Figure, Ink, Mark, Point};
 use crankstar::page::plot::{Axis, Curve, Map, Plot, Polar};
-use crankstar::proof::Quantity;
-use crankstar::report::{self, Dialect, end_view, side_view, svg};
+use crankstar::page::{Format, svg};
+use crankstar::report::{self, end_view, side_view};
 use crankstar::report::{amplitudes, amplitudes_caption};
 use crankstar::sweep::{self, Geometry, Parameter};
-use crankstar::verdict::Judgement;
+
+use crate::support::pages;
 
 /// Layouts that are hard to draw.
 const STRANGE: &[(&str, &str)] = &[
@@ -154,10 +155,7 @@ fn no_text_of_a_view_lies_on_another_or_leaves_the_page() {
 fn no_text_of_a_plot_lies_on_another_or_leaves_the_page() {
     let engines = examples().into_iter().chain(strange().into_iter().take(1));
     for (name, engine) in engines {
-        let judged = Judgement::new(&engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders");
-        let contents =
-            report::Contents { engine: &engine, judged: &judged, family: None, needed: None, accuracy: None };
-        let files = report::report(contents, Dialect::GithubMarkdown);
+        let files = pages::files(&pages::document(&engine), Format::GITHUB);
         let plots = ["force", "moment", "torque.", "bearing"];
         for file in files.iter().filter(|file| file.name.ends_with(".svg")) {
             if plots.iter().any(|plot| file.name.starts_with(plot)) {

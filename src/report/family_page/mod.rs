@@ -7,8 +7,10 @@ mod words;
 
 pub use document::open_document;
 pub use picture::{amplitudes, amplitudes_caption};
+pub(super) use words::summary;
 
 use super::engine_page::{ASSUMED, FIRES, SEEN};
+use super::moving;
 use crate::engine::{Family, PHI};
 use crate::family::{self, OpenOrder, OpenVerdict};
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
@@ -18,9 +20,15 @@ const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a m
                       in (0°, 360°), exact and complete; ≡ is modulo 360°.";
 
 /// The report of a family.
-pub fn family_page(family: &Family, orders: &[OpenOrder]) -> Document {
+///
+/// `in_motion`: whether it is shown in motion, where a page can.
+pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("report", family.title()) };
     page.push(Block::Answer(answer(family, orders)));
+    if in_motion {
+        let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+        page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
+    }
     page.push(tables::summary(orders));
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(amplitude_picture(family, orders));
