@@ -70,6 +70,7 @@ pub use residual::{
     AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
     whole_summary, whose_masses, why_not,
 };
+pub use star::{small_star, star_figure, told, torque_figure};
 pub use svg::svg;
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
 pub use tikz::tikz;

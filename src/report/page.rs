@@ -10,7 +10,7 @@ use super::figure::Figure;
 use super::folder::File;
 use super::open_page::OpenPage;
 use super::remedy::remedy_section;
-use super::star::{star_figure, torque_figure};
+use super::star::{star_figure, star_legend, torque_figure, torque_legend};
 use super::svg::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
@@ -19,7 +19,7 @@ use super::{argument, firmness, residual, tikz, typeset};
 use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
-use crate::order::{Masses, Source};
+use crate::order::Masses;
 use crate::proof::Sense;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::verdict::{
@@ -161,15 +161,6 @@ fn stars(judged: &Judgement) -> Vec<StarOf<'_>> {
     all
 }
 
-/// How the masses that turn are called on a star.
-const TURNING_LABELS: &str = " Beside the cylinders: rod, pin, webs and cw (counterweight) with their numbers, shaft for a balancer; +6 stands for six \
-                              masses that turn.";
-
-fn has_turning(balance: &OrderBalance) -> bool {
-    let sources = balance.force.verdicts().into_iter().flat_map(|verdict| &verdict.sources);
-    sources.into_iter().any(|source| !matches!(source, Source::Piston(_)))
-}
-
 fn of_order<'a>(order: &'a OrderVerdict, name: &str, file: &str) -> Vec<StarOf<'a>> {
     let several = order.parts.len() > 1;
     let star = |(index, balance): (usize, &'a OrderBalance)| StarOf {
@@ -200,12 +191,7 @@ pub(super) fn figures(engine: &Engine, judged: &Judgement) -> Vec<NamedFigure> {
         ),
     ];
     figures.extend(stars(judged).into_iter().map(|star| {
-        let caption = format!(
-            "Vector stars of order {}, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant; a vector \
-             with a negative arm is drawn turned by 180°.{}",
-            star.title,
-            if has_turning(star.balance) { TURNING_LABELS } else { "" }
-        );
+        let caption = format!("Vector stars of order {}. {}", star.title, star_legend(engine, star.balance));
         named(star.file, caption, star_figure(engine, star.balance))
     }));
     figures
@@ -297,10 +283,11 @@ pub(super) fn torque_verdicts(
 
 /// The drawing of the stars of the inertia torque.
 pub(super) fn torque_stars(engine: &Engine, parts: &[TorquePart]) -> NamedFigure {
+    let verdicts: Vec<&Verdict> = parts.iter().map(|part| &part.verdict).collect();
     NamedFigure {
         name: "torque-stars".into(),
-        caption: "Vector stars of the inertia torque, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant.".into(),
-        figure: torque_figure(engine, &parts.iter().map(|part| &part.verdict).collect::<Vec<_>>()),
+        caption: format!("Vector stars of the inertia torque. {}", torque_legend(engine, &verdicts)),
+        figure: torque_figure(engine, &verdicts),
     }
 }
 

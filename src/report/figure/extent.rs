@@ -46,6 +46,26 @@ impl Extent {
         shared(|point| point.re) && shared(|point| point.im)
     }
 
+    /// Whether a line passes through.
+    pub fn is_crossed(&self, from: Point, to: Point) -> bool {
+        let way = to - from;
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for (at, way, low, high) in
+            [(from.re, way.re, self.low.re, self.high.re), (from.im, way.im, self.low.im, self.high.im)]
+        {
+            if way.abs() < 1e-12 {
+                if at < low || at > high {
+                    return false;
+                }
+                continue;
+            }
+            let (one, other) = ((low - at) / way, (high - at) / way);
+            enters = enters.max(one.min(other));
+            leaves = leaves.min(one.max(other));
+        }
+        enters <= leaves
+    }
+
     /// Whether the other lies inside, edges included.
     pub fn holds(&self, other: &Extent) -> bool {
         let both = self.joined(other);
