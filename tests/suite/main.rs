@@ -20,6 +20,7 @@ mod document_limits;
 mod document_mutations;
 mod documents_verify;
 mod examples;
+mod figures;
 mod firmness;
 mod fuzzed;
 mod grigoryev;

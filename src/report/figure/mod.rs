@@ -211,7 +211,7 @@ impl Figure {
 /// Length and half the width of the head of an arrow in millimetres; none on a line of no length.
 pub(super) fn arrow_head(from: Point, to: Point, stroke: &Stroke) -> Option<(f64, f64)> {
     let length = (to - from).norm();
-    let size = (1.2 + 1.6 * stroke.width).min(0.45 * length);
+    let size = (1.2 + 1.6 * stroke.width).min(0.35 * length);
     (length > 1e-6).then_some((1.6 * size, 0.5 * size))
 }
 

@@ -54,26 +54,25 @@ impl Ray {
             many => vec![format!("+{many}")],
         });
         let counts: Vec<String> = counts.iter().filter(|count| **count > 1).map(|count| format!("{count} ×")).collect();
-        let counted = if counts.is_empty() { String::new() } else { format!(" ({})", counts.join(" + ")) };
-        let label = format!("{names}{counted}");
-        let mut ways: Vec<Vec<String>> = WIDTHS.iter().map(|width| broken(&label, *width, letters)).collect();
+        let counted = (!counts.is_empty()).then(|| format!("({})", counts.join(" + ")));
+        let words = names.split(' ').filter(|word| !word.is_empty()).map(|word| cut(word, LONGEST_WORD, letters));
+        let words: Vec<String> = words.chain(counted).collect();
+        let mut ways: Vec<Vec<String>> = WIDTHS.iter().map(|width| broken(&words, *width, letters)).collect();
         ways.dedup();
         ways
     }
 }
 
 /// In lines of at most this width, as far as words allow.
-fn broken(label: &str, width: f64, letters: f64) -> Vec<String> {
+fn broken(words: &[String], width: f64, letters: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in label.split(' ').filter(|word| !word.is_empty()) {
-        let word = cut(word, LONGEST_WORD, letters);
+    for word in words {
         match lines.last_mut() {
-            // A number stays with its sign.
-            Some(line) if text_width(&format!("{line} {word}"), letters) <= width || word.starts_with('×') => {
+            Some(line) if text_width(&format!("{line} {word}"), letters) <= width => {
                 line.push(' ');
-                line.push_str(&word);
+                line.push_str(word);
             }
-            _ => lines.push(word),
+            _ => lines.push(word.clone()),
         }
     }
     lines

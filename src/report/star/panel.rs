@@ -17,6 +17,10 @@ pub(super) const MOST_LABELS: usize = 36;
 const SHORTEST: f64 = 2.2;
 /// Rings smaller than this say nothing.
 const SMALLEST_RING: f64 = 2.0;
+/// Smaller stars than this are drawn in finer lines.
+const FINE: f64 = 12.0;
+/// The greatest radius of a circle of labels in millimetres.
+const MOST_ROOM: f64 = 14.0;
 /// A shorter resultant than this, in millimetres, is filled: its outline would close.
 const SHORT_RESULTANT: f64 = 5.0;
 
@@ -86,8 +90,9 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
     }
     figure.line(centre, guide, Stroke { ink: Ink::Grey, width: 0.2, dash: Dash::Dashed });
     labels.avoid_guide(&[centre, guide]);
+    let fine = (ring / FINE).clamp(0.3, 1.0);
     for (index, polygon) in star.polygons.iter().enumerate() {
-        let corners = draw_polygon(figure, scale, polygon, index);
+        let corners = draw_polygon(figure, (scale, fine), polygon, index);
         labels.avoid_guide(&corners);
     }
     for ray in &star.rays {
@@ -95,23 +100,34 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
         let mut start = centre;
         for (length, _) in ray.arrows(scale) {
             let end = start + along * length;
-            figure.arrow(start, end, Stroke::solid(Ink::Black, 0.35));
+            figure.arrow(start, end, Stroke::solid(Ink::Black, 0.35 * fine));
             start = end;
         }
         labels.avoid(centre, start);
     }
     if let Some(resultant) = star.resultant {
-        let tip = upright(resultant) * scale;
-        draw_resultant(figure, tip);
-        labels.avoid(centre, tip);
+        labels.avoid_resultant(&draw_resultant(figure, upright(resultant) * scale));
     }
     if star.rays.len() <= MOST_LABELS {
-        for ray in &star.rays {
-            let along = towards(&ray.angle);
-            let counts: Vec<usize> = ray.arrows(scale).into_iter().map(|(_, count)| count).collect();
-            labels.write(figure, along * ray.length() * scale, along, &ray.labels(engine, &counts, LETTERS));
+        let named = |ray| label_of(engine, ray, scale);
+        let named: Vec<(&Ray, Vec<Vec<String>>)> = star.rays.iter().map(|ray| (ray, named(ray))).collect();
+        // The names of short vectors stand on a circle that has room for all.
+        let room = named
+            .iter()
+            .filter_map(|(_, ways)| ways.first())
+            .map(|lines| (Labels::width(lines, LETTERS) + LETTERS) / 2.0);
+        let least = (room.sum::<f64>() / std::f64::consts::TAU).min(MOST_ROOM);
+        for (ray, ways) in &named {
+            let (along, long) = (towards(&ray.angle), ray.length() * scale);
+            labels.write(figure, (along * long, along * long.max(least)), along, ways);
         }
     }
+}
+
+/// The label of a ray, broken into lines in several ways.
+fn label_of(engine: &Engine, ray: &Ray, scale: f64) -> Vec<Vec<String>> {
+    let counts: Vec<usize> = ray.arrows(scale).into_iter().map(|(_, count)| count).collect();
+    ray.labels(engine, &counts, LETTERS)
 }
 
 impl Ray {
@@ -133,25 +149,25 @@ impl Ray {
 }
 
 /// Draws a polygon in the colour and dash of its number; its corners in order, the first again at the end.
-fn draw_polygon(figure: &mut Figure, scale: f64, polygon: &Polygon, index: usize) -> Vec<Point> {
+fn draw_polygon(figure: &mut Figure, (scale, fine): (f64, f64), polygon: &Polygon, index: usize) -> Vec<Point> {
     const INKS: [Ink; 3] = [Ink::Blue, Ink::Orange, Ink::Green];
     const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
     let (ink, dash) = (INKS[index % 3], DASHES[index % 4]);
     let mut corners = corners(polygon, scale);
-    let width = if polygon.sides == 2 { 1.6 } else { 0.8 };
+    let width = fine * if polygon.sides == 2 { 1.6 } else { 0.8 };
     figure.polygon(corners.clone(), Stroke { ink, width, dash }, None);
     for corner in &corners {
-        figure.circle(*corner, 0.9, Stroke::solid(ink, 0.3), Some(ink));
+        figure.circle(*corner, 0.9 * fine, Stroke::solid(ink, 0.3 * fine), Some(ink));
     }
     corners.extend(corners.first().copied());
     corners
 }
 
-/// An arrow in outline from the origin, through which the vectors below it are seen.
-pub(super) fn draw_resultant(figure: &mut Figure, tip: Point) {
+/// An arrow in outline from the origin, through which the vectors below it are seen; its corners.
+pub(super) fn draw_resultant(figure: &mut Figure, tip: Point) -> Vec<Point> {
     let length = tip.norm();
     if length < 1e-6 {
-        return;
+        return Vec::new();
     }
     let (along, across) = (tip / length, tip / length * Point::i());
     let head = (0.4 * length).min(4.2);
@@ -167,5 +183,6 @@ pub(super) fn draw_resultant(figure: &mut Figure, tip: Point) {
         -across * shaft,
     ];
     let fill = (length < SHORT_RESULTANT).then_some(Ink::Red);
-    figure.polygon(corners, Stroke::solid(Ink::Red, 0.5), fill);
+    figure.polygon(corners.clone(), Stroke::solid(Ink::Red, 0.5), fill);
+    corners
 }
