@@ -11,6 +11,7 @@ use super::{render, residual};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::file::Entry;
+use crate::loads::Missing;
 use crate::verdict::OrderVerdict;
 
 /// A file to be written: its name inside the folder, and its text.
@@ -29,6 +30,16 @@ pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
     if dialect == Dialect::Latex {
         return vec![File { name: "report.tex".into(), text }];
     }
+    let drawn = drawn(subject, numbers.as_ref());
+    [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
+}
+
+/// All drawings of a report.
+pub fn drawings(subject: Contents) -> Vec<NamedFigure> {
+    drawn(subject, subject.numbers().as_ref())
+}
+
+fn drawn(subject: Contents, numbers: Option<&Result<Numbers, Missing>>) -> Vec<NamedFigure> {
     let mut drawn = figures(subject.engine, subject.judged);
     if let Some(Ok(remedy)) = subject.remedy() {
         let figure = remedy_figure(&remedy);
@@ -38,13 +49,13 @@ pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
             figure,
         }));
     }
-    let torque = torque_verdicts(subject.engine, subject.judged, numbers.as_ref());
+    let torque = torque_verdicts(subject.engine, subject.judged, numbers);
     drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.engine, &torque)));
-    if let Some(Ok(Numbers { loads, .. })) = &numbers {
+    if let Some(Ok(Numbers { loads, .. })) = numbers {
         drawn.extend(calculation::figures(subject.engine, loads));
         drawn.extend(calculation::bearing_figures(loads));
     }
-    [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
+    drawn
 }
 
 /// The report of a family: one file, without diagrams, for its angles are open.

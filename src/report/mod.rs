@@ -53,8 +53,9 @@ pub use claim_words::{claim_finding, claim_status, table_finding};
 pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
 pub use dialect::Dialect;
 pub use document::document;
-pub use folder::{File, index, open_report, report};
+pub use folder::{File, drawings, index, open_report, report};
 pub use loads_document::{LoadsDocument, loads_document};
+pub use multiples::{Column, multiples};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
 #[cfg(feature = "optimise")]
@@ -62,7 +63,7 @@ pub use optimise::{
     OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
     optimise_summary,
 };
-pub use page::Contents;
+pub use page::{Contents, NamedFigure};
 pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
 };

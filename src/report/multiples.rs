@@ -9,7 +9,7 @@ use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
 
 /// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
-pub(super) struct Column<'a> {
+pub struct Column<'a> {
     /// What stands above it.
     pub name: String,
     /// The engine.
@@ -24,7 +24,7 @@ const MOST_COLUMNS: usize = 3;
 /// The stars of one order of several engines, a column each, forces to one scale and moments to one: force, then moment.
 ///
 /// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
-pub(super) fn multiples(columns: &[Column]) -> Figure {
+pub fn multiples(columns: &[Column]) -> Figure {
     let in_line = |engine: &Engine| engine.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
     let senses = if columns.iter().all(|column| in_line(column.engine)) { 1 } else { 2 };
     let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());

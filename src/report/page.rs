@@ -126,9 +126,12 @@ impl Contents<'_> {
 }
 
 /// A drawing with the file that it goes to.
-pub(super) struct NamedFigure {
+pub struct NamedFigure {
+    /// Name of the file, without its ending.
     pub name: String,
+    /// What stands below it.
     pub caption: String,
+    /// The drawing.
     pub figure: Figure,
 }
 

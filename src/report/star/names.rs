@@ -89,13 +89,14 @@ fn cut(text: &str, width: f64, letters: f64) -> String {
     if text_width(text, letters) <= width {
         return text.to_owned();
     }
-    let mut short = String::new();
+    let mut short = String::from("…");
     for letter in text.chars() {
-        short.push(letter);
-        if text_width(&short, letters) + letters > width {
+        let at = short.len() - '…'.len_utf8();
+        short.insert(at, letter);
+        if text_width(&short, letters) > width {
+            short.remove(at);
             break;
         }
     }
-    short.push('…');
     short
 }
