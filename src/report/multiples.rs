@@ -34,9 +34,12 @@ pub fn multiples(columns: &[Column]) -> Figure {
         balances.flat_map(|balance| balance.verdicts().into_iter().take(senses)).map(Star::new).collect()
     };
     let stars: Vec<Vec<Star>> = columns.iter().map(rows_of).collect();
-    let mut sheet = Sheet::new(columns.len().min(MOST_COLUMNS));
+    // Bands are as long as each other, as far as they can be.
+    let bands = columns.len().div_ceil(MOST_COLUMNS).max(1);
+    let in_band = columns.len().div_ceil(bands).max(1);
+    let mut sheet = Sheet::new(in_band);
     let numbered: Vec<usize> = (0..columns.len()).collect();
-    for band in numbered.chunks(MOST_COLUMNS) {
+    for band in numbered.chunks(in_band) {
         sheet.names(&band.iter().map(|index| shortened(&columns[*index].name, WIDTH - 2.0)).collect::<Vec<_>>());
         for row in 0..senses * quantities {
             let panel = |index: &usize| {

@@ -46,12 +46,10 @@ fn legend(engine: &Engine, rows: &[&[&Verdict]]) -> String {
     } else if any(&|_, star| star.has_turned) {
         words.push("A vector with a negative weight is drawn turned by 180°.".to_owned());
     }
-    let is_counted = |(_, star, scale): &(&Verdict, Star, Scale)| {
-        labelled(star).iter().any(|ray| ray.arrows(scale.millimetres).iter().any(|(_, count)| *count > 1))
-    };
-    if drawn.iter().any(is_counted) {
-        words.push("(8 ×) stands beside an arrow that is eight equal vectors in one.".to_owned());
-    }
+    let arrows =
+        drawn.iter().flat_map(|(_, star, scale)| labelled(star).iter().flat_map(|ray| ray.arrows(scale.millimetres)));
+    let counted = arrows.map(|(_, count)| count).find(|count| *count > 1);
+    words.extend(counted.map(|count| format!("({count} ×): {count} equal vectors drawn as one.")));
     words.extend(short_names(drawn.iter().flat_map(|(_, star, _)| labelled(star))));
     if any(&|_, star| star.rays.len() > MOST_LABELS) {
         words.push("Stars of so many directions have no names; the table has them.".to_owned());
@@ -74,23 +72,23 @@ fn labelled(star: &Star) -> &[Ray] {
 /// What the names of masses that turn mean, as far as they stand there.
 fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<String> {
     let mut kinds: BTreeSet<&str> = BTreeSet::new();
-    let mut counted = false;
+    let mut counted = None;
     for ray in rays {
-        counted |= ray.counts_turning();
-        if !ray.counts_turning() {
-            kinds.extend(ray.turning().filter_map(kind));
+        match ray.counts_turning() {
+            true => counted = counted.or(Some(ray.turning().count())),
+            false => kinds.extend(ray.turning().filter_map(kind)),
         }
     }
-    let counted = counted.then_some("+6 for six masses that turn");
-    let kinds: Vec<&str> = kinds.into_iter().chain(counted).collect();
-    (!kinds.is_empty()).then(|| format!("Beside the cylinders stand {}.", kinds.join(", ")))
+    let counted = counted.map(|count| format!("+{count} for {count} masses that turn"));
+    let words: Vec<String> = kinds.into_iter().map(str::to_owned).chain(counted).collect();
+    (!words.is_empty()).then(|| format!("Short names: {}.", words.join(", ")))
 }
 
 /// What a short name stands for.
 fn kind(source: Source) -> Option<&'static str> {
     match source {
         Source::Piston(_) => None,
-        Source::BigEnd(_) => Some("rod for a big end"),
+        Source::BigEnd(_) => Some("rod for the big end of a rod"),
         Source::Pin(_) => Some("pin for a crankpin"),
         Source::Webs(_) => Some("webs for the webs of a throw"),
         Source::Counterweight(_) => Some("cw for a counterweight"),

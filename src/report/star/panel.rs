@@ -13,16 +13,20 @@ use crate::verdict::Verdict;
 
 /// More rays than this are drawn without labels.
 pub(super) const MOST_LABELS: usize = 36;
-/// Equal vectors shorter than this, in millimetres, are drawn as one arrow with their number.
+/// Three and more equal vectors shorter than this, in millimetres, are drawn as one arrow with their number; two, where they
+/// are much shorter.
 const SHORTEST: f64 = 2.2;
+const SHORTEST_PAIR: f64 = 0.8;
 /// Rings smaller than this say nothing.
 const SMALLEST_RING: f64 = 2.0;
 /// Smaller stars than this are drawn in finer lines.
 const FINE: f64 = 12.0;
 /// The greatest radius of a circle of labels in millimetres.
 const MOST_ROOM: f64 = 14.0;
+/// Width of the outline of a resultant in millimetres.
+const OUTLINE: f64 = 0.5;
 /// A shorter resultant than this, in millimetres, is filled: its outline would close.
-const SHORT_RESULTANT: f64 = 5.0;
+const SHORT_RESULTANT: f64 = 2.5;
 
 /// One star, its centre at the origin, with the texts above and below it.
 pub(in crate::report) struct Panel {
@@ -83,7 +87,7 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
     let mut labels = Labels::new(WIDTH / 2.0 - 0.5, LETTERS);
     let ring = star.reach() * scale;
     let guide = Point::new(0.0, ring + 1.0);
-    if ring > SMALLEST_RING {
+    if ring > SMALLEST_RING && has_both_halves(star) {
         figure.circle(centre, ring, Stroke::solid(Ink::Light, 0.25), None);
         let corner = |part: i32| Point::from_polar(ring, f64::from(part) * std::f64::consts::PI / 24.0);
         labels.avoid_guide(&(0..=48).map(corner).collect::<Vec<_>>());
@@ -106,7 +110,7 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
         labels.avoid(centre, start);
     }
     if let Some(resultant) = star.resultant {
-        labels.avoid_resultant(&draw_resultant(figure, upright(resultant) * scale));
+        labels.avoid_resultant(&draw_resultant(figure, upright(resultant) * scale, OUTLINE));
     }
     if star.rays.len() <= MOST_LABELS {
         let named = |ray| label_of(engine, ray, scale);
@@ -122,6 +126,13 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
             labels.write(figure, (along * long, along * long.max(least)), along, ways);
         }
     }
+}
+
+/// Whether some of the star points up and some down; the ring of another would be half empty.
+fn has_both_halves(star: &Star) -> bool {
+    let tips = star.rays.iter().map(|ray| towards(&ray.angle) * ray.length()).chain(star.resultant.map(upright));
+    let heights: Vec<f64> = tips.map(|tip| tip.im / star.reach()).collect();
+    heights.iter().any(|height| *height > 0.2) && heights.iter().any(|height| *height < -0.2)
 }
 
 /// The label of a ray, broken into lines in several ways.
@@ -142,7 +153,11 @@ impl Ray {
         }
         let arrows = |(length, count): (&BigRational, usize)| {
             let one = decimal(length) * scale;
-            if one < SHORTEST { vec![(one * count as f64, count)] } else { vec![(one, 1); count] }
+            if one < SHORTEST_PAIR || count > 2 && one < SHORTEST {
+                vec![(one * count as f64, count)]
+            } else {
+                vec![(one, 1); count]
+            }
         };
         groups.into_iter().flat_map(arrows).collect()
     }
@@ -163,14 +178,15 @@ fn draw_polygon(figure: &mut Figure, (scale, fine): (f64, f64), polygon: &Polygo
     corners
 }
 
-/// An arrow in outline from the origin, through which the vectors below it are seen; its corners.
-pub(super) fn draw_resultant(figure: &mut Figure, tip: Point) -> Vec<Point> {
+/// An arrow in outline from the origin, through which the vectors below it are seen; its corners. The outline is so wide, in
+/// millimetres, where the arrow is not short.
+pub(super) fn draw_resultant(figure: &mut Figure, tip: Point, outline: f64) -> Vec<Point> {
     let length = tip.norm();
     if length < 1e-6 {
         return Vec::new();
     }
     let (along, across) = (tip / length, tip / length * Point::i());
-    let head = (0.4 * length).min(4.2);
+    let head = (0.4 * length).min(3.5 + 1.4 * outline);
     let (half, shaft) = (0.45 * head, 0.27 * head);
     let neck = tip - along * head;
     let corners = vec![
@@ -183,6 +199,6 @@ pub(super) fn draw_resultant(figure: &mut Figure, tip: Point) -> Vec<Point> {
         -across * shaft,
     ];
     let fill = (length < SHORT_RESULTANT).then_some(Ink::Red);
-    figure.polygon(corners.clone(), Stroke::solid(Ink::Red, 0.5), fill);
+    figure.polygon(corners.clone(), Stroke::solid(Ink::Red, (0.07 * length).clamp(0.2, outline)), fill);
     corners
 }

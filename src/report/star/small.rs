@@ -8,6 +8,8 @@ use crate::verdict::{OrderBalance, Verdict};
 /// Width and height in millimetres.
 const SIZE: f64 = 30.0;
 const RADIUS: f64 = 13.0;
+/// Width of the outline of the resultant in millimetres.
+const OUTLINE: f64 = 0.8;
 /// Height of the line that a label has, and the size of its letters.
 const LABEL: f64 = 6.0;
 const LETTERS: f64 = 4.0;
@@ -30,17 +32,15 @@ pub fn small_star(order: &OrderBalance, label: Option<&str>) -> Figure {
     let mut drawing = Figure::new(SIZE, SIZE);
     drawing.circle(Point::default(), RADIUS, Stroke::solid(Ink::Light, 0.5), None);
     for (index, polygon) in star.polygons.iter().enumerate() {
-        drawing.polygon(
-            corners(polygon, scale),
-            Stroke::solid([Ink::Blue, Ink::Orange, Ink::Green][index % 3], 1.2),
-            None,
-        );
+        let ink = [Ink::Blue, Ink::Orange, Ink::Green][index % 3];
+        let width = if polygon.sides == 2 { 2.4 } else { 1.2 };
+        drawing.polygon(corners(polygon, scale), Stroke::solid(ink, width), None);
     }
     for ray in &star.rays {
         drawing.arrow(Point::default(), towards(&ray.angle) * ray.length() * scale, Stroke::solid(Ink::Black, 0.7));
     }
     if let Some(resultant) = star.resultant {
-        draw_resultant(&mut drawing, upright(resultant) * scale);
+        draw_resultant(&mut drawing, upright(resultant) * scale, OUTLINE);
     }
     figure.place(drawing, centre);
     if let Some(label) = label {
