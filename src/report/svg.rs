@@ -189,15 +189,15 @@ fn on_light(ink: Ink) -> String {
     known.to_owned()
 }
 
-/// The same on a dark page: lighter, in the same order of distance from the ground.
+/// The same on a dark page, in the same order of lightness, and darker than the vectors upon them.
 fn on_dark(ink: Ink) -> String {
     let known = match ink {
         Ink::Black => "#f0f0f0",
         Ink::Grey => "#8f959c",
         Ink::Light => "#3a3f46",
-        Ink::Blue => "#7db4ff",
-        Ink::Orange => "#ffd166",
-        Ink::Green => "#3fae6f",
+        Ink::Blue => "#3a7ae0",
+        Ink::Orange => "#e3ab32",
+        Ink::Green => "#35a066",
         Ink::Red => "#ff6b6b",
         Ink::Shade(percent) => return grey(17, 255, percent),
     };
