@@ -28,6 +28,7 @@
 //! ```text
 //! cli
 //! report
+//! page
 //! claim
 //! accuracy  remedy  optimise  sweep  search
 //! loads  family
@@ -87,6 +88,9 @@ pub mod numbers;
 #[cfg(feature = "optimise")]
 #[allow(clippy::disallowed_types)]
 pub mod optimise;
+#[cfg(feature = "report")]
+#[allow(clippy::disallowed_types)]
+pub mod page;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
 #[cfg(feature = "report")]

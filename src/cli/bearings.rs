@@ -1,13 +1,12 @@
 //! `bearings`: what do the main bearings feel?
 
-use std::path::PathBuf;
-
 use crankstar::file::Layout;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
 use super::failure::Failure;
-use super::{EngineAndOrders, folder, print_json, terminal, write};
+use super::pages::Pages;
+use super::{EngineAndOrders, print_json};
 
 /// Arguments of `bearings`.
 #[derive(clap::Args)]
@@ -17,9 +16,8 @@ pub struct Bearings {
     /// Print the loads as JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,
-    /// Folder for the page with its plots
-    #[arg(long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pages: Pages,
 }
 
 impl Bearings {
@@ -34,12 +32,7 @@ impl Bearings {
         if self.json {
             return print_json(&report::bearings_document(&engine, &continuous, &determinate));
         }
-        let mut text = terminal::bearings(&engine, &continuous, &determinate);
-        if let Some(folder) = &self.output {
-            let files = report::bearings_page(&engine, &continuous, &determinate);
-            folder::write(folder, &files)?;
-            text += &format!("\n{}", folder::written(folder, &files));
-        }
-        write::to_stdout(&text)
+        let answer = report::bearings_answer(&engine, &continuous, &determinate);
+        self.pages.show(&answer, || report::bearings_page(&engine, &continuous, &determinate))
     }
 }

@@ -63,7 +63,9 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
             format!("The intervals are {}.", degrees.collect::<Vec<_>>().join(", "))
         }
         (Finding::Mass(mass), _) => format!("The crankshaft's mass is {} kg.", kilograms(mass)),
-        (Finding::Bearings(loads), _) => super::bearings::peaks_in_words(loads),
+        (Finding::Bearings(loads), _) => {
+            crate::page::text_in(&super::bearings::peaks_in_words(loads), crate::page::Format::PLAIN)
+        }
         (Finding::Witness(found), _) => witness(found),
         (Finding::Nothing(reason), _) => format!("{reason}."),
     }
@@ -72,7 +74,10 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> String {
 fn about_torque(torque: &TorquePart) -> String {
     let order = torque.verdict.order;
     match torque.exists {
-        true => format!("Order {order} of the torque is {}.", residual::torque_part_summary(torque)),
+        true => format!(
+            "Order {order} of the torque is {}.",
+            crate::page::text_in(&residual::torque_part(torque), crate::page::Format::PLAIN)
+        ),
         false => format!("Order {order} of the torque {DOES_NOT_EXIST}. {WHY_NOT}"),
     }
 }
@@ -248,9 +253,9 @@ fn one(evidence: &Evidence) -> String {
     let about = match evidence {
         Evidence::Verdict(verdict) => {
             let sense = verdict.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
-            format!("{}, order {}{sense}", super::page::capital(verdict.quantity.name()), verdict.order)
+            format!("{}, order {}{sense}", super::old::capital(verdict.quantity.name()), verdict.order)
         }
-        Evidence::Comparison { about, .. } => super::page::capital(about),
+        Evidence::Comparison { about, .. } => super::old::capital(about),
     };
     let zero = if evidence.vanishes() { "is 0" } else { "is not 0" };
     format!("{about}: {zero}. {}", super::argument::certificate_of(evidence.sum(), evidence.certificate()))

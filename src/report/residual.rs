@@ -8,6 +8,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
+use crate::page::{Format, Text, phrase, text_in};
 use crate::proof::{Quantity, Shape, ShapeEvidence};
 use crate::verdict::{
     Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, WholeOrder,
@@ -84,29 +85,34 @@ pub(super) fn class_sources(class: &Class) -> String {
     cylinders.into_iter().chain(turning).collect::<Vec<_>>().join(", ")
 }
 
-/// What is known of an order that several sums make up: `0`, `not 0, elliptical`, `not decided`.
-pub(super) fn whole_words(whole: &WholeOrder) -> String {
+/// What is known of an order that several sums make up: zero, `not 0, elliptical`, `not decided`.
+pub(super) fn whole_text(whole: &WholeOrder) -> Text {
     let nothing_known = whole.outcomes.contains(&Outcome::Open);
     match whole.shape {
-        Shape::Balanced => "0".to_owned(),
-        Shape::NotDecided if nothing_known => "depends on the rods".to_owned(),
-        Shape::NotDecided if !whole.is_left() => "not decided".to_owned(),
-        Shape::NotDecided => "not 0".to_owned(),
-        shape => format!("not 0, {}", shape_name(shape)),
+        Shape::Balanced => Text::zero(),
+        Shape::NotDecided if nothing_known => "depends on the rods".into(),
+        Shape::NotDecided if !whole.is_left() => "not decided".into(),
+        Shape::NotDecided => "not 0".into(),
+        shape => phrase!("not 0, {}", shape_name(shape)),
     }
 }
 
 /// The force and the moment of a whole order in a few words each.
-pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
+pub(super) fn whole(order: &OrderVerdict) -> [Text; 2] {
     match order.parts.as_slice() {
-        [only] => [force_summary(only), moment_summary(only)],
-        _ if !order.exists() => [DOES_NOT_EXIST.to_owned(), DOES_NOT_EXIST.to_owned()],
-        _ => [&order.force, &order.moment].map(whole_words),
+        [only] => [force(only), moment(only)],
+        _ if !order.exists() => [DOES_NOT_EXIST.into(), DOES_NOT_EXIST.into()],
+        _ => [&order.force, &order.moment].map(whole_text),
     }
 }
 
+/// The same as plain text.
+pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
+    whole(order).map(|text| text_in(&text, Format::PLAIN))
+}
+
 /// A sentence on a whole order, how it is known whether it vanishes.
-pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> String {
+pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> Text {
     let why = |outcome: &Outcome| match outcome {
         Outcome::Zero => "each of its sums is zero".to_owned(),
         Outcome::NotZero => "one of its sums alone is left, and what that stands before is not zero".to_owned(),
@@ -149,62 +155,76 @@ pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> Stri
         Shape::Balanced | Shape::NotDecided => String::new(),
         shape => format!(" What is left is **{}**{how}.", shape_name(shape)),
     };
-    format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}")
+    Text::phrase(format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}"), Vec::new())
 }
 
-/// The force of an order in a few words: `0`, `= 4, planar`, or that the order does not exist.
-pub fn force_summary(order: &OrderBalance) -> String {
-    force_words(order, Amount::plain)
+/// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
+pub(super) fn force(order: &OrderBalance) -> Text {
+    if order.exists { summary(&order.force, None) } else { DOES_NOT_EXIST.into() }
 }
 
-/// The moment of an order in a few words: `0` or `couple = √10 ≈ 3.1623, rotating`.
-pub fn moment_summary(order: &OrderBalance) -> String {
-    moment_words(order, Amount::plain)
+/// The moment of an order in a few words: zero or `couple √10 ≈ 3.162, rotating`.
+pub(super) fn moment(order: &OrderBalance) -> Text {
+    if order.exists { summary(&order.moment, Some(moment_name(order))) } else { DOES_NOT_EXIST.into() }
 }
 
-/// The inertia torque of an order in a few words: `0` or `= 4`.
-pub fn torque_summary(torque: &TorqueVerdict) -> String {
+/// The inertia torque of an order in a few words: zero or its amplitude.
+pub(super) fn torque(torque: &TorqueVerdict) -> Text {
     match torque.parts.as_slice() {
-        [only] => torque_part_summary(only),
-        _ if !torque.exists() => DOES_NOT_EXIST.to_owned(),
+        [only] => torque_part(only),
+        _ if !torque.exists() => DOES_NOT_EXIST.into(),
         _ => match torque.outcome.vanishes() {
-            Some(true) => "0".to_owned(),
-            Some(false) => "not 0".to_owned(),
-            None => "not decided".to_owned(),
+            Some(true) => Text::zero(),
+            Some(false) => "not 0".into(),
+            None => "not decided".into(),
         },
     }
 }
 
 /// The same of one of its sums.
-pub(super) fn torque_part_summary(part: &TorquePart) -> String {
-    if !part.exists {
-        DOES_NOT_EXIST.to_owned()
-    } else if part.verdict.vanishes() {
-        "0".to_owned()
-    } else {
-        modulus(&part.verdict).plain()
-    }
+pub(super) fn torque_part(part: &TorquePart) -> Text {
+    if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
 }
 
-/// The same two cells as prose, with formulas.
-pub(super) fn summary_prose(order: &OrderBalance) -> [String; 2] {
-    [force_words(order, Amount::prose), moment_words(order, Amount::prose)]
+/// The force as plain text.
+pub fn force_summary(order: &OrderBalance) -> String {
+    text_in(&force(order), Format::PLAIN)
+}
+
+/// The moment as plain text.
+pub fn moment_summary(order: &OrderBalance) -> String {
+    text_in(&moment(order), Format::PLAIN)
+}
+
+/// The inertia torque as plain text.
+pub fn torque_summary(of: &TorqueVerdict) -> String {
+    text_in(&torque(of), Format::PLAIN)
 }
 
 /// What the summaries are counted in.
-pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
-                          times the unit of the positions; = exact, ≈ decimal.";
+pub(super) const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
+                          times the unit of the positions; exact but after ≈.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
-pub fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<String> {
+pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {
     if let Some(why) = judged.not_as_built {
-        return Some(format!("Verdicts on the reciprocating masses alone: {why}."));
+        return Some(phrase!("Verdicts on the reciprocating masses alone: {}.", why.to_string()));
     }
     let groups = order::groups_of(engine);
     (groups.len() > 1).then(|| match judged.masses {
-        Masses::All => format!("As built: {}.", groups.into_iter().map(group_words).collect::<Vec<_>>().join(", ")),
-        masses => format!("Verdicts on {} alone.", masses_words(masses)),
+        Masses::All => {
+            phrase!("As built: {}.", Text::joined(groups.into_iter().map(|group| group_words(group).into()), ", "))
+        }
+        masses => phrase!("Verdicts on {} alone.", masses_words(masses)),
     })
+}
+
+/// `order 2`, `orders 2, 6`.
+pub(super) fn orders_in_words(orders: &[String]) -> Text {
+    match orders {
+        [only] => phrase!("order {}", only.clone()),
+        several => phrase!("orders {}", several.join(", ")),
+    }
 }
 
 /// What a group of masses is called.
@@ -229,7 +249,7 @@ pub(super) fn masses_words(masses: Masses) -> &'static str {
 }
 
 /// Why an order does not exist, of the masses that verdicts are about.
-pub fn why_not(masses: Masses) -> &'static str {
+pub(super) fn why_not(masses: Masses) -> &'static str {
     match masses {
         Masses::Reciprocating | Masses::All => WHY_NOT,
         Masses::Rotating | Masses::Counterweights => "What turns with the crank has order 1 and no other.",
@@ -237,31 +257,19 @@ pub fn why_not(masses: Masses) -> &'static str {
 }
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
-pub fn turning_unit(judged: &Judgement) -> Option<&'static str> {
+pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     let parts = judged.orders.iter().flat_map(|order| &order.parts);
     let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
     let mut apart = parts.filter(|part| is_apart(part));
     apart.next().map(|_| "A sum of masses that turn is in m r ω², without c_k.")
 }
 
-/// What a table of verdicts is headed by, where there are two.
-pub const AS_BUILT: &str = "As built";
-/// The same of the other one.
-pub const PISTONS_ALONE: &str = "The pistons alone";
-
-fn force_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
-    if order.exists { summary(&order.force, "", set) } else { DOES_NOT_EXIST.to_owned() }
-}
-
-fn moment_words(order: &OrderBalance, set: fn(&Amount) -> String) -> String {
-    if order.exists { summary(&order.moment, moment_name(order), set) } else { DOES_NOT_EXIST.to_owned() }
-}
-
-fn summary(balance: &Balance, kind: &str, set: fn(&Amount) -> String) -> String {
-    let space = if kind.is_empty() { "" } else { " " };
-    match balance.shape {
-        Shape::Balanced => "0".to_owned(),
-        shape => format!("{kind}{space}{}, {}", set(&largest(balance)), shape_name(shape)),
+fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {
+    let size = || Text::from(largest(balance));
+    match (balance.shape, kind) {
+        (Shape::Balanced, _) => Text::zero(),
+        (shape, Some(kind)) => phrase!("{} {}, {}", kind, size(), shape_name(shape)),
+        (shape, None) => phrase!("{}, {}", size(), shape_name(shape)),
     }
 }
 
@@ -271,12 +279,12 @@ pub(super) fn moment_name(order: &OrderBalance) -> &'static str {
 }
 
 /// A sentence on what the two vectors together trace.
-pub(super) fn sentence(balance: &Balance) -> String {
+pub(super) fn sentence(balance: &Balance) -> Text {
     let k = balance.direct.order;
     let speed = if k == 1 { "crank speed".to_owned() } else { format!("{k} times crank speed") };
     let largest = largest(balance).prose();
     let symbol = if balance.direct.quantity == Quantity::Force { "F" } else { "C" };
-    match balance.shape {
+    let words = match balance.shape {
         Shape::Balanced => "Nothing is left: both vectors vanish.".to_owned(),
         Shape::Rotating => format!(
             "What is left is **rotating**: a vector of constant length {largest} that turns with the crank at {speed}. {}",
@@ -299,7 +307,9 @@ pub(super) fn sentence(balance: &Balance) -> String {
         Shape::NotDecided => "Whether the vectors are equally long is not decided.".to_owned(),
     }
     .replace("|P", "\\lvert P")
-    .replace("}|^2", "}\\rvert^2")
+    .replace("}|^2", "}\\rvert^2");
+    let letter = if balance.direct.quantity == Quantity::Moment { words.replace("P_{", "C_{") } else { words };
+    Text::phrase(letter, Vec::new())
 }
 
 /// The major axis, `(arg P⁺ + arg P⁻)/2` (theory, section 3), as a line in `(−90°, 90°]`.

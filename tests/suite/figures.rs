@@ -2,12 +2,13 @@
 
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
-use crankstar::proof::Quantity;
-use crankstar::report::figure::{Anchor, Extent, Figure, Ink, Mark, Point, Stroke, text_width};
-use crankstar::report::{self, Column, Contents};
+use crankstar::page::figure::{Anchor, Extent, Figure, Ink, Mark, Point, Stroke, text_width};
+use crankstar::page::{self, Block, Picture};
+use crankstar::report::{self, Column};
 use crankstar::verdict::{Judgement, torque};
 
 use crate::support::dice::Dice;
+use crate::support::pages::{self, judgement};
 use crate::support::{engines, every_form};
 
 /// A fan of four banks with offsets and splits.
@@ -19,13 +20,9 @@ const V20: &str = "vee = { bank_angle = 37.3, throws = [0, 36, 72, 108, 144, 180
 const UNEQUAL: &str =
     "inline.throws = [0, 90, 180, 270]\nmechanism.reciprocating_mass = ['1/1000000007', 1, 1, 1000000007]";
 
-fn judged(engine: &Engine) -> Judgement {
-    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders")
-}
-
 /// The stars of an engine, with words that say which.
 fn stars(name: &str, engine: &Engine) -> Vec<(String, Figure)> {
-    let judged = judged(engine);
+    let judged = judgement(engine);
     let orders = judged.orders.iter().chain(judged.pistons.iter().flatten());
     let of_order = orders.flat_map(|order| &order.parts).flat_map(|part| {
         let small = report::small_star(part, Some("12"));
@@ -41,7 +38,7 @@ fn stars(name: &str, engine: &Engine) -> Vec<(String, Figure)> {
 fn assert_clear(what: &str, figure: &Figure) {
     assert!(figure.overlaps().is_empty(), "{what}: texts on each other: {:?}", figure.overlaps());
     assert!(figure.leaving().is_empty(), "{what}: texts off the page: {:?}", figure.leaving());
-    let page = report::svg(figure, what);
+    let page = page::svg(figure, what);
     assert!(!page.contains("NaN") && !page.contains("inf"), "{what}");
 }
 
@@ -94,7 +91,7 @@ fn no_text_of_a_comparison_lies_on_another_or_leaves_the_page() {
     let engines = names.map(|name| file::find(name).expect("in the catalogue").engine().expect("it reads"));
     let w12 = engine(W12);
     let engines = engines.iter().chain([&w12]);
-    let judged: Vec<_> = engines.map(|engine| (engine, judged(engine))).collect();
+    let judged: Vec<_> = engines.map(|engine| (engine, judgement(engine))).collect();
     for place in 0..4 {
         let column = |(engine, judged)| {
             let (engine, judged): (&Engine, &Judgement) = (engine, judged);
@@ -118,20 +115,28 @@ fn no_text_of_any_drawing_of_a_report_lies_on_another_or_leaves_the_page() {
     let examples = layouts.filter_map(|text| file::parse("layout.toml", &text.expect("a layout file")).ok());
     let catalogue = file::catalogue().expect("the catalogue reads").into_iter().map(|(_, engine)| engine);
     for engine in catalogue.chain(examples) {
-        let judged = judged(&engine);
-        let contents = Contents { engine: &engine, judged: &judged, family: None, needed: None, accuracy: None };
-        for drawing in report::drawings(contents) {
-            if !EXEMPT.iter().any(|ending| drawing.name.ends_with(ending)) {
-                assert_clear(&format!("{} of {:?}", drawing.name, engine.title()), &drawing.figure);
+        for picture in pictures(&pages::document(&engine).blocks) {
+            if !EXEMPT.iter().any(|ending| picture.name.ends_with(ending)) {
+                assert_clear(&format!("{} of {:?}", picture.name, engine.title()), &picture.figure);
             }
         }
     }
 }
 
+/// The pictures of blocks, folded ones too.
+fn pictures<'a>(blocks: &'a [Block]) -> Vec<&'a Picture> {
+    let of_block = |block: &'a Block| match block {
+        Block::Pictures(pictures) => pictures.iter().collect(),
+        Block::Folded(fold) => pictures(&fold.blocks),
+        _ => Vec::new(),
+    };
+    blocks.iter().flat_map(of_block).collect()
+}
+
 #[test]
 fn every_ray_of_a_star_has_its_name_where_there_are_not_too_many() {
     let v20 = engine(V20);
-    for part in judged(&v20).orders.iter().flat_map(|order| &order.parts) {
+    for part in judgement(&v20).orders.iter().flat_map(|order| &order.parts) {
         let figure = report::star_figure(&v20, part);
         let written: Vec<String> = figure.text_boxes().into_iter().map(|(text, _)| text.to_owned()).collect();
         let names = written.join(" ").replace(',', "");
@@ -157,12 +162,12 @@ fn resultants(figure: &Figure) -> Vec<f64> {
 fn resultants_of_one_quantity_are_drawn_to_one_scale() {
     // At order 1 the direct vectors of a V are alike, the reverse ones 2φ apart.
     let v = engine("vee = { bank_angle = 60, throws = [0] }");
-    let judged = judged(&v);
+    let judged = judgement(&v);
     let drawn = resultants(&report::star_figure(&v, &judged.orders[0].parts[0]));
     assert!(drawn.len() == 2 && (drawn[0] - 2.0 * drawn[1]).abs() < 1e-6, "{drawn:?}");
     let bars = |name: &str| {
         let layout = file::find(name).expect("in the catalogue").engine().expect("it reads");
-        let orders = self::judged(&layout).orders;
+        let orders = judgement(&layout).orders;
         let figure = report::star_figure(&layout, &orders[0].parts[0]);
         let texts: Vec<String> = figure.text_boxes().into_iter().map(|(text, _)| text.to_owned()).collect();
         texts.into_iter().filter(|text| text.contains(" m r")).collect::<Vec<_>>()
@@ -174,7 +179,7 @@ fn resultants_of_one_quantity_are_drawn_to_one_scale() {
 fn the_resultant_lies_above_the_vectors_and_hides_none() {
     for name in ["I4", "V8-crossplane", "V2-90", "I5-12453"] {
         let layout = file::find(name).expect("in the catalogue").engine().expect("it reads");
-        for part in judged(&layout).orders.iter().flat_map(|order| &order.parts) {
+        for part in judgement(&layout).orders.iter().flat_map(|order| &order.parts) {
             let figure = report::small_star(part, None);
             let resultant = |mark: &Mark| matches!(mark, Mark::Polygon { stroke, .. } if stroke.ink == Ink::Red);
             let vector = |mark: &Mark| matches!(mark, Mark::Line { arrow: true, .. });
@@ -212,7 +217,7 @@ fn texts_that_overlap_or_leave_are_found() {
 #[test]
 fn a_drawing_follows_a_dark_page_and_shares_its_rules_with_others() {
     let layout = engine(W12);
-    let drawings: Vec<String> = stars("W12", &layout).iter().map(|(what, figure)| report::svg(figure, what)).collect();
+    let drawings: Vec<String> = stars("W12", &layout).iter().map(|(what, figure)| page::svg(figure, what)).collect();
     let mut rules: std::collections::BTreeMap<String, String> = Default::default();
     for page in &drawings {
         assert!(

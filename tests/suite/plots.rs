@@ -1,8 +1,8 @@
 //! Do plots show what they are given, and nothing else? Ticks, thinning, breaks, and the same marks in both languages.
 
-use crankstar::report::figure::{Figure, Ink, Mark};
-use crankstar::report::plot::{Axis, Curve, Map, Plot, PointMark, Polar, Rule};
-use crankstar::report::{svg, tikz};
+use crankstar::page::figure::{Figure, Ink, Mark};
+use crankstar::page::plot::{Axis, Curve, Map, Plot, PointMark, Polar, Rule};
+use crankstar::page::{svg, tikz};
 use proptest::prelude::*;
 
 fn labels(axis: &Axis, values: &[f64]) -> Vec<String> {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::support::imports;
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
-const STOREYS: [&[&str]; 11] = [
+const STOREYS: [&[&str]; 12] = [
     &["proof", "motion", "beam", "text"],
     &["exact"],
     &["engine"],
@@ -17,6 +17,7 @@ const STOREYS: [&[&str]; 11] = [
     &["loads", "family"],
     &["accuracy", "remedy", "optimise", "sweep", "search"],
     &["claim"],
+    &["page"],
     &["report"],
     &["cli"],
 ];

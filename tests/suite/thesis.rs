@@ -9,6 +9,7 @@ use crankstar::claim::{Claims, Provenance, Statement, Status, answer, parse_clai
 use crankstar::engine::{Draft, Engine};
 use crankstar::file;
 use crankstar::loads::{Method, bearing_loads};
+use crankstar::page::{self, Format, Options};
 use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
 
@@ -163,7 +164,8 @@ fn the_pages_are_as_stored() {
     for name in engines() {
         let layout = engine(&format!("{name}.toml"));
         let solve = |method| bearing_loads(&layout, layout.orders(), method).expect("the loads of the bearings");
-        let files = report::bearings_page(&layout, &solve(Method::Continuous), &solve(Method::Determinate));
+        let page = report::bearings_page(&layout, &solve(Method::Continuous), &solve(Method::Determinate));
+        let files = page::write(&page, Format::GITHUB, &Options::default());
         for file in &files {
             compare(&folder().join(&name).join(&file.name), &file.text);
         }

@@ -1,16 +1,16 @@
 //! How does the force on a bearing go through a revolution? Its components over the crank angle, and its polar diagram.
 
 use super::super::calculation::Unit;
-use super::super::page::NamedFigure;
 use super::super::plot::{Axis, Curve, Plot, PointMark, Polar};
 use super::amounts::unit_of;
 use crate::loads::{BearingLoad, BearingLoads, Circle};
+use crate::page::{Picture, phrase};
 
 /// Steps of a revolution: half a degree each.
 const STEPS: usize = 720;
 
 /// The two drawings of each bearing, in the order of the file.
-pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[NamedFigure; 2]> {
+pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[Picture; 2]> {
     let unit = unit_of(loads);
     let circle = Circle::new(STEPS);
     let draw = |(index, bearing): (usize, &BearingLoad)| {
@@ -24,8 +24,8 @@ pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[NamedFigure; 2]>
     loads.bearings.iter().enumerate().map(draw).collect()
 }
 
-fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> NamedFigure {
-    let caption = format!("Bearing {number}: components of the force through a revolution");
+fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
+    let caption = phrase!("Bearing {}: components of the force through a revolution", number);
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
     let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear(format!("Force in {}", unit.name)));
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
@@ -33,11 +33,11 @@ fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> NamedFigu
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
     };
     plot.curves = vec![curve(0, "y, along direction 0", |tip| tip.1), curve(1, "x, to the right", |tip| tip.0)];
-    NamedFigure { name: format!("bearing-{number}"), caption, figure: plot.figure() }
+    Picture { name: format!("bearing-{number}"), caption, figure: plot.figure() }
 }
 
-fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> NamedFigure {
-    let caption = format!("Bearing {number}: polar diagram of the force, seen from the free end");
+fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> Picture {
+    let caption = phrase!("Bearing {}: polar diagram of the force, seen from the free end", number);
     let label = format!("Force in {}; 0° is the reference direction", unit.name);
     let quarters = [(0, "θ = 0"), (1, "90"), (2, "180"), (3, "270")];
     let rings = quarters.map(|(quarter, name)| PointMark::ring(tips[quarter * STEPS / 4], name));
@@ -50,5 +50,5 @@ fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit
     if let Some(angle) = bearing.peak.angle {
         polar.marks.push(PointMark::dot((-tip.im, tip.re), format!("θ = {angle:.0}°")));
     }
-    NamedFigure { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() }
+    Picture { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() }
 }

@@ -3,6 +3,7 @@
 use crate::engine::Engine;
 use crate::loads::{Arm, Loads, Outcome, Scale, Swing, Vector};
 use crate::numbers;
+use crate::page::{Number, Text, number as typeset, phrase};
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
@@ -20,6 +21,11 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
+    /// As a page shows it.
+    pub fn shown(self) -> crate::page::Unit {
+        crate::page::Unit { name: self.name, tex: self.tex }
+    }
+
     /// The unit of forces: newtons where the scale is known.
     pub fn of_force(scale: Option<&Scale>) -> Self {
         match scale {
@@ -55,48 +61,53 @@ pub(crate) fn digits(value: f64) -> String {
     super::expression::significant(value, DIGITS).replace(" \\times 10^{", "e").replace('}', "").replace('-', "−")
 }
 
-/// A value in its unit: `≈ 10966.2`.
-pub(crate) fn amount(value: f64, unit: Unit) -> String {
-    // At rest, and without masses, every force is exactly zero.
-    if unit.factor == 0.0 {
-        return "0".to_owned();
-    }
-    format!("≈ {}", digits(value * unit.factor))
+/// A text as a string, for cells that are strings still.
+pub(crate) fn plain(text: Text) -> String {
+    crate::page::text_in(&text, crate::page::Format::PLAIN)
 }
 
-/// The largest length of an order: `0`, `≈ 10966.2`, or how little it is known to be below.
-pub(crate) fn largest(swing: &Swing, unit: Unit) -> String {
+/// A value in its unit, which the heading of the column names.
+pub(crate) fn amount(value: f64, unit: Unit) -> Text {
+    match unit.factor == 0.0 {
+        // At rest, and without masses, every force is exactly zero.
+        true => Text::zero(),
+        false => Number::Decimal(value * unit.factor).into(),
+    }
+}
+
+/// The largest length of an order: zero, a decimal, or how little it is known to be below.
+pub(crate) fn largest(swing: &Swing, unit: Unit) -> Text {
     if swing.vanishes() {
-        return "0".to_owned();
+        return Text::zero();
     }
     let open = [&swing.direct, &swing.reverse].map(|vector| matches!(vector.outcome, Outcome::Undecided { .. }));
     let known = [&swing.direct, &swing.reverse].map(|vector| vector.outcome == Outcome::NotZero);
     match open != [false, false] && known == [false, false] {
-        true => format!("not decided, {}", below(&[&swing.direct, &swing.reverse], unit)),
+        true => undecided(&[&swing.direct, &swing.reverse], unit),
         false => amount(swing.largest(), unit),
     }
 }
 
-/// `below 1e−50` of vectors that are not decided.
-fn below(vectors: &[&Vector], unit: Unit) -> String {
+/// How little vectors that are not decided are known to be below.
+fn undecided(vectors: &[&Vector], unit: Unit) -> Text {
     let bound = |vector: &&Vector| match vector.outcome {
         Outcome::Undecided { below } => below,
         Outcome::Zero | Outcome::NotZero => 0.0,
     };
     let sum: f64 = vectors.iter().map(bound).sum();
-    format!("below {}", digits((sum / 2.0 * unit.factor).next_up()))
+    phrase!("not decided, below {}", digits((sum / 2.0 * unit.factor).next_up()))
 }
 
-/// A vector: `0`, or its length and its angle at θ = 0.
-pub(crate) fn vector(vector: &Vector, unit: Unit) -> String {
+/// A vector: zero, or its length and its angle at θ = 0.
+pub(crate) fn vector(vector: &Vector, unit: Unit) -> Text {
     match vector.outcome {
-        Outcome::Zero => "0".to_owned(),
+        Outcome::Zero => Text::zero(),
         Outcome::NotZero => {
             let angle = super::expression::rounded(numbers::degrees(vector.value), DIGITS);
             // Half a turn has two names.
             let angle = if angle == -180.0 { 180.0 } else { angle };
-            format!("{} at {}°", amount(vector.value.norm() / 2.0, unit), digits(angle))
+            phrase!("{} at {}°", amount(vector.value.norm() / 2.0, unit), typeset::decimal(angle))
         }
-        Outcome::Undecided { .. } => format!("not decided, {}", below(&[vector], unit)),
+        Outcome::Undecided { .. } => undecided(&[vector], unit),
     }
 }

@@ -33,10 +33,7 @@ pub fn compare_page(engines: &[Compared]) -> Vec<File> {
     for order in orders_of(engines) {
         let columns: Vec<Column> = engines.iter().flat_map(|engine| columns(engine, order)).collect();
         let drawing = Drawing { order, file: format!("stars-order-{order}.svg"), caption: caption(order) };
-        files.push(File {
-            name: drawing.file.clone(),
-            text: svg::svg(&multiples::multiples(&columns), &drawing.caption),
-        });
+        files.push(File { name: drawing.file.clone(), text: svg(&multiples::multiples(&columns), &drawing.caption) });
         drawings.push(drawing);
     }
     // All cells may hold names and titles, which are a person's.

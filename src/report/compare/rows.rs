@@ -2,7 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::super::calculation::{self, Rows, Unit};
+use super::super::calculation::{self, Unit};
+use super::super::old::Rows;
 use super::super::{bearings, engine_cells, residual, typeset};
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
@@ -63,15 +64,15 @@ fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> String {
     let unit = Unit::of(engine.engine, loads, quantity);
     let swing = |loads: &OrderLoads| match quantity {
         _ if !loads.exists(engine.engine) => DOES_NOT_EXIST.to_owned(),
-        Quantity::Force => calculation::largest(&loads.force, unit),
-        _ => calculation::largest(&loads.moment, unit),
+        Quantity::Force => calculation::plain(calculation::largest(&loads.force, unit)),
+        _ => calculation::plain(calculation::largest(&loads.moment, unit)),
     };
     loads.orders.iter().find(|loads| loads.order == order).map_or_else(String::new, swing)
 }
 
 fn worst_bearing(engine: &Compared) -> String {
     match &engine.bearings {
-        Ok(loads) => bearings::worst(loads).unwrap_or_else(|| "0 in all".to_owned()),
+        Ok(loads) => calculation::plain(bearings::worst(loads).unwrap_or_else(|| "0 in all".into())),
         Err(Missing::Bearings) => "none named".to_owned(),
         Err(Missing::Rods) => "not computed: no rods".to_owned(),
         Err(_) => "not computed".to_owned(),

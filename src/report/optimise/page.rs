@@ -3,11 +3,11 @@
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
-use super::super::calculation::Rows;
 use super::super::dialect::Dialect;
 use super::super::folder::File;
+use super::super::old::Rows;
+use super::super::old::Table;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
-use super::super::table::Table;
 use super::super::{render, svg};
 use super::{amounts, tables};
 use crate::engine::Engine;
@@ -135,5 +135,5 @@ fn drawing(layout: &Engine, front: &Front) -> String {
         PointMark::ring(at(&uniform.design), name).of("one balance factor for all throws")
     };
     plot.marks.extend(front.uniform.iter().map(uniform));
-    svg::svg(&plot.figure(), "Largest bearing load over the mass of the crankshaft")
+    svg(&plot.figure(), "Largest bearing load over the mass of the crankshaft")
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::report::figure::{Anchor, Extent, Figure, Ink, Point, Stroke, text_width};
+use crate::page::figure::{Anchor, Extent, Figure, Ink, Point, Stroke, text_width};
 
 /// Distance between lines of a label over the size of its letters.
 const LEADING: f64 = 1.1;

@@ -4,7 +4,7 @@ use super::Ray;
 use super::sheet::LETTERS;
 use crate::engine::Engine;
 use crate::order::Source;
-use crate::report::figure::text_width;
+use crate::page::figure::text_width;
 use crate::report::typeset;
 
 /// More masses that turn than this have no room beside a vector.

@@ -6,8 +6,9 @@ use super::labels::Labels;
 use super::sheet::{LETTERS, Scale, WIDTH};
 use super::{Ray, Star, corners, decimal, towards, upright};
 use crate::engine::Engine;
+use crate::page::Number;
+use crate::page::figure::{Anchor, Dash, Extent, Figure, Ink, Point, Stroke, text_width};
 use crate::proof::{Polygon, Quantity};
-use crate::report::figure::{Anchor, Dash, Extent, Figure, Ink, Point, Stroke, text_width};
 use crate::report::{residual, typeset};
 use crate::verdict::Verdict;
 
@@ -68,17 +69,17 @@ fn heading(verdict: &Verdict) -> String {
     format!("{quantity}{sense}, order {}", verdict.order)
 }
 
-/// `sum = 0`, `length = √10 ≈ 3.1623`; in decimals alone where the exact form has no room.
+/// `sum = 0`, `length = √10 ≈ 3.162`; in decimals alone where the exact form has no room.
 fn sum(verdict: &Verdict) -> (String, String) {
     let modulus = residual::modulus(verdict);
     let name = if verdict.vanishes() { "sum" } else { "length" };
-    let plain = format!("{name} {}", modulus.plain());
-    match text_width(&plain, LETTERS) <= WIDTH - 2.0 {
-        true => (plain, format!("{name} {}", modulus.prose())),
-        false => {
-            let short = format!("{name} ≈ {}", typeset::decimal(modulus.decimal));
-            (short.clone(), short)
+    let in_decimals = format!("{name} {}", typeset::approximate(modulus.decimal));
+    let plain = format!("{name} = {}", modulus.plain());
+    match modulus.number() {
+        Number::Zero | Number::Exact(_) | Number::Closed(..) if text_width(&plain, LETTERS) <= WIDTH - 2.0 => {
+            (plain, format!("{name} = {}", modulus.prose()))
         }
+        Number::Zero | Number::Exact(_) | Number::Closed(..) | Number::Decimal(_) => (in_decimals.clone(), in_decimals),
     }
 }
 

@@ -4,8 +4,8 @@ use num_traits::Zero;
 
 use super::{Panel, Star};
 use crate::engine::{Engine, LengthUnit};
+use crate::page::figure::{Anchor, Figure, Ink, Mark, Point, Stroke, text_width};
 use crate::proof::Quantity;
-use crate::report::figure::{Anchor, Figure, Ink, Mark, Point, Stroke, text_width};
 use crate::text::SUPERSCRIPTS;
 use crate::verdict::{Balance, OrderBalance, Verdict};
 

@@ -2,7 +2,7 @@
 
 use super::panel::draw_resultant;
 use super::{Star, corners, towards, upright};
-use crate::report::figure::{Figure, Ink, Point, Stroke};
+use crate::page::figure::{Figure, Ink, Point, Stroke};
 use crate::verdict::{OrderBalance, Verdict};
 
 /// Width and height in millimetres.

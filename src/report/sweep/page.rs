@@ -45,8 +45,7 @@ pub(super) struct Table {
 pub fn sweep_page(sweep: &Sweep) -> Vec<File> {
     let drawn = drawings(sweep);
     let page = page(sweep, &drawn);
-    let drawing =
-        |drawn: Drawn| File { name: format!("{}.svg", drawn.name), text: svg::svg(&drawn.figure, &drawn.caption) };
+    let drawing = |drawn: Drawn| File { name: format!("{}.svg", drawn.name), text: svg(&drawn.figure, &drawn.caption) };
     let text = File { name: "sweep.md".into(), text: render::sweep(&page) };
     [text].into_iter().chain(drawn.into_iter().map(drawing)).collect()
 }

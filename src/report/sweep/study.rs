@@ -70,7 +70,7 @@ pub fn study_page(study: &Study) -> Vec<File> {
         }
         let drawings = plots.into_iter().map(|(kind, plot)| {
             let file = format!("{}-{kind}.svg", family.name);
-            files.push(File { name: file.clone(), text: svg::svg(&plot.figure(), &plot.title) });
+            files.push(File { name: file.clone(), text: svg(&plot.figure(), &plot.title) });
             Drawing { file, caption: dialect.literal(&plot.title) }
         });
         Family {

@@ -1,0 +1,101 @@
+//! How is a page written: in which format, into which folder, with what at its foot?
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use crankstar::page::{self, Document, File, Options};
+
+use super::failure::Failure;
+use super::{folder, write};
+
+/// What a person may say of a page.
+#[derive(clap::Args)]
+pub struct Pages {
+    /// What the page is written in
+    #[arg(long, value_enum, default_value = "markdown")]
+    format: Format,
+    /// How formulas are marked in Markdown
+    #[arg(long, value_enum, default_value = "github")]
+    math: Math,
+    /// Folder for the page and its pictures
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Write LaTeX without a preamble, as a piece of a document that is there
+    #[arg(long)]
+    fragment: bool,
+    /// Name program and version at the foot of the page
+    #[arg(long)]
+    stamp: bool,
+}
+
+/// What a page is written in.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Markdown with SVG files beside it
+    Markdown,
+    /// LaTeX for pdflatex
+    Latex,
+    /// One file for a browser
+    Html,
+    /// Plain text without pictures
+    Text,
+}
+
+/// How formulas are marked in Markdown.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Math {
+    /// $`…`$, as code-hosting pages read it
+    Github,
+    /// $…$, as pandoc, Quarto and Jupyter read it
+    Dollars,
+}
+
+impl Pages {
+    fn format(&self) -> page::Format {
+        match (self.format, self.math) {
+            (Format::Markdown, Math::Github) => page::Format::Markdown(page::Math::Github),
+            (Format::Markdown, Math::Dollars) => page::Format::Markdown(page::Math::Dollars),
+            (Format::Latex, _) => page::Format::Latex,
+            (Format::Html, _) => page::Format::Html,
+            (Format::Text, _) => page::Format::PLAIN,
+        }
+    }
+
+    /// The files of a page, the main one first.
+    pub fn files(&self, document: &Document) -> Vec<File> {
+        let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
+        page::write(document, self.format(), &Options { fragment: self.fragment, stamp })
+    }
+
+    /// Prints the short answer, and writes the page into the folder where one is named.
+    pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
+        let mut text = shown(answer);
+        if let Some(folder) = &self.output {
+            let files = self.files(&page());
+            folder::write(folder, &files)?;
+            text += &format!("\n{}", folder::written(folder, &files));
+        }
+        write::to_stdout(&text)
+    }
+
+    /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
+    pub fn show_page(&self, answer: &Document, page: &Document) -> Result<(), Failure> {
+        let files = self.files(page);
+        let Some(folder) = &self.output else { return write::to_stdout(&files[0].text) };
+        folder::write(folder, &files)?;
+        write::to_stdout(&format!("{}\n{}", shown(answer), folder::written(folder, &files)))
+    }
+}
+
+/// Columns of a text that is not printed on a terminal.
+const USUAL_WIDTH: usize = 80;
+/// Columns beyond which lines are hard to read.
+const WIDEST: usize = 140;
+
+/// A document for the terminal that this runs in; colours are taken away where nobody sees them.
+pub fn shown(document: &Document) -> String {
+    let width = comfy_table::Table::new().width().map_or(USUAL_WIDTH, usize::from);
+    let format = page::Format::Terminal { width: width.clamp(20, WIDEST), colour: true };
+    let files = page::write(document, format, &Options::default());
+    format!("{}\n", files[0].text.trim_end())
+}

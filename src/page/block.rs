@@ -1,0 +1,109 @@
+//! Of which blocks is a document made?
+
+use super::figure::Figure;
+use super::text::Text;
+use crate::text::Untrusted;
+
+/// What a question answers with, in no format yet.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// The name of its main file, without the ending.
+    pub name: &'static str,
+    /// The title.
+    pub title: Text,
+    /// Whether a list of its headings stands before the first of them.
+    pub has_contents: bool,
+    /// What stands on it, in order.
+    pub blocks: Vec<Block>,
+}
+
+impl Document {
+    /// An empty document.
+    pub fn new(name: &'static str, title: impl Into<Text>) -> Self {
+        Document { name, title: title.into(), has_contents: false, blocks: Vec::new() }
+    }
+
+    /// With one more block.
+    pub fn push(&mut self, block: impl Into<Block>) {
+        self.blocks.push(block.into());
+    }
+}
+
+/// A part of a document.
+#[derive(Clone, Debug)]
+pub enum Block {
+    /// A heading: 1 of a section, 2 below it.
+    Heading(u8, Text),
+    /// A paragraph.
+    Paragraph(Text),
+    /// The answer, before all else: a few paragraphs in a box.
+    Answer(Vec<Text>),
+    /// A table.
+    Table(Table),
+    /// Pictures beside each other.
+    Pictures(Vec<Picture>),
+    /// A formula on a line of its own, in TeX, with its number where it has one.
+    Formula(String, Option<u32>),
+    /// A list.
+    List(Vec<Text>),
+    /// What only some readers want: closed on a screen, at the end in print.
+    Folded(Fold),
+    /// A small remark.
+    Note(Text),
+    /// A person's file as it stands, in a language.
+    Verbatim(&'static str, Untrusted),
+}
+
+/// What is folded, and what stands on the fold.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    /// On the fold.
+    pub summary: Text,
+    /// Inside.
+    pub blocks: Vec<Block>,
+}
+
+/// A table: every row has as many cells as the header.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// Headings of the columns.
+    pub header: Vec<Text>,
+    /// The cells.
+    pub rows: Vec<Vec<Text>>,
+}
+
+impl Table {
+    /// An empty table with these headings.
+    pub fn new<T: Into<Text>>(header: impl IntoIterator<Item = T>) -> Self {
+        Table { header: header.into_iter().map(Into::into).collect(), rows: Vec::new() }
+    }
+
+    /// With one more row.
+    pub fn push(&mut self, row: Vec<Text>) {
+        debug_assert_eq!(row.len(), self.header.len(), "a row of another width");
+        self.rows.push(row);
+    }
+}
+
+/// A drawing with the words below it.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// The name of its file, without the ending.
+    pub name: String,
+    /// What a reader sees below it: what colours and signs mean.
+    pub caption: Text,
+    /// The drawing.
+    pub figure: Figure,
+}
+
+impl From<Table> for Block {
+    fn from(table: Table) -> Self {
+        Block::Table(table)
+    }
+}
+
+impl From<Picture> for Block {
+    fn from(picture: Picture) -> Self {
+        Block::Pictures(vec![picture])
+    }
+}

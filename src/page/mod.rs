@@ -1,0 +1,27 @@
+//! What is a page made of, and how is it written? A document of blocks, and one writer per format.
+//!
+//! `document (blocks of words, values, tables, pictures) → writer (templates, escapes) → files`
+//!
+//! A question makes a [`Document`] and knows nothing of formats; a writer knows nothing of engines. Whether a number is zero, exact or
+//! a decimal, and whether words are the program's or a person's, is said by types ([`Piece`], [`Number`]), never read back from text.
+//! A format is a folder of templates and one file of escapes: [`Format`] names it, and the compiler lists the rest.
+
+mod block;
+pub mod figure;
+mod markup;
+pub mod number;
+pub mod plot;
+mod svg;
+mod text;
+mod tikz;
+mod unit;
+mod write;
+
+pub use block::{Block, Document, Fold, Picture, Table};
+pub use number::Number;
+pub use svg::svg;
+pub(crate) use text::phrase;
+pub use text::{Piece, Text};
+pub use tikz::tikz;
+pub use unit::Unit;
+pub use write::{File, Format, Math, Options, text_in, write};

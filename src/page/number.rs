@@ -1,0 +1,299 @@
+//! How do numbers become text? In one place: exact ones bare, decimals after `≈`, what has a unit to sensible figures.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::exact::Turn;
+use crate::numbers::{self, Direction, Form};
+
+/// More decimal places than this make a fraction easier to read.
+const MOST_PLACES: usize = 4;
+/// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
+const MOST_LETTERS: usize = 20;
+/// The longest fraction that is shown as one.
+const LONGEST_FRACTION: usize = 7;
+/// Longer closed forms than this tell a reader nothing; their decimals do.
+const LONGEST_FORM: usize = 48;
+/// Digits of the longest number in a closed form that is shown.
+const MOST_DIGITS: usize = 4;
+
+/// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
+pub(crate) fn number(value: &BigRational) -> String {
+    let text = exact_text(value);
+    if text.len() > MOST_LETTERS {
+        return approximate(value.to_f64().unwrap_or(f64::NAN));
+    }
+    if value.is_negative() { format!("−{text}") } else { text }
+}
+
+/// Whether an exact number is shown in decimals, for it is too long.
+pub(crate) fn is_rounded(value: &BigRational) -> bool {
+    exact_text(value).len() > MOST_LETTERS
+}
+
+/// The modulus, exactly.
+fn exact_text(value: &BigRational) -> String {
+    terminating(value).unwrap_or_else(|| value.abs().to_string())
+}
+
+/// Whether an exact number is too long to be read: a fraction of large numbers tells less than its decimals.
+fn is_long(value: &BigRational) -> bool {
+    let text = exact_text(value);
+    text.len() > if text.contains('/') { LONGEST_FRACTION } else { MOST_LETTERS }
+}
+
+/// The decimal form of a modulus, where it ends after a few places.
+fn terminating(value: &BigRational) -> Option<String> {
+    let value = value.abs();
+    let ten = BigRational::from_integer(10.into());
+    let mut scaled = value.clone();
+    let places = (0..=MOST_PLACES).find(|_| {
+        let whole = scaled.is_integer();
+        if !whole {
+            scaled = &scaled * &ten;
+        }
+        whole
+    })?;
+    let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    Some(if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") })
+}
+
+/// An exact number of degrees: `22.5°`, `(360/7)°`.
+pub(crate) fn degrees(value: &BigRational) -> String {
+    let text = number(value);
+    if !text.contains('/') || text.starts_with('≈') {
+        return format!("{text}°");
+    }
+    let modulus = value.abs();
+    format!("{}({modulus})°", if value.is_negative() { "−" } else { "" })
+}
+
+/// A number of turns in degrees, not reduced: a firing interval of `720°`.
+pub(crate) fn turns(value: &BigRational) -> String {
+    degrees(&(value * BigRational::from_integer(360.into())))
+}
+
+/// A direction in `[0°, 360°)`.
+pub(crate) fn angle(turn: &Turn) -> String {
+    degrees(&turn.degrees())
+}
+
+/// A direction in `(−180°, 180°]`, as bank angles are spoken of.
+pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
+    let degrees = turn.degrees();
+    let full = BigRational::from_integer(360.into());
+    if &degrees * BigRational::from_integer(2.into()) > full { degrees - full } else { degrees }
+}
+
+/// A decimal of four digits; whole numbers whole.
+pub(crate) fn decimal(value: f64) -> String {
+    let text = match value.abs() {
+        0.0 => "0".to_owned(),
+        size if !(0.01..1e9).contains(&size) => format!("{value:.3e}"),
+        size if size >= 999.95 => format!("{value:.0}"),
+        size if size >= 99.995 => format!("{value:.1}"),
+        size if size >= 9.9995 => format!("{value:.2}"),
+        size if size >= 0.99995 => format!("{value:.3}"),
+        _ => format!("{value:.4}"),
+    };
+    text.replace('-', "−")
+}
+
+/// Whether a form tells more than its decimals: it is short, and its numbers do not just repeat the digits of the layout's.
+fn is_readable(form: &Form) -> bool {
+    let text = form.to_string();
+    let longest_number = text.split(|letter: char| !letter.is_ascii_digit()).map(str::len).max().unwrap_or(0);
+    text.chars().count() <= LONGEST_FORM && longest_number <= MOST_DIGITS
+}
+
+/// A number on a page.
+#[derive(Clone, Debug)]
+pub enum Number {
+    /// Exactly zero, proved.
+    Zero,
+    /// An exact number that is short enough to be read.
+    Exact(BigRational),
+    /// An irrational number, exact, with its decimals.
+    Closed(Form, f64),
+    /// A decimal.
+    Decimal(f64),
+}
+
+impl Number {
+    /// An exact number; a decimal where it is too long to be read.
+    pub fn exact(value: &BigRational) -> Self {
+        match value {
+            zero if zero.is_zero() => Number::Zero,
+            long if is_long(long) => Number::Decimal(long.to_f64().unwrap_or(f64::NAN)),
+            short => Number::Exact(short.clone()),
+        }
+    }
+}
+
+/// A length: exact where a closed form is known, and in decimals.
+#[derive(Clone, Debug)]
+pub struct Amount {
+    /// The number itself.
+    pub exact: Option<Form>,
+    /// Its decimals.
+    pub decimal: f64,
+}
+
+impl Amount {
+    /// Zero, exactly.
+    pub fn zero() -> Self {
+        Amount { exact: Some(Form::rational(BigRational::zero())), decimal: 0.0 }
+    }
+
+    /// Half the sum of two amounts.
+    pub fn mean(&self, other: &Amount) -> Amount {
+        let half = BigRational::new(1.into(), 2.into());
+        let exact =
+            self.exact.as_ref().zip(other.exact.as_ref()).map(|(a, b)| numbers::plainer(a.plus(b).scaled(&half)));
+        Amount { exact, decimal: (self.decimal + other.decimal) / 2.0 }
+    }
+
+    /// Plain text: `4`, `√10 ≈ 3.162`, `≈ 0.1234`.
+    pub fn plain(&self) -> String {
+        super::text_in(&self.clone().into(), super::Format::PLAIN)
+    }
+
+    /// Prose with a formula: `$\\sqrt{10}$ ≈ 3.162`.
+    pub fn prose(&self) -> String {
+        match self.number() {
+            Number::Closed(form, decimal) => format!("${}$ {}", form.tex(), approximate(decimal)),
+            _ => self.plain(),
+        }
+    }
+
+    /// As it is shown.
+    pub fn number(&self) -> Number {
+        match &self.exact {
+            None => Number::Decimal(self.decimal),
+            Some(form) => match form.as_rational() {
+                Some(value) => Number::exact(&value),
+                None if is_readable(form) => Number::Closed(form.clone(), self.decimal),
+                None => Number::Decimal(self.decimal),
+            },
+        }
+    }
+}
+
+/// A direction: exact where a closed form is known.
+#[derive(Clone, Debug)]
+pub struct Bearing {
+    /// The direction itself.
+    pub exact: Option<Direction>,
+    /// In degrees, in `(−180, 180]`.
+    pub decimal: f64,
+}
+
+impl Bearing {
+    /// An arctangent in TeX and as plain text, where it is one.
+    pub(crate) fn arctangent(&self) -> Option<[String; 2]> {
+        let Some(Direction::Arctangent { tangent, opposite }) = &self.exact else { return None };
+        let negative = tangent.to_float() < 0.0;
+        let size = if negative { tangent.scaled(&-BigRational::one()) } else { tangent.clone() };
+        let set = |half_turn: &str, minus: &str, function: String| {
+            // An arctangent lies within 90° of 0°; the opposite direction is half a turn from it.
+            let before = match (opposite, negative) {
+                (false, false) => String::new(),
+                (false, true) => minus.to_owned(),
+                (true, true) => format!("{half_turn} {minus} "),
+                (true, false) => format!("{minus}{half_turn} + "),
+            };
+            format!("{before}{function}")
+        };
+        Some([set("180^\\circ", "-", format!("\\arctan({})", size.tex())), set("180°", "−", format!("arctan({size})"))])
+    }
+
+    /// Plain text: `−arctan(1/3) ≈ −18.43°`.
+    pub fn plain(&self) -> String {
+        super::text_in(&self.clone().into(), super::Format::PLAIN)
+    }
+
+    /// Prose with a formula.
+    pub fn prose(&self) -> String {
+        match self.arctangent() {
+            Some([tex, _]) => format!("${tex}$ {}", self.degrees()),
+            None => self.degrees(),
+        }
+    }
+
+    /// The degrees: exact where they are rational, else decimals.
+    pub(crate) fn degrees(&self) -> String {
+        match &self.exact {
+            Some(Direction::Turn(turn)) => degrees(&signed_degrees(turn)),
+            Some(Direction::Arctangent { .. }) | None => format!("{}°", approximate(self.decimal)),
+        }
+    }
+}
+
+/// A decimal after its sign.
+pub(crate) fn approximate(value: f64) -> String {
+    format!("≈ {}", decimal(value))
+}
+
+/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`.
+pub fn sensible(value: f64) -> String {
+    let size = value.abs();
+    let text = match size {
+        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => format!("{value:.2e}"),
+        _ if size >= 99.95 => format!("{value:.0}"),
+        _ if size >= 9.995 => format!("{value:.1}"),
+        _ if size >= 0.9995 => format!("{value:.2}"),
+        _ => format!("{value:.3}"),
+    };
+    text.replace('-', "−")
+}
+
+/// A unit behind its number.
+pub(crate) fn behind(unit: super::Unit) -> String {
+    match unit == super::Unit::DEGREE {
+        true => unit.name.to_owned(),
+        false => format!("\u{202f}{}", unit.name),
+    }
+}
+
+/// Names in a row, runs of three and more numbers drawn together: `1, 4–7`.
+pub(crate) fn names(names: &[&str]) -> String {
+    let numbers: Option<Vec<u32>> = names.iter().map(|name| name.parse().ok()).collect();
+    let Some(mut numbers) = numbers else { return names.join(", ") };
+    numbers.sort_unstable();
+    let mut runs: Vec<(u32, u32)> = Vec::new();
+    for number in numbers {
+        match runs.last_mut() {
+            Some((_, last)) if *last + 1 == number => *last = number,
+            _ => runs.push((number, number)),
+        }
+    }
+    let run = |&(first, last): &(u32, u32)| match last - first {
+        0 => first.to_string(),
+        1 => format!("{first}, {last}"),
+        _ => format!("{first}–{last}"),
+    };
+    runs.iter().map(run).collect::<Vec<_>>().join(", ")
+}
+
+/// A multiple of an angle as it is worked out by hand: `2·270°`, nothing for a factor of 0.
+pub(crate) fn multiple(factor: i64, degrees_value: &BigRational) -> Option<(bool, String)> {
+    let product_sign = degrees_value * BigRational::from_integer(factor.into());
+    if factor.is_zero() || degrees_value.is_zero() {
+        return None;
+    }
+    let modulus = degrees(&degrees_value.abs());
+    let text = if factor.abs().is_one() { modulus } else { format!("{}·{modulus}", factor.abs()) };
+    Some((product_sign.is_negative(), text))
+}
+
+/// The kinds of regular polygon that proofs speak of.
+pub(crate) fn polygon_name(sides: u64) -> String {
+    match sides {
+        2 => "an opposed pair".to_owned(),
+        3 => "a regular triangle".to_owned(),
+        5 => "a regular pentagon".to_owned(),
+        7 => "a regular heptagon".to_owned(),
+        _ => format!("a regular {sides}-gon"),
+    }
+}

@@ -1,0 +1,180 @@
+//! How is a function shown? Curves over an axis, a vector that turns, and values over a plane, as drawings.
+//!
+//! Every drawing is a [`Figure`]: marks in millimetres that [`crate::page::svg`] and [`crate::page::tikz`] print. Values that are
+//! not finite, or not positive on a logarithmic axis, have no place and break a curve; no input panics.
+//!
+//! ```standalone_crate
+//! use crankstar::report::plot::{Axis, Curve, Plot};
+//! let force = |degrees: f64| (degrees, 1200.0 * (2.0 * degrees.to_radians()).cos());
+//! let mut plot = Plot::new("Order 2", Axis::angle("Crank angle θ in °", 0.0, 360.0, 90), Axis::linear("Force in N"));
+//! plot.curves.push(Curve::new(0, "in-line four", (0..=360).map(f64::from).map(force).collect()));
+//! let drawing = plot.figure();
+//! assert!(crankstar::report::svg(&drawing, "Order 2").contains(">−1000</text>"));
+//! assert!(crankstar::report::tikz(&drawing).contains("{$-$1000}"));
+//! ```
+
+mod axis;
+mod curve;
+mod frame;
+mod head;
+mod labels;
+mod map;
+mod number;
+mod polar;
+
+pub use axis::{Axis, Ruler, Scale, Tick};
+pub use curve::Curve;
+pub use map::Map;
+pub use polar::Polar;
+
+use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use curve::pieces;
+use frame::{BELOW, Frame, LABEL_ABOVE, WIDTH};
+use head::{Head, Key};
+use labels::Labels;
+
+/// Height of the frame in millimetres.
+const HEIGHT: f64 = 58.0;
+/// About so many steps between ticks.
+const STEPS: (usize, usize) = (9, 6);
+
+/// A point that is marked, in the units of the axes.
+#[derive(Clone, Debug)]
+pub struct PointMark {
+    /// Where.
+    pub at: (f64, f64),
+    /// What is written beside it, in plain text; nothing where it is empty.
+    pub label: String,
+    /// The name of its kind in the legend; none where it is empty.
+    pub series: String,
+    /// Colour.
+    pub ink: Ink,
+    /// Whether it is a dot; else a ring.
+    pub filled: bool,
+}
+
+impl PointMark {
+    /// A black dot.
+    pub fn dot(at: (f64, f64), label: impl Into<String>) -> Self {
+        PointMark { at, label: label.into(), series: String::new(), ink: Ink::Black, filled: true }
+    }
+
+    /// A black ring: exact zeros, and points that are only compared with.
+    pub fn ring(at: (f64, f64), label: impl Into<String>) -> Self {
+        PointMark { filled: false, ..PointMark::dot(at, label) }
+    }
+
+    /// The same mark with a name of its kind in the legend.
+    pub fn of(self, series: impl Into<String>) -> Self {
+        PointMark { series: series.into(), ..self }
+    }
+
+    fn sign(&self, figure: &mut Figure, at: Point) {
+        let fill = if self.filled { self.ink } else { Ink::Shade(0) };
+        figure.circle(at, 0.8, Stroke::solid(self.ink, 0.3), Some(fill));
+    }
+}
+
+/// A value that is marked by a line across the frame.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// The value.
+    pub at: f64,
+    /// Whether it is a value of x, and the line upright; else of y.
+    pub upright: bool,
+    /// What is written beside it; nothing where it is empty.
+    pub label: String,
+}
+
+/// Curves, marked points and marked values over two axes.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// Heading, in plain text.
+    pub title: String,
+    /// To the right.
+    pub x: Axis,
+    /// Upwards.
+    pub y: Axis,
+    /// Curves; later ones lie upon earlier ones.
+    pub curves: Vec<Curve>,
+    /// Marked points.
+    pub marks: Vec<PointMark>,
+    /// Marked values.
+    pub rules: Vec<Rule>,
+}
+
+impl Plot {
+    /// A plot with nothing in it.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Plot { title: title.into(), x, y, curves: Vec::new(), marks: Vec::new(), rules: Vec::new() }
+    }
+
+    /// The drawing, 150 mm wide and about 80 mm high: the legend stands above the frame.
+    pub fn figure(&self) -> Figure {
+        let points = || {
+            let of_curves = self.curves.iter().flat_map(|curve| &curve.points).copied();
+            of_curves.chain(self.marks.iter().map(|mark| mark.at))
+        };
+        let rules = |upright: bool| self.rules.iter().filter(move |rule| rule.upright == upright).map(|rule| rule.at);
+        let x = self.x.ruler(points().map(|point| point.0).chain(rules(true)), STEPS.0);
+        let y = self.y.ruler(points().map(|point| point.1).chain(rules(false)), STEPS.1);
+        let keys = Key::all(&self.curves, &self.marks);
+        let head = Head::new(&self.title, &keys, WIDTH);
+        let frame = Frame::new(x, y, HEIGHT, 0.0);
+        let mut figure = Figure::new(WIDTH, BELOW + HEIGHT + LABEL_ABOVE + head.height());
+        head.draw(&mut figure);
+        frame.grid(&mut figure);
+        let mut labels = Labels::new(frame.area);
+        let drawn = self.rules.iter().filter_map(|rule| Some((rule, frame.across(rule.at, rule.upright)?)));
+        let drawn: Vec<(&Rule, (Point, Point))> = drawn.collect();
+        for (_, (from, to)) in &drawn {
+            figure.line(*from, *to, Stroke { ink: Ink::Black, width: 0.25, dash: Dash::Dashed });
+            labels.avoid_path(&[*from, *to]);
+        }
+        for curve in &self.curves {
+            let run = pieces(curve.points.iter().map(|point| frame.at(*point)), &frame.area);
+            draw_pieces(&mut figure, run, curve, &mut labels);
+        }
+        frame.axes(&mut figure, &self.x.label, &self.y.label);
+        draw_marks(&mut figure, &self.marks, &frame, &mut labels);
+        for (rule, ends) in drawn.iter().filter(|(rule, _)| !rule.label.is_empty()) {
+            labels.write(&mut figure, &rule.label, &beside(rule, *ends));
+        }
+        figure
+    }
+}
+
+/// Places along a marked value, on both sides of its line.
+fn beside(rule: &Rule, (from, to): (Point, Point)) -> Vec<labels::Place> {
+    let off = if rule.upright { Point::new(1.2, 0.0) } else { Point::new(0.0, 2.2) };
+    let side = |at: Point| match rule.upright {
+        true => [(at + off, Anchor::Start), (at - off, Anchor::End)],
+        false => [(at + off, Anchor::End), (at - off, Anchor::End)],
+    };
+    [0.95, 0.85, 0.05, 0.15, 0.7, 0.3, 0.5].into_iter().flat_map(|part| side(from + (to - from) * part)).collect()
+}
+
+/// Draws the pieces of a curve; a point alone as a dot.
+fn draw_pieces(figure: &mut Figure, pieces: Vec<Vec<Point>>, curve: &Curve, labels: &mut Labels) {
+    for piece in pieces {
+        labels.avoid_path(&piece);
+        match piece[..] {
+            [] => {}
+            [only] => figure.circle(only, curve.width, Stroke::solid(curve.ink, 0.1), Some(curve.ink)),
+            _ => figure.path(piece, curve.stroke()),
+        }
+    }
+}
+
+/// Draws the marked points that lie in the frame, then their names.
+fn draw_marks(figure: &mut Figure, marks: &[PointMark], frame: &Frame, labels: &mut Labels) {
+    let placed = marks.iter().filter_map(|mark| Some((mark, frame.at(mark.at)?)));
+    let placed: Vec<(&PointMark, Point)> = placed.filter(|(_, at)| frame.area.holds(*at)).collect();
+    for (mark, at) in &placed {
+        mark.sign(figure, *at);
+        labels.avoid_sign(*at, 0.9);
+    }
+    for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
+        labels.name_point(figure, &mark.label, *at);
+    }
+}

@@ -1,0 +1,172 @@
+//! What stands in a line: words, values, symbols, formulas, a person's words?
+
+use std::borrow::Cow;
+
+use super::Unit;
+use super::number::{Amount, Bearing, Number};
+use crate::numbers::Form;
+use crate::text::Untrusted;
+
+/// What a paragraph, a cell or a caption holds.
+#[derive(Clone, Debug, Default)]
+pub struct Text {
+    pieces: Vec<Piece>,
+}
+
+/// A part of a text.
+#[derive(Clone, Debug)]
+pub enum Piece {
+    /// Words of the program, with `$formulas$` in TeX, `**bold**` and `{}` for each value.
+    Phrase(Cow<'static, str>, Vec<Text>),
+    /// Signs of the program that are no words: names in a row, an angle, a list of orders.
+    Label(String),
+    /// A person's words: nothing in them is markup.
+    Person(Untrusted),
+    /// A number.
+    Number(Number),
+    /// An exact number alone, without decimals.
+    Form(Form),
+    /// A direction.
+    Bearing(Bearing),
+    /// A decimal with its unit, to sensible figures: a unit says that it is one.
+    Quantity(f64, Unit),
+    /// A formula in TeX.
+    Formula(String),
+    /// What is typed: a command, a name of a file.
+    Code(String),
+    /// Words that lead elsewhere: a file, or `#` and the name of a heading.
+    Link(Box<Text>, String),
+}
+
+impl Text {
+    /// Words of the program with values in their places.
+    pub fn phrase(words: impl Into<Cow<'static, str>>, values: Vec<Text>) -> Self {
+        Text { pieces: vec![Piece::Phrase(words.into(), values)] }
+    }
+
+    /// Signs of the program that are no words.
+    pub fn label(text: impl Into<String>) -> Self {
+        Piece::Label(text.into()).into()
+    }
+
+    /// Exactly zero, proved.
+    pub fn zero() -> Self {
+        Piece::Number(Number::Zero).into()
+    }
+
+    /// A formula in TeX.
+    pub fn formula(tex: impl Into<String>) -> Self {
+        Piece::Formula(tex.into()).into()
+    }
+
+    /// What is typed.
+    pub fn code(text: impl Into<String>) -> Self {
+        Piece::Code(text.into()).into()
+    }
+
+    /// Words that lead elsewhere.
+    pub fn link(text: impl Into<Text>, target: impl Into<String>) -> Self {
+        Piece::Link(Box::new(text.into()), target.into()).into()
+    }
+
+    /// The parts.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// Whether nothing stands in it.
+    pub fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
+    /// Whether it says no more than that something is exactly zero.
+    pub fn is_zero(&self) -> bool {
+        self.pieces.iter().all(|piece| matches!(piece, Piece::Number(Number::Zero))) && !self.pieces.is_empty()
+    }
+
+    /// With more behind it.
+    pub fn and(mut self, more: impl Into<Text>) -> Self {
+        self.pieces.extend(more.into().pieces);
+        self
+    }
+
+    /// Texts with the same words between them.
+    pub fn joined(texts: impl IntoIterator<Item = Text>, between: &'static str) -> Self {
+        let mut out = Text::default();
+        for text in texts {
+            if !out.is_empty() {
+                out.pieces.push(Piece::Phrase(between.into(), Vec::new()));
+            }
+            out.pieces.extend(text.pieces);
+        }
+        out
+    }
+}
+
+/// Words of the program with values: `phrase!("vanishes at {} of {}", here, there)`.
+
+macro_rules! phrase {
+    ($words:expr $(, $value:expr)* $(,)?) => {
+        $crate::page::Text::phrase($words, vec![$($crate::page::Text::from($value)),*])
+    };
+}
+
+pub(crate) use phrase;
+
+impl From<Piece> for Text {
+    fn from(piece: Piece) -> Self {
+        Text { pieces: vec![piece] }
+    }
+}
+
+impl From<&'static str> for Text {
+    fn from(words: &'static str) -> Self {
+        match words.is_empty() {
+            true => Text::default(),
+            false => Text::phrase(words, Vec::new()),
+        }
+    }
+}
+
+/// Signs that are no words.
+impl From<String> for Text {
+    fn from(label: String) -> Self {
+        Text::label(label)
+    }
+}
+
+impl From<u32> for Text {
+    fn from(number: u32) -> Self {
+        Text::label(number.to_string())
+    }
+}
+
+impl From<usize> for Text {
+    fn from(number: usize) -> Self {
+        Text::label(number.to_string())
+    }
+}
+
+impl From<&Untrusted> for Text {
+    fn from(words: &Untrusted) -> Self {
+        Piece::Person(words.clone()).into()
+    }
+}
+
+impl From<Number> for Text {
+    fn from(number: Number) -> Self {
+        Piece::Number(number).into()
+    }
+}
+
+impl From<Amount> for Text {
+    fn from(amount: Amount) -> Self {
+        amount.number().into()
+    }
+}
+
+impl From<Bearing> for Text {
+    fn from(bearing: Bearing) -> Self {
+        Piece::Bearing(bearing).into()
+    }
+}

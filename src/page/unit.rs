@@ -1,0 +1,27 @@
+//! In what is a decimal counted?
+
+/// A unit: its name on a page, and in TeX.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// As plain text: `N·m`.
+    pub name: &'static str,
+    /// Inside `\mathrm{}`.
+    pub tex: &'static str,
+}
+
+impl Unit {
+    /// Newtons.
+    pub const NEWTON: Unit = Unit { name: "N", tex: "N" };
+    /// Newton metres.
+    pub const NEWTON_METRE: Unit = Unit { name: "N·m", tex: "N\\,m" };
+    /// Kilograms.
+    pub const KILOGRAM: Unit = Unit { name: "kg", tex: "kg" };
+    /// Kilogram metres, of a mass at a radius.
+    pub const KILOGRAM_METRE: Unit = Unit { name: "kg·m", tex: "kg\\,m" };
+    /// Metres.
+    pub const METRE: Unit = Unit { name: "m", tex: "m" };
+    /// Degrees of crank angle.
+    pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
+    /// Parts of a hundred.
+    pub const PERCENT: Unit = Unit { name: "%", tex: "\\%" };
+}

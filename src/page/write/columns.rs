@@ -1,0 +1,128 @@
+//! How does a table fit a printed page? Columns as wide as their cells, else broken into lines, else a table after the other.
+
+use serde::Serialize;
+
+/// A table whose cells are finished strings, and how long they are.
+#[derive(Serialize)]
+pub(super) struct Cells {
+    pub header: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+    /// Which cells of the rows are no more than a proved zero.
+    #[serde(skip)]
+    pub zeros: Vec<Vec<bool>>,
+    /// Of the header, then of each row.
+    #[serde(skip)]
+    pub letters: Vec<Vec<Letters>>,
+}
+
+/// How long a cell is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Letters {
+    /// On one line.
+    all: usize,
+    /// Of what no line is broken at.
+    longest: usize,
+}
+
+impl Letters {
+    /// Of a text in which only spaces break lines.
+    pub fn of(text: &str) -> Self {
+        Letters {
+            all: text.chars().count(),
+            longest: text.split(' ').map(|word| word.chars().count()).max().unwrap_or(0),
+        }
+    }
+}
+
+/// A table that fits, for a template of LaTeX.
+#[derive(Serialize)]
+pub(super) struct Part<'a> {
+    /// The columns, as `longtable` takes them.
+    columns: String,
+    /// The size of the letters.
+    size: &'static str,
+    header: Vec<&'a str>,
+    rows: Vec<Vec<&'a str>>,
+}
+
+/// A size of letters, with how many of them stand on a line.
+struct Size {
+    name: &'static str,
+    capacity: usize,
+}
+
+const SMALL: Size = Size { name: "\\small", capacity: 84 };
+const SMALLER: Size = Size { name: "\\footnotesize", capacity: 94 };
+const SMALLEST: Size = Size { name: "\\scriptsize", capacity: 106 };
+
+/// Width of the text in millimetres.
+const TEXT_WIDTH: f64 = 166.0;
+/// Letters that the space between two columns takes.
+const GAP: usize = 3;
+
+impl Cells {
+    /// The table in parts that fit beside the first column, which each part repeats.
+    pub fn parts(&self) -> Vec<Part<'_>> {
+        let all: Vec<usize> = (0..self.header.len()).collect();
+        if let Some(part) = self.part(&all) {
+            return vec![part];
+        }
+        let mut parts = Vec::new();
+        let mut rest = &all[1..];
+        while !rest.is_empty() {
+            let with_first = |count: usize| [&all[..1], &rest[..count]].concat();
+            let fitting = (1..=rest.len()).rev().find(|&count| self.part(&with_first(count)).is_some());
+            let count = fitting.unwrap_or(1);
+            let columns = with_first(count);
+            parts.push(self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns))));
+            rest = &rest[count..];
+        }
+        parts
+    }
+
+    /// Some columns in the largest letters in which they fit.
+    fn part(&self, columns: &[usize]) -> Option<Part<'_>> {
+        let natural = self.natural(columns);
+        let least = self.widest(columns, |letters| letters.longest);
+        let room = |size: &Size| size.capacity.saturating_sub(GAP * columns.len());
+        let whole = [&SMALL, &SMALLER].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
+        if let Some(size) = whole {
+            return Some(self.set(columns, size, &natural));
+        }
+        let broken = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| least.iter().sum::<usize>() <= room(size));
+        broken.map(|size| self.set(columns, size, &shared(&natural, &least, room(size))))
+    }
+
+    fn natural(&self, columns: &[usize]) -> Vec<usize> {
+        self.widest(columns, |letters| letters.all)
+    }
+
+    fn widest(&self, columns: &[usize], of: fn(&Letters) -> usize) -> Vec<usize> {
+        let widest = |&column: &usize| self.letters.iter().map(|row| of(&row[column])).max().unwrap_or(0).max(1);
+        columns.iter().map(widest).collect()
+    }
+
+    fn set(&self, columns: &[usize], size: &Size, widths: &[usize]) -> Part<'_> {
+        let natural = self.natural(columns);
+        let millimetres = TEXT_WIDTH / size.capacity as f64;
+        let column = |(width, natural): (&usize, &usize)| match width < natural {
+            false => "l".to_owned(),
+            true => format!(">{{\\raggedright\\arraybackslash}}p{{{:.1}mm}}", *width as f64 * millimetres),
+        };
+        Part {
+            columns: widths.iter().zip(&natural).map(column).collect(),
+            size: size.name,
+            header: columns.iter().map(|&at| self.header[at].as_str()).collect(),
+            rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
+        }
+    }
+}
+
+/// The room shared out: what is narrow stays whole, the rest is broken at one width, none below its longest word.
+fn shared(natural: &[usize], least: &[usize], room: usize) -> Vec<usize> {
+    let at = |level: usize| -> Vec<usize> {
+        natural.iter().zip(least).map(|(&natural, &least)| natural.min(level.max(least))).collect()
+    };
+    let level = (1..=room).rev().find(|&level| at(level).iter().sum::<usize>() <= room).unwrap_or(1);
+    at(level)
+}

@@ -1,0 +1,74 @@
+//! Which signs does HTML use? Formulas as MathML, pictures as SVG inside the page.
+
+use pulldown_latex::config::DisplayMode;
+use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
+
+use super::super::block::Picture;
+use super::super::svg::svg;
+use super::{File, Writer, templates};
+use crate::text::{self, Format, Untrusted};
+
+/// One page for a browser, with nothing beside it.
+pub(super) struct Html;
+
+impl Writer for Html {
+    fn ending(&self) -> &'static str {
+        "html"
+    }
+
+    fn templates(&self) -> &'static templates::Set {
+        &templates::HTML
+    }
+
+    fn words(&self, words: &str) -> String {
+        text::xml(words)
+    }
+
+    fn person(&self, words: &Untrusted) -> String {
+        text::xml(&words.escaped(Format::Plain))
+    }
+
+    fn formula(&self, tex: &str) -> String {
+        mathml(tex, DisplayMode::Inline)
+    }
+
+    fn display(&self, tex: &str, number: Option<u32>) -> String {
+        let number = number.map_or_else(String::new, |number| format!("<span class=\"number\">({number})</span>"));
+        format!("<span class=\"formula\">{}{number}</span>", mathml(tex, DisplayMode::Block))
+    }
+
+    fn strong(&self, inside: &str) -> String {
+        format!("<strong>{inside}</strong>")
+    }
+
+    fn zero(&self) -> String {
+        "<strong class=\"zero\">0</strong>".to_owned()
+    }
+
+    fn code(&self, text: &str) -> String {
+        format!("<code>{}</code>", text::xml(text))
+    }
+
+    fn link(&self, inside: &str, target: &str) -> String {
+        format!("<a href=\"{}\">{inside}</a>", text::xml(target))
+    }
+
+    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
+        text::harmless_lines(file.written()).lines().map(text::xml).collect()
+    }
+
+    fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>) {
+        (svg(&picture.figure, caption), None)
+    }
+}
+
+/// A formula of this program in MathML; as its TeX where the library does not know a command.
+fn mathml(tex: &str, display_mode: DisplayMode) -> String {
+    let storage = Storage::new();
+    let mut out = String::new();
+    let config = RenderConfig { display_mode, ..RenderConfig::default() };
+    match push_mathml(&mut out, Parser::new(tex, &storage), config) {
+        Ok(()) if !out.contains("<merror") => out,
+        Ok(()) | Err(_) => format!("<code>{}</code>", text::xml(tex)),
+    }
+}

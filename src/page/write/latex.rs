@@ -1,0 +1,78 @@
+//! Which signs does LaTeX use?
+
+use super::super::block::Picture;
+use super::super::tikz::tikz;
+use super::columns::Cells;
+use super::{File, Writer, templates};
+use crate::text::{self, Format, Untrusted};
+
+/// LaTeX for pdflatex.
+pub(super) struct Latex;
+
+impl Writer for Latex {
+    fn ending(&self) -> &'static str {
+        "tex"
+    }
+
+    fn templates(&self) -> &'static templates::Set {
+        &templates::LATEX
+    }
+
+    fn words(&self, words: &str) -> String {
+        text::latex(words)
+    }
+
+    fn person(&self, words: &Untrusted) -> String {
+        words.escaped(Format::Latex)
+    }
+
+    fn formula(&self, tex: &str) -> String {
+        format!("${tex}$")
+    }
+
+    fn display(&self, tex: &str, number: Option<u32>) -> String {
+        let tag = number.map_or_else(String::new, |number| format!(" \\tag{{{number}}}"));
+        format!("\\[\n{tex}{tag}\n\\]")
+    }
+
+    fn strong(&self, inside: &str) -> String {
+        format!("\\textbf{{{inside}}}")
+    }
+
+    fn code(&self, text: &str) -> String {
+        format!("\\texttt{{{}}}", text::latex(text))
+    }
+
+    /// In print a file leads nowhere.
+    fn link(&self, inside: &str, _target: &str) -> String {
+        inside.to_owned()
+    }
+
+    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
+        let text = text::harmless_lines(file.written()).replace('\t', "    ");
+        text.lines().map(line).collect()
+    }
+
+    fn picture(&self, picture: &Picture, _caption: &str) -> (String, Option<File>) {
+        (tikz(&picture.figure), None)
+    }
+
+    fn table(&self, cells: &Cells) -> Option<String> {
+        let parts = cells.parts();
+        Some(parts.iter().map(|part| templates::fill(self.templates(), "table", part)).collect())
+    }
+
+    fn folds_at_end(&self) -> bool {
+        true
+    }
+}
+
+/// A line of a file, spaces and quotes as they stand.
+fn line(line: &str) -> String {
+    if line.is_empty() {
+        return "~".to_owned();
+    }
+    let begin = line.len() - line.trim_start().len();
+    let quotes: Vec<String> = line[begin..].split('"').map(text::latex).collect();
+    format!("{}{}", "~".repeat(begin), quotes.join("\\textquotedbl{}").replace("  ", "~~"))
+}

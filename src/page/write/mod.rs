@@ -1,0 +1,137 @@
+//! How does a document become files? A composer walks its blocks; a writer per format knows the signs.
+
+mod columns;
+mod compose;
+mod html;
+mod latex;
+mod markdown;
+mod templates;
+mod terminal;
+mod tex;
+
+use super::block::{Document, Picture};
+use super::text::Text;
+use compose::Composer;
+
+/// A file to be written: its name inside the folder, and its text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Name inside the folder.
+    pub name: String,
+    /// What it holds.
+    pub text: String,
+}
+
+/// What a document is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Markdown, with pictures beside it.
+    Markdown(Math),
+    /// LaTeX for pdflatex, pictures inside.
+    Latex,
+    /// One page for a browser, pictures inside.
+    Html,
+    /// Plain text of so many columns, in colours or not, without pictures.
+    Terminal {
+        /// Columns of the terminal.
+        width: usize,
+        /// Whether colours are wanted.
+        colour: bool,
+    },
+}
+
+/// How formulas are marked in Markdown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Math {
+    /// As `` $`…`$ ``, which code-hosting pages render.
+    Github,
+    /// As `$…$`, which pandoc, Quarto and Jupyter read.
+    Dollars,
+}
+
+impl Format {
+    /// Markdown for code-hosting pages.
+    pub const GITHUB: Format = Format::Markdown(Math::Github);
+    /// Plain text of 80 columns.
+    pub const PLAIN: Format = Format::Terminal { width: 80, colour: false };
+
+    /// What knows the signs of the format.
+    fn writer(self) -> Box<dyn Writer> {
+        match self {
+            Format::Markdown(math) => Box::new(markdown::Markdown { math }),
+            Format::Latex => Box::new(latex::Latex),
+            Format::Html => Box::new(html::Html),
+            Format::Terminal { width, colour } => Box::new(terminal::Terminal { width, colour, unbroken: false }),
+        }
+    }
+}
+
+/// What a person may choose of a page beside its format.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Whether LaTeX is a piece for a document that is there, without a preamble.
+    pub fragment: bool,
+    /// What is said of the program at the foot of the page.
+    pub stamp: Option<String>,
+}
+
+/// The files of a document: the main one first.
+pub fn write(document: &Document, format: Format, options: &Options) -> Vec<File> {
+    let writer = format.writer();
+    let mut composer = Composer::new(writer.as_ref(), options);
+    let text = composer.document(document);
+    let main = File { name: format!("{}.{}", document.name, writer.ending()), text };
+    [main].into_iter().chain(composer.files).collect()
+}
+
+/// A text by itself in a format.
+pub fn text_in(text: &Text, format: Format) -> String {
+    let writer = format.writer();
+    Composer::new(writer.as_ref(), &Options::default()).text(text)
+}
+
+/// What a format has to know: its signs, and where its templates are.
+trait Writer {
+    /// The ending of its files.
+    fn ending(&self) -> &'static str;
+    /// Its templates.
+    fn templates(&self) -> &'static templates::Set;
+    /// Plain words of the program.
+    fn words(&self, words: &str) -> String;
+    /// A person's words: nothing in them is markup.
+    fn person(&self, words: &crate::text::Untrusted) -> String;
+    /// A formula in the line, in TeX.
+    fn formula(&self, tex: &str) -> String;
+    /// What is exact, in TeX and as plain text.
+    fn exact(&self, tex: &str, _plain: &str) -> String {
+        self.formula(tex)
+    }
+    /// A formula on a line of its own.
+    fn display(&self, tex: &str, number: Option<u32>) -> String;
+    /// Bold.
+    fn strong(&self, inside: &str) -> String;
+    /// Exactly zero, proved.
+    fn zero(&self) -> String {
+        self.strong("0")
+    }
+    /// What is typed.
+    fn code(&self, text: &str) -> String;
+    /// Words that lead to a file, or to `#` and the name of a heading.
+    fn link(&self, inside: &str, target: &str) -> String;
+    /// The lines of a person's file.
+    fn verbatim(&self, file: &crate::text::Untrusted) -> Vec<String>;
+    /// A picture: what stands in the text, and the file beside it if there is one.
+    fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>);
+    /// A table whole, where templates cannot set it.
+    fn table(&self, _table: &columns::Cells) -> Option<String> {
+        None
+    }
+    /// A paragraph, broken into lines where the format does not do so itself.
+    fn paragraph(&self, text: String) -> String {
+        text
+    }
+    /// Whether what is folded stands at the end.
+    fn folds_at_end(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,126 @@
+//! Which signs does a terminal show? Plain text in lines that fit, tables ruled under their head, zeros in colour where there are colours.
+
+use comfy_table::{Cell, Color, ContentArrangement, LineStyle, Table, TableStyle};
+
+use super::super::block::Picture;
+use super::columns::Cells;
+use super::{File, Writer, templates, tex};
+use crate::text::{self, Format, Untrusted};
+
+/// Plain text of so many columns.
+pub(super) struct Terminal {
+    pub width: usize,
+    pub colour: bool,
+    /// Whether formulas hold together as one word: for measuring.
+    pub unbroken: bool,
+}
+
+impl Terminal {
+    fn joined(&self, formula: String) -> String {
+        if self.unbroken { formula.replace(' ', "\u{a0}") } else { formula }
+    }
+}
+
+impl Writer for Terminal {
+    fn ending(&self) -> &'static str {
+        "txt"
+    }
+
+    fn templates(&self) -> &'static templates::Set {
+        &templates::TERMINAL
+    }
+
+    fn words(&self, words: &str) -> String {
+        words.to_owned()
+    }
+
+    fn person(&self, words: &Untrusted) -> String {
+        words.escaped(Format::Plain)
+    }
+
+    fn formula(&self, formula: &str) -> String {
+        self.joined(tex::plain(formula))
+    }
+
+    fn exact(&self, _tex: &str, plain: &str) -> String {
+        self.joined(plain.to_owned())
+    }
+
+    fn display(&self, formula: &str, number: Option<u32>) -> String {
+        let number = number.map_or_else(String::new, |number| format!("  ({number})"));
+        format!("    {}{number}", tex::plain(formula))
+    }
+
+    fn strong(&self, inside: &str) -> String {
+        inside.to_owned()
+    }
+
+    fn code(&self, text: &str) -> String {
+        text.to_owned()
+    }
+
+    fn link(&self, inside: &str, _target: &str) -> String {
+        inside.to_owned()
+    }
+
+    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
+        text::harmless_lines(file.written()).lines().map(str::to_owned).collect()
+    }
+
+    fn picture(&self, _picture: &Picture, _caption: &str) -> (String, Option<File>) {
+        (String::new(), None)
+    }
+
+    fn table(&self, cells: &Cells) -> Option<String> {
+        let mut table = Table::new();
+        table.load_style(RULE_UNDER_HEAD).set_content_arrangement(ContentArrangement::Dynamic);
+        table.set_width(u16::try_from(self.width).unwrap_or(u16::MAX));
+        table.set_header(&cells.header);
+        for (row, zeros) in cells.rows.iter().zip(&cells.zeros) {
+            table.add_row(row.iter().zip(zeros).map(|(text, is_zero)| match *is_zero && self.colour {
+                true => Cell::new(text).fg(Color::Green),
+                false => Cell::new(text),
+            }));
+        }
+        // The space behind a word has no colour, so that it can be cut off.
+        table.style_text_only();
+        if self.colour {
+            table.enforce_styling();
+        } else {
+            table.force_no_tty();
+        }
+        let lines = table.lines().map(|line| line.trim_end().to_owned());
+        Some(lines.collect::<Vec<_>>().join("\n") + "\n\n")
+    }
+
+    fn paragraph(&self, text: String) -> String {
+        wrapped(&text, self.width)
+    }
+}
+
+/// No rule but one under the head.
+const RULE_UNDER_HEAD: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
+
+/// Lines of at most so many letters, broken at spaces.
+fn wrapped(text: &str, width: usize) -> String {
+    let mut out = String::new();
+    for (index, line) in text.split('\n').enumerate() {
+        out.push_str(if index > 0 { "\n" } else { "" });
+        let begin = line.len() - line.trim_start().len();
+        let mut length = begin;
+        out.push_str(&line[..begin]);
+        for (index, word) in line.split_whitespace().enumerate() {
+            let letters = word.chars().count();
+            if index > 0 && length + 1 + letters > width {
+                out.push('\n');
+                length = 0;
+            } else if index > 0 {
+                out.push(' ');
+                length += 1;
+            }
+            out.push_str(word);
+            length += letters;
+        }
+    }
+    out
+}
