@@ -53,6 +53,7 @@ pub use engine_page::{Contents, engine_answer, engine_page};
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use folder::{File, index};
 pub use loads_document::{LoadsDocument, loads_document};
+pub use multiples::{Column, multiples};
 pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
@@ -63,4 +64,5 @@ pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
 };
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
+pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};

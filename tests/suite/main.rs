@@ -21,6 +21,7 @@ mod document_mutations;
 mod documents_verify;
 mod examples;
 mod families;
+mod figures;
 mod firmness;
 mod fuzzed;
 mod grigoryev;
