@@ -29,6 +29,7 @@ mod page;
 mod remedy;
 mod render;
 mod residual;
+mod search;
 mod star;
 mod sweep;
 mod table;
@@ -65,4 +66,5 @@ pub use residual::{
     AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
     whole_summary, whose_masses, why_not,
 };
-pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
+pub use search::{search_answer, search_page};
+pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};

@@ -18,8 +18,6 @@ const COMPARE: &str = include_str!("../../templates/compare.md");
 const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 #[cfg(feature = "optimise")]
 const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
-const SWEEP: &str = include_str!("../../templates/sweep.md");
-const STUDY: &str = include_str!("../../templates/study.md");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -74,16 +72,6 @@ pub(super) fn optimise(page: &impl Serialize) -> String {
 #[cfg(feature = "optimise")]
 pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
     fill(OPTIMISE_SUMMARY, summary, false)
-}
-
-/// Fills the template of a page of a sweep.
-pub(super) fn sweep(page: &impl Serialize) -> String {
-    fill(SWEEP, page, false)
-}
-
-/// Fills the template of the page of a study.
-pub(super) fn study(page: &impl Serialize) -> String {
-    fill(STUDY, page, false)
 }
 
 /// Fills the template of the index of all reports.

@@ -2,17 +2,11 @@
 
 use super::super::figure::Figure;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
-use super::words::{axis, exact, float, quantity_name, unit};
+use super::amounts::axis_unit;
+use super::words::{axis, exact, float, quantity_name};
+use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
 use crate::sweep::{Amplitudes, Sweep, SweptEngine, ZeroSet, Zeros};
-use crate::text::Format;
-
-/// A drawing with its name and what it shows.
-pub(super) struct Drawn {
-    pub name: String,
-    pub caption: String,
-    pub figure: Figure,
-}
 
 /// One of the amplitudes of an order.
 pub(super) type Amplitude = fn(&Amplitudes) -> f64;
@@ -21,7 +15,7 @@ pub(super) type Amplitude = fn(&Amplitudes) -> f64;
 const MOST_MARKS: usize = 60;
 
 /// One drawing for each order of force and moment that is not zero at every point.
-pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
+pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
     let mut drawn = Vec::new();
     for quantity in [Quantity::Force, Quantity::Moment] {
         for (place, &order) in sweep.orders.iter().enumerate() {
@@ -30,19 +24,42 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
                 continue;
             }
             let name = format!("{}-{order}", quantity_name(quantity));
-            let heading = format!(
-                "{}, order {order}: {} of order {order}",
-                sweep.title.escaped(Format::Plain),
-                quantity_name(quantity)
-            );
             let figure = match sweep.parameters.len() {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
             };
-            drawn.push(Drawn { name, caption: heading, figure });
+            drawn.push(Picture { name, caption: caption(sweep, quantity, order), figure });
         }
     }
     drawn
+}
+
+/// What a reader sees in a drawing.
+fn caption(sweep: &Sweep, quantity: Quantity, order: u32) -> Text {
+    match (sweep.parameters.len(), quantity == Quantity::Moment, sweep.zeros.is_some()) {
+        (1, false, true) => phrase!(
+            "Force of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
+            order
+        ),
+        (1, true, true) => phrase!(
+            "Moment of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
+            order
+        ),
+        (1, false, false) => {
+            phrase!("Force of order {}. Rings mark values at which a part is proved to be zero.", order)
+        }
+        (1, true, false) => {
+            phrase!("Moment of order {}. Rings mark values at which a part is proved to be zero.", order)
+        }
+        (_, false, _) => phrase!(
+            "Largest force of order {} over both values. Rings mark points at which it is proved to be zero.",
+            order
+        ),
+        (_, true, _) => phrase!(
+            "Largest moment of order {} over both values. Rings mark points at which it is proved to be zero.",
+            order
+        ),
+    }
 }
 
 pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) -> Option<&Amplitudes> {
@@ -52,7 +69,7 @@ pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) 
 
 fn value_axis(sweep: &Sweep, quantity: Quantity) -> Axis {
     let name = if quantity == Quantity::Moment { "Moment" } else { "Force" };
-    Axis::linear(format!("{name} in {}", unit(sweep, quantity)))
+    Axis::linear(format!("{name} in {}", axis_unit(sweep, quantity)))
 }
 
 fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
