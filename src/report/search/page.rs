@@ -10,9 +10,9 @@ use crate::text::Untrusted;
 /// So many stars are drawn.
 const MOST_DRAWN: usize = 3;
 
-const MOMENTS: &str = "Moments are about the mid-plane of the engine, in multiples of $m r \\omega^2 c_k a$: m the reciprocating mass of a cylinder, r the crank \
-    radius, ω the speed of the crank, $c_k$ the coefficient of order k, a the spacing of neighbouring throws.";
-const OF_VEES: &str = "Direct and reverse are the two vectors of a moment, which turn with the crank and against it: the largest moment is half the sum of \
+const MOMENTS: &str = "Moments are about the mid-plane of the engine, in multiples of $m r \\omega^2 c_k a$: $m$ the reciprocating mass of a cylinder, $r$ the crank \
+    radius, $\\omega$ the speed of the crank, $c_k$ the coefficient of order k, $a$ the spacing of neighbouring throws.";
+const OF_VEES: &str = "$C_k^+$ and $C_k^-$ are the direct and the reverse vector of the moment of order k, which turn with the crank and against it: the largest moment is half the sum of \
     their lengths.";
 const EQUAL: &str =
     "Equal stars: how many share these values, counting stars that differ by rotation, mirror or reversal as one.";

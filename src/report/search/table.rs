@@ -26,8 +26,8 @@ pub(super) fn stars(front: &Front) -> Table {
 fn heading(moment: &Moment) -> Text {
     match moment.sense {
         None => phrase!("Moment of order {}", moment.order),
-        Some(Sense::Direct) => phrase!("Direct, order {}", moment.order),
-        Some(Sense::Reverse) => phrase!("Reverse, order {}", moment.order),
+        Some(Sense::Direct) => Text::formula(format!("C_{{{}}}^+", moment.order)),
+        Some(Sense::Reverse) => Text::formula(format!("C_{{{}}}^-", moment.order)),
     }
 }
 
@@ -39,15 +39,15 @@ fn amount(moment: &Moment) -> Text {
     }
 }
 
-/// The moments of a star in a row; none where all of them vanish.
+/// The moments that a star leaves, in a row; none where all of them vanish.
 pub(super) fn left(star: &FoundStar) -> Option<Text> {
     let told = |moment: &Moment| match moment.sense {
         None => phrase!("{} of order {}", amount(moment), moment.order),
         Some(Sense::Direct) => phrase!("{} direct of order {}", amount(moment), moment.order),
         Some(Sense::Reverse) => phrase!("{} reverse of order {}", amount(moment), moment.order),
     };
-    let is_left = star.moments.iter().any(|moment| !moment.sum.vanishes());
-    is_left.then(|| Text::joined(star.moments.iter().map(told), ", "))
+    let left = Text::joined(star.moments.iter().filter(|moment| !moment.sum.vanishes()).map(told), ", ");
+    (!left.is_empty()).then_some(left)
 }
 
 /// `1-5-3-4-2-6`.

@@ -79,13 +79,12 @@ pub(super) fn value(parameter: &Parameter, at: &BigRational, is_angle: bool) -> 
 
 /// The values of a point: that of the only parameter, or both with their names.
 pub(super) fn place(sweep: &Sweep, point: &SweptEngine) -> Text {
-    let is_angle = sweep.zeros.is_some();
     let named = sweep.parameters.len() > 1;
-    let values = sweep.parameters.iter().zip(&point.values).map(|(parameter, at)| match named {
+    let values = sweep.axes().zip(&point.values).map(|((parameter, is_angle), at)| match named {
         true => phrase!("{} {}", parameter.label.clone(), value(parameter, at, is_angle)),
         false => value(parameter, at, is_angle),
     });
-    Text::joined(values, ", ")
+    Text::joined(values, " with ")
 }
 
 /// The values of a point in a table.
@@ -93,7 +92,7 @@ pub(super) fn place_cells(point: &SweptEngine) -> impl Iterator<Item = Text> {
     point.values.iter().map(|at| number::number(at).into())
 }
 
-/// The heading above the values of a parameter: `bank angle in °`.
-pub(super) fn axis_name(sweep: &Sweep, parameter: &Parameter) -> Text {
-    words::axis(parameter, sweep.zeros.is_some()).into()
+/// The headings above the values of the parameters: `bank angle in °`.
+pub(super) fn place_headings(sweep: &Sweep) -> impl Iterator<Item = Text> {
+    sweep.axes().map(|(parameter, is_angle)| words::axis(parameter, is_angle).into())
 }

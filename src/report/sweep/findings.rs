@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::amounts::{place, value, with_unit};
+use super::amounts::{in_newtons, place, size, value, with_unit};
 use super::plots::amplitudes;
 use crate::page::{Text, phrase};
 use crate::proof::Quantity;
@@ -103,11 +103,14 @@ impl Finding<'_> {
     /// In a sentence.
     pub fn sentence(&self, sweep: &Sweep) -> Text {
         let name = self.name();
-        let [most, least] = [&self.greatest, &self.least].map(|of| with_unit(sweep, self.quantity, of.amplitude));
-        let [at_most, at_least] = [&self.greatest, &self.least].map(|of| of.places(sweep));
-        let exact = |at: &[BigRational]| {
-            listed(at.iter().map(|at| value(&sweep.parameters[0], at, sweep.zeros.is_some())).collect())
+        let most = with_unit(sweep, self.quantity, self.greatest.amplitude);
+        // The same unit stands behind the greatest.
+        let least = match in_newtons(sweep) {
+            true => with_unit(sweep, self.quantity, self.least.amplitude),
+            false => size(self.least.amplitude),
         };
+        let [at_most, at_least] = [&self.greatest, &self.least].map(|of| of.places(sweep));
+        let exact = |at: &[BigRational]| listed(at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());
         match self.set {
             _ if self.greatest.is_everywhere(sweep) && self.least.is_everywhere(sweep) => {
                 phrase!("**{}:** {} at every value.", name, most)

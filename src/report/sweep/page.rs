@@ -24,8 +24,7 @@ const PARTS: &str = "Direct and reverse are the two vectors of an order, which t
 const SIZES: &str =
     "All amplitudes are from zero to peak. Largest and smallest: the greatest and the least length in a revolution.";
 const EXACT: &str = "Zeros are decided exactly; amplitudes are decimals.";
-const MULTIPLES: &str =
-    "m is the reciprocating mass of a cylinder, r the crank radius, ω the speed of the crank in radians a second.";
+const MULTIPLES: &str = "$m$ is the reciprocating mass of a cylinder, $r$ the crank radius, $\\omega$ the speed of the crank in radians a second.";
 const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout names no rod.";
 const SPACING: &str = "$a$ is the spacing of neighbouring cylinders, which the layout does not give as a length.";
 const COUNTERWEIGHTS: &str = "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the \
@@ -94,13 +93,13 @@ fn title(sweep: &Sweep) -> Text {
 
 /// What runs from where to where.
 fn swept(sweep: &Sweep) -> Text {
-    let range = |parameter: &Parameter| {
-        let show = |at| value(parameter, at, sweep.zeros.is_some());
+    let range = |(parameter, is_angle): (&Parameter, bool)| {
+        let show = |at| value(parameter, at, is_angle);
         let key = Text::code(parameter.key.to_string());
         let range = &parameter.range;
         phrase!("{} from {} to {}, {} values", key, show(&range.value(0)), show(&range.last()), range.count())
     };
-    let ranges = Text::joined(sweep.parameters.iter().map(range), "; ");
+    let ranges = Text::joined(sweep.axes().map(range), "; ");
     let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| unit(sweep, quantity));
     phrase!("Swept: {}. Forces are in {}, moments in {}.", ranges, force, moment)
 }

@@ -145,13 +145,14 @@ fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<PointMark>
 
 fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let [slow, fast] = [&sweep.parameters[0], &sweep.parameters[1]];
+    let is_angle = [0, 1].map(|index| sweep.angles.get(index).copied().unwrap_or(false));
     let columns = fast.range.count();
-    let around = |parameter: &crate::sweep::Parameter| {
+    let around = |parameter: &crate::sweep::Parameter, is_angle: bool| {
         // Cells reach half a step beyond the outer values.
         let (first, last) = (float(&parameter.range.value(0)), float(&parameter.range.last()));
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
-        Axis::linear(axis(parameter, false)).within(first - half, last + half)
+        Axis::linear(axis(parameter, is_angle)).within(first - half, last + half)
     };
     let largest = |point: &SweptEngine| amplitudes(point, place, quantity).map_or(f64::NAN, |a| a.largest.value);
     let mut rows: Vec<Vec<f64>> = sweep.points.chunks(columns).map(|row| row.iter().map(largest).collect()).collect();
@@ -173,8 +174,8 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     }
     let map = Map {
         title: format!("Order {order}: largest {}", quantity_name(quantity)),
-        x: around(fast),
-        y: around(slow),
+        x: around(fast, is_angle[1]),
+        y: around(slow, is_angle[0]),
         value: value_axis(sweep, quantity),
         rows,
         curves: Vec::new(),

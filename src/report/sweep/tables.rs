@@ -1,6 +1,6 @@
 //! Which tables show a sweep? Where each vector vanishes, the least and the greatest values, every point.
 
-use super::amounts::{axis_name, place_cells, size, unit, value};
+use super::amounts::{place_cells, place_headings, size, unit, value};
 use super::findings::Finding;
 use super::plots::amplitudes;
 use super::words::{quantity_name, zeros_name};
@@ -9,10 +9,13 @@ use crate::page::{Block, Fold, Number, Table, Text, number, phrase};
 use crate::proof::Quantity;
 use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
-/// A row for each order and quantity: where each vector vanishes.
+/// A row for each order and quantity that does not vanish everywhere: where each vector does.
 pub(super) fn zeros(parameter: &Parameter, sets: &[ZeroSet]) -> Table {
     let mut table = Table::new(["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)));
     for of in sets.chunk_by(|a, b| (a.order, a.quantity) == (b.order, b.quantity)) {
+        if of.iter().all(|set| set.exists && set.everywhere) {
+            continue;
+        }
         let first = [of[0].order.into(), quantity_name(of[0].quantity).into()];
         table.push(first.into_iter().chain(of.iter().map(|set| zero_cell(parameter, set))).collect());
     }
@@ -85,7 +88,7 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Block> {
 
 fn of_order(sweep: &Sweep, quantity: Quantity, index: usize) -> Table {
     let names = ["largest", "smallest", "along", "across"].map(Text::from);
-    let mut table = Table::new(sweep.parameters.iter().map(|of| axis_name(sweep, of)).chain(names));
+    let mut table = Table::new(place_headings(sweep).chain(names));
     for point in &sweep.points {
         let parts = amplitudes(point, index, quantity).map(|a| [a.largest, a.smallest, a.along, a.across].map(size));
         table.push(place_cells(point).chain(parts.unwrap_or_else(|| [(); 4].map(|()| DASH.into()))).collect());
@@ -103,8 +106,7 @@ type Column = (Text, Box<dyn Fn(&SweptEngine) -> Option<Text>>);
 fn others(sweep: &Sweep) -> Table {
     let mut columns = columns(sweep);
     columns.retain(|(_, cell)| sweep.points.iter().any(|point| cell(point).is_some()));
-    let names = sweep.parameters.iter().map(|of| axis_name(sweep, of));
-    let mut table = Table::new(names.chain(columns.iter().map(|(heading, _)| heading.clone())));
+    let mut table = Table::new(place_headings(sweep).chain(columns.iter().map(|(heading, _)| heading.clone())));
     for point in &sweep.points {
         let cells = columns.iter().map(|(_, cell)| cell(point).unwrap_or_else(|| DASH.into()));
         table.push(place_cells(point).chain(cells).collect());
