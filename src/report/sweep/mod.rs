@@ -7,6 +7,7 @@ mod document;
 mod findings;
 mod page;
 mod plots;
+mod sentences;
 mod study;
 mod tables;
 mod words;

@@ -2,7 +2,8 @@
 
 use super::amounts::{counted, in_newtons, unit, value};
 use super::assumptions::assumptions;
-use super::findings::{Finding, findings, firing_sentence, gone_sentence};
+use super::findings::{Finding, findings};
+use super::sentences::{firing_sentence, gone_sentence};
 use super::{plots, tables};
 use crate::loads::Arm;
 use crate::page::{Block, Document, Text, phrase};
