@@ -74,15 +74,12 @@ impl Look {
         page::write(document, self.format(format), &Options { fragment: self.fragment, stamp })
     }
 
-    /// Prints the short answer, and writes the files into the folder where one is named.
-    pub fn show(&self, answer: &Document, files: impl FnOnce() -> Result<Vec<File>, Failure>) -> Result<(), Failure> {
-        let mut text = shown(answer);
-        if let Some(folder) = &self.output {
-            let files = files()?;
-            folder::write(folder, &files)?;
-            text += &format!("\n{}", folder::written(folder, &files));
-        }
-        write::to_stdout(&text)
+    /// Writes the files into the folder where one is named; says what was written.
+    pub fn write(&self, files: impl FnOnce() -> Result<Vec<File>, Failure>) -> Result<String, Failure> {
+        let Some(folder) = &self.output else { return Ok(String::new()) };
+        let files = files()?;
+        folder::write(folder, &files)?;
+        Ok(format!("\n{}", folder::written(folder, &files)))
     }
 
     /// Whether a folder is named.
@@ -99,7 +96,8 @@ impl Pages {
 
     /// Prints the short answer, and writes the page into the folder where one is named.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
-        self.look.show(answer, || Ok(self.files(&page())))
+        let written = self.look.write(|| Ok(self.files(&page())))?;
+        write::to_stdout(&(shown(answer) + &written))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.

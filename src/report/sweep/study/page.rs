@@ -34,8 +34,9 @@ pub fn study_page(study: &Study) -> Document {
     page.push(Block::Answer(answer(study)));
     page.push(Block::Paragraph(phrase!("Source: {}.", &study.source)));
     page.push(Block::Paragraph(WORDS.into()));
+    page.push(Block::Heading(1, "What the source says, and what is the case".into()));
     for said in &study.statements {
-        page.push(Block::Heading(1, (&said.text).into()));
+        page.push(Block::Heading(2, (&said.text).into()));
         page.push(Block::Paragraph(phrase!("**{}**", &said.conclusion)));
         page.blocks.extend(checks::checks(&said.checks, &study.source));
     }
