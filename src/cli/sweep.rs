@@ -80,7 +80,8 @@ impl Sweep {
         match self.format {
             Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
             format => {
-                self.look.show(&report::sweep_answer(&sweep), || self.files(&sweep, format.unwrap_or(Format::Markdown)))
+                let written = self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Markdown)))?;
+                write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep)) + &written))
             }
         }
     }

@@ -5,10 +5,6 @@ use tera::{Context, Delimiters, Tera};
 
 use super::dialect::Dialect;
 
-const MARKDOWN: &str = include_str!("../../templates/report.md");
-const LATEX: &str = include_str!("../../templates/report.tex");
-const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
-const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
 const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
@@ -22,22 +18,6 @@ const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
-
-/// Fills the template of a report.
-pub(super) fn report(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(LATEX, page, true),
-        _ => fill(MARKDOWN, page, false),
-    }
-}
-
-/// Fills the template of the report of a family.
-pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(OPEN_LATEX, page, true),
-        _ => fill(OPEN_MARKDOWN, page, false),
-    }
-}
 
 /// Fills the template of a page of claims.
 pub(super) fn claims(page: &impl Serialize) -> String {

@@ -20,6 +20,7 @@ mod document_limits;
 mod document_mutations;
 mod documents_verify;
 mod examples;
+mod families;
 mod firmness;
 mod fuzzed;
 mod grigoryev;
@@ -60,6 +61,7 @@ mod support {
     pub mod hard;
     pub mod imports;
     pub mod oracle;
+    pub mod pages;
     pub mod piston;
     pub mod plain_search;
     pub mod program;

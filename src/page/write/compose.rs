@@ -28,6 +28,7 @@ struct Heading {
     text: String,
     /// The name that links lead to.
     id: String,
+    number: usize,
 }
 
 #[derive(Serialize)]
@@ -101,7 +102,7 @@ impl<'a> Composer<'a> {
         match block {
             Block::Heading(level, text) => {
                 let id = self.free_id(&plain(text));
-                let heading = Heading { level: *level, text: self.text(text), id };
+                let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
@@ -206,6 +207,7 @@ impl<'a> Composer<'a> {
                 }
                 Number::Decimal(decimal) => writer.words(&number::approximate(*decimal)),
             },
+            Piece::Form(form) => writer.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
                 Some([tex, plain]) => format!("{} {}", writer.exact(&tex, &plain), writer.words(&bearing.degrees())),
                 None => writer.words(&bearing.degrees()),

@@ -7,9 +7,9 @@ use num_complex::Complex;
 use super::amounts::Unit;
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Waveform};
+use crate::page::plot::{Axis, Curve, Plot, Polar};
+use crate::page::{Picture, phrase};
 use crate::proof::Quantity;
-use crate::report::page::NamedFigure;
-use crate::report::plot::{Axis, Curve, Plot, Polar};
 
 /// Steps of a revolution in a plot.
 const STEPS: usize = 360;
@@ -17,7 +17,7 @@ const STEPS: usize = 360;
 const NOTHING: f64 = 1e-12;
 
 /// All plots of the numbers of an engine; none of what is zero.
-pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<NamedFigure> {
+pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
     let mut figures = Vec::new();
     let forces = ("force", "Force", &loads.force, Unit::of(engine, loads, Quantity::Force));
     let moments = ("moment", "Moment", &loads.moment, Unit::of(engine, loads, Quantity::Moment));
@@ -30,9 +30,9 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<NamedFig
         let drawn = [0, 1].map(|side| curves(waveform, unit, title, sides[side], parts[side]));
         let both = drawn.iter().all(Option::is_some);
         for (mark, plot) in ["along", "across"].into_iter().zip(drawn) {
-            figures.extend(plot.map(|plot| NamedFigure {
+            figures.extend(plot.map(|plot| Picture {
                 name: format!("{name}-{mark}"),
-                caption: format!("{} against the crank angle, by order and summed, zero to peak.", plot.title),
+                caption: phrase!("{} against the crank angle, by order and summed, zero to peak.", plot.title.clone()),
                 figure: plot.figure(),
             }));
         }
@@ -41,7 +41,7 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<NamedFig
     if let Some(torque) = &loads.torque {
         let unit = Unit::of(engine, loads, Quantity::Torque);
         let plot = curves(&torque.waveform, unit, "Inertia torque", "on the crankshaft", |vector| vector.re);
-        figures.extend(plot.map(|plot| NamedFigure {
+        figures.extend(plot.map(|plot| Picture {
             name: "torque".into(),
             caption:
                 "Inertia torque on the crankshaft against the crank angle, by order and summed, zero to peak.".into(),
@@ -79,7 +79,7 @@ fn curves(waveform: &Waveform, unit: Unit, title: &str, side: &str, part: fn(Com
 }
 
 /// The path of the tip of the vector, as seen from the free end.
-fn path(name: &str, title: &str, waveform: &Waveform, unit: Unit) -> NamedFigure {
+fn path(name: &str, title: &str, waveform: &Waveform, unit: Unit) -> Picture {
     let waveform = waveform.scaled(unit.factor);
     let tip = |step: usize| {
         let vector = waveform.at(step as f64 * TAU / STEPS as f64);
@@ -89,9 +89,9 @@ fn path(name: &str, title: &str, waveform: &Waveform, unit: Unit) -> NamedFigure
     let curve = Curve::new(0, "", (0..=STEPS).map(tip).collect());
     let what = if name == "force" { "the force" } else { "the moment, arm times force," };
     let polar = Polar::new(format!("Path of {what} in a revolution"), format!("{title} in {}", unit.name), vec![curve]);
-    NamedFigure {
+    Picture {
         name: format!("{name}-path"),
-        caption: format!("Path of the tip of {what} in a revolution, seen from the free end, direction 0 upwards."),
+        caption: phrase!("Path of the tip of {} in a revolution, seen from the free end, direction 0 upwards.", what),
         figure: polar.figure(),
     }
 }

@@ -45,7 +45,7 @@ pub fn search_page(front: &Front) -> Document {
         let number = index + 1;
         page.push(Block::Heading(2, phrase!("Star {}", number)));
         page.push(Block::Pictures(pictures(&front.problem, star, number)));
-        let layout = Untrusted::new(&star.layout_file(&front.problem));
+        let layout = Untrusted::new(star.layout_file(&front.problem));
         page.push(Block::Folded(Fold {
             summary: phrase!("Star {} as a layout file, which every other command reads", number),
             blocks: vec![Block::Verbatim("toml", layout)],

@@ -69,7 +69,7 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
     }
     section(&mut page, "Every point");
     match sweep.points.len() <= MOST_ROWS {
-        true => page.blocks.extend(tables::points(sweep)),
+        true => page.blocks.extend(tables::points(sweep).into_iter().map(Block::Folded)),
         false => page.push(Block::Paragraph(phrase!(
             "The {} points are in {}, which {} prints.",
             sweep.points.len(),

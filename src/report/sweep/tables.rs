@@ -61,8 +61,8 @@ fn in_unit(sweep: &Sweep, quantity: Quantity) -> Text {
 }
 
 /// Every point: a table of each order that is not zero everywhere, then of what else changes.
-pub(super) fn points(sweep: &Sweep) -> Vec<Block> {
-    let mut blocks = Vec::new();
+pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
+    let mut folds = Vec::new();
     for quantity in [Quantity::Force, Quantity::Moment] {
         let tables = sweep.orders.iter().enumerate().filter_map(|(index, &order)| {
             let has_value =
@@ -76,14 +76,14 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Block> {
             Quantity::Moment => phrase!("The moment at each of the {} points", sweep.points.len()),
             Quantity::Force | Quantity::Torque => phrase!("The force at each of the {} points", sweep.points.len()),
         };
-        blocks.extend((!tables.is_empty()).then(|| Block::Folded(Fold { summary, blocks: tables })));
+        folds.extend((!tables.is_empty()).then_some(Fold { summary, blocks: tables }));
     }
     let others = others(sweep);
     if others.header.len() > sweep.parameters.len() {
         let summary = phrase!("Firing, counterweights and size at each of the {} points", sweep.points.len());
-        blocks.push(Block::Folded(Fold { summary, blocks: vec![others.into()] }));
+        folds.push(Fold { summary, blocks: vec![others.into()] });
     }
-    blocks
+    folds
 }
 
 fn of_order(sweep: &Sweep, quantity: Quantity, index: usize) -> Table {

@@ -87,10 +87,10 @@ fn of_family(family: &Studied) -> Vec<Block> {
         blocks.push(Block::Note(PARTS.into()));
     }
     blocks.push(Block::Paragraph(phrase!("All values: {}.", Text::link(Text::label(csv.clone()), csv))));
-    blocks.push(Block::Folded(Fold {
-        summary: phrase!("{}: every point", &sweep.title),
-        blocks: tables::points(&counted(&whole)),
-    }));
+    let points = tables::points(&counted(&whole)).into_iter();
+    let points =
+        points.flat_map(|fold| [Block::Paragraph(phrase!("**{}:**", fold.summary))].into_iter().chain(fold.blocks));
+    blocks.push(Block::Folded(Fold { summary: phrase!("{}: every point", &sweep.title), blocks: points.collect() }));
     blocks
 }
 
