@@ -28,6 +28,7 @@ mod optimise;
 mod remedy;
 mod render;
 mod residual;
+mod search;
 mod star;
 mod sweep;
 mod table;
@@ -64,5 +65,6 @@ pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
 };
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
+pub use search::{search_answer, search_page};
 pub use star::{small_star, star_figure, told, torque_figure};
-pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
+pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
