@@ -13,6 +13,7 @@ use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
 use crate::numbers::Form;
+use crate::page::{Format, Math, text_in};
 
 /// When a verdict vanishes, in a few words of plain text: `0`, `never 0`, `0 at φ = 90°, 270°`, `= 2√10 (2a + b + 2c)`.
 pub fn open_summary(verdict: &OpenVerdict) -> String {
@@ -132,7 +133,8 @@ pub(super) fn argument(sum: &OpenSum) -> String {
             // The lead of the verdict says it already.
             (None, false) => String::new(),
         };
-        format!("{value}{}", argument::certificate_of(&part.sum, &part.certificate))
+        let certificate = argument::certificate_of(&part.sum, &part.certificate);
+        format!("{value}{}", text_in(&certificate, Format::Markdown(Math::Dollars)))
     };
     let mut sentences: Vec<String> = sum.parts.iter().map(one).collect();
     sentences.extend(has_open_angles.then(|| why(&sum.when)));

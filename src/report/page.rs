@@ -20,6 +20,7 @@ use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
 use crate::order::{Masses, Source};
+use crate::page::{Format, text_in};
 use crate::proof::Sense;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::verdict::{
@@ -345,22 +346,28 @@ impl Section {
         };
         let whole = star.whole.map(|order| {
             let whole = [("Force", &order.force), ("Moment", &order.moment)];
-            whole.map(|(name, whole)| dialect.prose(&residual::whole_sentence(name, order.order, whole))).to_vec()
+            whole.map(|(name, whole)| dialect.text(&residual::whole_sentence(name, order.order, whole))).to_vec()
         });
         Section {
             heading: dialect.prose(&format!("Order {}", star.title)),
             table: table::vector_star(dialect, engine, order),
             stars,
             force: paragraphs(&order.force, "P"),
-            force_left: dialect.prose(&match order.exists {
-                true => residual::sentence(&order.force),
-                false => missing(order),
-            }),
+            force_left: match order.exists {
+                true => dialect.text(&residual::sentence(&order.force)),
+                false => dialect.prose(&missing(order)),
+            },
             moment: paragraphs(&order.moment, "C"),
-            moment_left: dialect.prose(&match order.exists {
-                true => moment_left(engine, order),
-                false => missing(order),
-            }),
+            moment_left: match order.exists {
+                true => {
+                    format!(
+                        "{} {}",
+                        dialect.text(&residual::sentence(&order.moment)),
+                        dialect.prose(&moment_kind(engine, order))
+                    )
+                }
+                false => dialect.prose(&missing(order)),
+            },
             whole: whole.unwrap_or_default(),
         }
     }
@@ -371,16 +378,15 @@ fn missing(order: &OrderBalance) -> String {
     format!("Whatever the sums are, order {} {DOES_NOT_EXIST}. {WHY_NOT}", order.order)
 }
 
-fn moment_left(engine: &Engine, order: &OrderBalance) -> String {
-    let kind = if order.moment_is_couple() {
+fn moment_kind(engine: &Engine, order: &OrderBalance) -> String {
+    if order.moment_is_couple() {
         "The force of this order vanishes, so the moment is a free couple: the same about every plane.".to_owned()
     } else {
         let plane = typeset::number(engine.reference_plane());
         format!(
             "The force of this order does not vanish, so the moment depends on the reference plane, here z = {plane}."
         )
-    };
-    format!("{} {kind}", residual::sentence(&order.moment).replace("P_{", "C_{"))
+    }
 }
 
 impl Paragraph {
@@ -408,8 +414,8 @@ impl Paragraph {
         };
         Paragraph {
             lead: dialect.prose(&lead),
-            proof: dialect.prose(&argument::argument(engine, verdict)),
-            certificate: dialect.prose(&argument::certificate(verdict)),
+            proof: dialect.text(&argument::argument(engine, verdict)),
+            certificate: dialect.text(&argument::certificate(verdict)),
         }
     }
 }
@@ -450,8 +456,8 @@ fn headlines(judged: &Judgement, theorem: Option<&Theorem>) -> Vec<String> {
         format!("{} of force and moment {verb}. {}", capital(&plural(&missing)), residual::why_not(judged.masses))
     });
     let survivors = theorem.map(|theorem| match theorem.masses == judged.masses {
-        true => first_survivors(theorem),
-        false => format!("Of the pistons alone: {}", first_survivors(theorem)),
+        true => text_in(&first_survivors(theorem), Format::PLAIN),
+        false => format!("Of the pistons alone: {}", text_in(&first_survivors(theorem), Format::PLAIN)),
     });
     lines.into_iter().chain(missing).chain(survivors).collect()
 }

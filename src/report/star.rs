@@ -9,10 +9,10 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::typeset;
 use crate::engine::Engine;
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::Turn;
 use crate::numbers;
 use crate::order::Source;
-use crate::proof::{Certificate, Polygon, Quantity};
+use crate::proof::{Polygon, Quantity};
 use crate::verdict::{Balance, OrderBalance, Verdict};
 
 /// The vectors of one sum as they are drawn: all of positive length, those of negative weight turned by 180°.
@@ -85,14 +85,9 @@ impl Star {
             by_angle.entry(angle).or_default().push((*source, term.weight.abs()));
         }
         let rays: Vec<Ray> = by_angle.into_iter().map(|(angle, members)| Ray { angle, members }).collect();
-        let drawn = rays.iter().map(|ray| Term { angle: ray.angle.clone(), weight: ray.total() });
-        let polygons = match verdict.vanishes().then(|| PhasorSum::new(drawn.collect()).certificate()) {
-            Some(Certificate::Polygons { polygons }) => polygons,
-            _ => Vec::new(),
-        };
         Star {
             rays,
-            polygons,
+            polygons: super::argument::polygons_shown(verdict),
             resultant: (!verdict.vanishes()).then(|| numbers::evaluate(&verdict.sum)),
             has_turned: verdict.sum.terms().iter().any(|term| term.weight.is_negative()),
         }

@@ -95,20 +95,11 @@ pub fn drawn_polygons(verdict: &Verdict) -> Vec<Polygon> {
     let Certificate::Polygons { polygons } = &verdict.certificate else { return Vec::new() };
     let drawn = verdict.sum.positive();
     let mut shown: Vec<Polygon> = Vec::new();
-    let mut left = drawn.clone();
-    for polygon in polygons {
-        let polygon = match polygon.weight.is_negative() && polygon.sides != 2 {
-            true => turned(polygon),
-            false => polygon.clone(),
-        };
-        left = left.minus(&corners(&polygon));
-        // Pairs are counted anew from what is left.
-        if polygon.sides == 2 {
-            left = left.plus(&corners(&polygon));
-        } else {
-            shown.push(polygon);
-        }
+    // Pairs are counted anew, from what is left.
+    for polygon in polygons.iter().filter(|polygon| polygon.sides != 2) {
+        shown.push(if polygon.weight.is_negative() { turned(polygon) } else { polygon.clone() });
     }
+    let left = shown.iter().fold(drawn.clone(), |left, polygon| left.minus(&corners(polygon)));
     // What is left is equal in opposite directions.
     let half = Turn::fraction(1, 2);
     let pairs = left.collected().into_iter().filter(|term| term.angle < half);
