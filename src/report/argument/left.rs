@@ -58,7 +58,10 @@ pub(super) fn component(found: &Component) -> Text {
     let Component { vectors, along, is_mirror_line, size } = found;
     let line = match is_mirror_line {
         true => {
-            phrase!("The star is its own mirror image in the line at {}, so its sum lies on that line.", angle(along))
+            phrase!(
+                "Together they are their own mirror image in the line at {}, so their sum lies on that line.",
+                angle(along)
+            )
         }
         false => phrase!("Take the components of the vectors in the direction {}.", angle(along)),
     };

@@ -69,7 +69,11 @@ fn factor(weight: &BigRational) -> Option<String> {
 /// An angle in TeX.
 fn angle_tex(turn: &BigRational) -> Option<String> {
     let text = number_tex(turn)?;
-    Some(if turn.is_integer() || !text.contains('\\') { format!("{text}^\\circ") } else { format!("({text})^\\circ") })
+    Some(if turn.is_integer() || !text.contains('\\') {
+        format!("{text}^{{\\circ}}")
+    } else {
+        format!("({text})^{{\\circ}}")
+    })
 }
 
 /// `2\,e^{i\,0°} - e^{i\,120°}`; none where it is long.

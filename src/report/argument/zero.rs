@@ -106,8 +106,7 @@ pub(super) fn polygons(engine: &Engine, verdict: &Verdict) -> Text {
 
 /// What is done with vectors of negative weight, where there are some.
 fn negative_turned(verdict: &Verdict) -> Option<Text> {
-    let has_negative = verdict.sum.terms().iter().any(|term| term.weight.is_negative());
-    has_negative.then(|| match verdict.quantity {
+    Star::new(verdict).has_turned.then(|| match verdict.quantity {
         Quantity::Moment => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
         Quantity::Force | Quantity::Torque => {
             "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
@@ -128,8 +127,14 @@ fn sentences(engine: &Engine, verdict: &Verdict) -> Vec<Text> {
     let mut sides: Vec<u64> = star.polygons.iter().map(|polygon| polygon.sides).collect();
     sides.sort_unstable();
     sides.dedup();
-    let of = |sides: u64| star.polygons.iter().filter(move |polygon| polygon.sides == sides);
-    sides.into_iter().map(|sides| sentence(engine, &star, sides, &of(sides).collect::<Vec<_>>())).collect()
+    let of = |sides: u64| {
+        let mut polygons: Vec<&Polygon> = star.polygons.iter().filter(|polygon| polygon.sides == sides).collect();
+        let first =
+            |polygon: &&Polygon| rays(&star, polygon).iter().flat_map(|ray| &ray.members).map(|one| one.0).min();
+        polygons.sort_by_key(first);
+        polygons
+    };
+    sides.into_iter().map(|sides| sentence(engine, &star, sides, &of(sides))).collect()
 }
 
 /// Whether vectors of the star, or parts of them, are the corners.
