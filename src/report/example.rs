@@ -98,14 +98,23 @@ fn picture(cylinder: &Cylinder, order: u32) -> Picture {
         let corner = Point::new(column as f64 * PANEL.0, 0.0);
         draw(&mut figure, corner, cylinder, order, &crank_angle(cylinder, order, wanted));
     }
-    let caption = phrase!(
-        "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the force \
-         (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by {}·θ from where it stands at θ = 0, \
-         the reverse vector by −{}·θ.",
-        cylinder.name.clone(),
-        order,
-        order
-    );
+    let name = cylinder.name.clone();
+    let caption = match order {
+        1 => phrase!(
+            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the \
+             force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by θ from where it \
+             stands at θ = 0, the reverse vector by −θ.",
+            name
+        ),
+        _ => phrase!(
+            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the \
+             force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by {}θ from where it \
+             stands at θ = 0, the reverse vector by −{}θ.",
+            name,
+            order,
+            order
+        ),
+    };
     Picture { name: "direct-and-reverse".to_owned(), caption, figure }
 }
 
@@ -151,7 +160,12 @@ fn draw(figure: &mut Figure, corner: Point, cylinder: &Cylinder, order: u32, cra
         figure.arrow(centre, centre + along * (REACH / 2.0), Stroke::solid(ink, 0.7));
         label(figure, centre + along * (REACH / 2.0 + 3.0), along, name);
     }
-    label(figure, tip + (tip - centre) * (3.2 / (tip - centre).norm().max(1.0)), tip - centre, "force");
+    // Beyond the tip; beside it where the axis would run through the word.
+    let outward = (tip - centre) / (tip - centre).norm().max(1.0);
+    match outward.re.abs() < 0.3 {
+        true => figure.text(tip + outward * 2.5 + Point::new(1.5, 0.0), "force", Anchor::Start),
+        false => label(figure, tip + outward * 3.2, outward, "force"),
+    }
 }
 
 /// A word beyond the tip of an arrow.
