@@ -68,11 +68,6 @@ impl Look {
         }
     }
 
-    /// Whether the page runs scripts.
-    pub fn runs_scripts(&self) -> bool {
-        self.format == Format::Html
-    }
-
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
@@ -94,6 +89,11 @@ impl Look {
 }
 
 impl Pages {
+    /// Whether the page runs scripts.
+    pub fn runs_scripts(&self) -> bool {
+        self.format == Format::Html
+    }
+
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document) -> Vec<File> {
         self.look.files(document, self.format)
