@@ -226,7 +226,7 @@ pub(crate) fn approximate(value: f64) -> String {
     format!("≈ {}", decimal(value))
 }
 
-/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`.
+/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`, `0.0715`.
 pub fn sensible(value: f64) -> String {
     let size = value.abs();
     let text = match size {
@@ -234,6 +234,9 @@ pub fn sensible(value: f64) -> String {
         _ if size >= 99.95 => format!("{value:.0}"),
         _ if size >= 9.995 => format!("{value:.1}"),
         _ if size >= 0.9995 => format!("{value:.2}"),
+        _ if size >= 0.09995 => format!("{value:.3}"),
+        _ if size >= 0.009995 => format!("{value:.4}"),
+        _ if size != 0.0 => format!("{value:.5}"),
         _ => format!("{value:.3}"),
     };
     text.replace('-', "−")

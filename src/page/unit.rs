@@ -20,6 +20,8 @@ impl Unit {
     pub const KILOGRAM_METRE: Unit = Unit { name: "kg·m", tex: "kg\\,m" };
     /// Metres.
     pub const METRE: Unit = Unit { name: "m", tex: "m" };
+    /// Millimetres.
+    pub const MILLIMETRE: Unit = Unit { name: "mm", tex: "mm" };
     /// Degrees of crank angle.
     pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
     /// Parts of a hundred.
