@@ -69,13 +69,20 @@ impl Pages {
 
     /// Prints the short answer, and writes the page into the folder where one is named.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
-        let mut text = shown(answer);
-        if let Some(folder) = &self.output {
-            let files = self.files(&page());
-            folder::write(folder, &files)?;
-            text += &format!("\n{}", folder::written(folder, &files));
-        }
-        write::to_stdout(&text)
+        let written = self.write(page, Vec::new)?;
+        write::to_stdout(&(shown(answer) + &written))
+    }
+
+    /// Writes the page with other files beside it into the folder where one is named; says what was written.
+    pub fn write(
+        &self,
+        page: impl FnOnce() -> Document,
+        beside: impl FnOnce() -> Vec<File>,
+    ) -> Result<String, Failure> {
+        let Some(folder) = &self.output else { return Ok(String::new()) };
+        let files: Vec<File> = self.files(&page()).into_iter().chain(beside()).collect();
+        folder::write(folder, &files)?;
+        Ok(format!("\n{}", folder::written(folder, &files)))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
