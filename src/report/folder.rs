@@ -6,7 +6,7 @@ use super::calculation::{self, Numbers};
 use super::dialect::Dialect;
 use super::open_page::OpenPage;
 use super::page::{Contents, NamedFigure, Page, figures, intervals, torque_stars, torque_verdicts};
-use super::remedy::remedy_figure;
+use super::remedy::alone_picture;
 use super::{render, residual};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
@@ -23,11 +23,11 @@ pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
     }
     let mut drawn = figures(subject.engine, subject.judged);
     if let Some(Ok(remedy)) = subject.remedy() {
-        let figure = remedy_figure(&remedy);
-        drawn.extend(figure.map(|(name, figure)| NamedFigure {
-            name: name.into(),
+        let picture = alone_picture(&remedy);
+        drawn.extend(picture.map(|picture| NamedFigure {
+            name: picture.name,
             caption: "Partial balance".into(),
-            figure,
+            figure: picture.figure,
         }));
     }
     let torque = torque_verdicts(subject.engine, subject.judged, numbers.as_ref());

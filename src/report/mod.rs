@@ -2,9 +2,7 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
-mod accuracy_document;
-mod accuracy_page;
-mod accuracy_words;
+mod accuracy;
 mod argument;
 mod atlas;
 mod bearings;
@@ -29,6 +27,7 @@ mod page;
 mod remedy;
 mod render;
 mod residual;
+mod sections;
 mod star;
 mod sweep;
 mod table;
@@ -37,9 +36,10 @@ mod views;
 
 use crate::page::{figure, number as typeset, plot, svg, tikz};
 
-pub use accuracy_document::{AccuracyDocument, accuracy_document};
-pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
-pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
+pub use accuracy::{
+    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
+    accuracy_section,
+};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
@@ -54,13 +54,10 @@ pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
 #[cfg(feature = "optimise")]
 pub use optimise::{
-    OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
-    optimise_summary,
+    OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
 pub use page::Contents;
-pub use remedy::{
-    remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
-};
+pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{
     AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
     whole_summary, whose_masses, why_not,

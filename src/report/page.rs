@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-use super::accuracy_page::{AccuracySection, accuracy_section};
-use super::accuracy_words::AccuracyCase;
+use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Calculation, Numbers};
 use super::dialect::Dialect;
 use super::figure::Figure;
@@ -15,7 +14,7 @@ use super::svg;
 use super::table::{self, Table};
 use super::theorem::{self, first_survivors};
 use super::views::{end_view, side_view};
-use super::{argument, firmness, residual, tikz, typeset};
+use super::{argument, firmness, residual, sections, tikz, typeset};
 use crate::engine::{Cycle, DOES_NOT_EXIST, Engine, Family, Firing, WHY_NOT};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
@@ -53,7 +52,7 @@ pub struct Page {
     every_order: theorem::Section,
     calculation: Option<Calculation>,
     remedy: Option<String>,
-    accuracy: Option<AccuracySection>,
+    accuracy: Option<String>,
     file: Vec<String>,
     fence: String,
 }
@@ -265,10 +264,10 @@ impl Page {
             every_order: theorem::Section::new(engine, &theorem, dialect),
             calculation,
             remedy: subject.remedy().map(|remedy| match remedy {
-                Ok(remedy) => remedy_section(&remedy, dialect),
+                Ok(remedy) => sections::in_dialect(remedy_section(&remedy), dialect),
                 Err(refused) => dialect.prose(&format!("No remedy: {refused}.")),
             }),
-            accuracy: accuracy.map(|case| accuracy_section(dialect, std::slice::from_ref(case))),
+            accuracy: accuracy.map(|case| sections::in_dialect(accuracy_section(std::slice::from_ref(case)), dialect)),
             file: engine.file().written().lines().map(|line| dialect.verbatim(line)).collect(),
             fence: fence(engine.file().written()),
         }

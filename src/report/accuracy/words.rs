@@ -1,199 +1,128 @@
-//! How are methods, their errors and their times told?
+//! What is said of a load? Its name, its peak, which orders are enough, how the methods work.
 
-use std::time::Duration;
+use num_traits::{ToPrimitive, Zero};
 
-use num_rational::BigRational;
-
-use super::loads_document::units;
-use super::typeset;
-use crate::accuracy::{self, Method, Row, Study};
+use super::methods;
+use super::{AccuracyCase, case};
+use crate::accuracy::Study;
 use crate::engine::Engine;
-use crate::loads;
+use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::Quantity;
-use crate::text::SUPERSCRIPTS;
 
-/// An engine at one rod ratio, with its loads by all methods.
-#[derive(Clone, Debug)]
-pub struct AccuracyCase {
-    /// The rod ratio λ; none where the rods differ.
-    pub ratio: Option<BigRational>,
-    /// Its loads.
-    pub studies: Vec<Study>,
-}
+/// How the methods work, and what the columns mean.
+pub(super) const METHODS: [&str; 5] = [
+    "Each method looks for the same peak; errors are parts of it.",
+    "**Orders** are summed in doubles. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound.",
+    "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 or 32 bits.",
+    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are sure; they are stopped at 4000 spans, and where they miss their aim their bound says by how much.",
+    "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by whatever else is guaranteed, they are the reference of the others; an error that is smaller than their own is said to be below it.",
+];
 
-impl AccuracyCase {
-    /// The loads of a layout by all methods: force, moment, torque.
-    ///
-    /// # Errors
-    /// What the layout lacks for numbers.
-    pub fn of(engine: &Engine, quantities: &[Quantity], timing: accuracy::Timing) -> Result<Self, loads::Missing> {
-        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timing));
-        let mut rods = engine.rods().map(|rod| &rod.ratio);
-        let first = rods.next().cloned();
-        let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
-        Ok(AccuracyCase { ratio, studies: studies.collect::<Result<_, _>>()? })
-    }
+pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand.";
 
-    /// `λ = 0.3`.
-    pub(super) fn label(&self) -> String {
-        let Some(ratio) = &self.ratio else { return "each its own λ".to_owned() };
-        let number = typeset::number(ratio);
-        if number.starts_with('≈') { format!("λ {number}") } else { format!("λ = {number}") }
+pub(super) const NO_TIMES: &str =
+    "Below the last place of doubles errors differ between machines; there only a bound is shown.";
+
+/// The heading of a load.
+pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
+    match study.quantity {
+        Quantity::Force => phrase!("Peak force, {}", case.label()),
+        Quantity::Moment => phrase!("Peak moment, {}", case.label()),
+        Quantity::Torque => phrase!("Peak inertia torque, {}", case.label()),
     }
 }
 
-/// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
-pub fn accuracy_rows(engine: &Engine, study: &Study) -> Vec<[String; 6]> {
-    let (unit, factor) = unit(engine, study.quantity);
-    let front = front(study);
-    let row = |(place, row): (usize, &Row)| {
-        let spans = row.looked_at.filter(|_| matches!(row.method, Method::Intervals(_)));
-        let spans = spans.map_or_else(String::new, |count| format!(", {count} spans"));
-        [
-            format!("{}{spans}", method(row.method)),
-            format!("{:.9} {unit}", Significant(row.value * factor)),
-            measured(study, row),
-            row.bound.map_or_else(String::new, power),
-            row.time.map_or_else(String::new, time),
-            if front.contains(&place) { "●".to_owned() } else { String::new() },
-        ]
-    };
-    study.rows.iter().enumerate().map(row).collect()
-}
-
-/// Headings of those rows.
-pub const HEADER: [&str; 6] = ["Method", "Peak", "Error", "Guaranteed", "Time", "Front"];
-
-/// Unit of a load, and how many of it are one multiple.
-pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
-    let scale = loads::scale(engine);
-    let units = units(engine, scale.as_ref());
-    let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);
-    match quantity {
-        Quantity::Force => (units.force, factor(loads::Scale::force)),
-        Quantity::Moment => (units.moment, factor(loads::Scale::force)),
-        Quantity::Torque => (units.torque, factor(loads::Scale::torque)),
-    }
-}
-
-/// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.
-pub(super) fn front(study: &Study) -> Vec<usize> {
-    let cost = |row: &Row| (row.time.map_or(f64::NAN, |time| time.as_secs_f64()), shown_error(study, row));
-    accuracy::front(&study.rows.iter().map(cost).collect::<Vec<_>>())
-}
-
-/// What a plot shows of a method: its bound where it is certain of the whole, else its error, no less than roundings.
-pub(super) fn shown_error(study: &Study, row: &Row) -> f64 {
-    match row.method {
-        Method::Intervals(_) | Method::Fractions => row.bound.unwrap_or(row.error),
-        Method::Orders(_) | Method::Doubles(_) => row.error.max(study.rounding),
-        Method::Singles(_) => row.error.max(study.doubt),
-    }
-}
-
-/// The name of a method.
-pub(super) fn method(method: Method) -> String {
-    match method {
-        Method::Orders(order) => format!("orders up to {order}"),
-        Method::Doubles(steps) => format!("closed form, {steps} angles, 64 bits"),
-        Method::Singles(steps) => format!("closed form, {steps} angles, 32 bits"),
-        Method::Intervals(digits) => format!("intervals to {}", power_of_ten(-i64::from(digits))),
-        Method::Fractions => "intervals of fractions".to_owned(),
-    }
-}
-
-/// The name of a load.
-pub(super) fn quantity(quantity: Quantity) -> &'static str {
+/// The name of a load in the names of files.
+pub(super) fn file_name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "force",
         Quantity::Moment => "moment",
-        Quantity::Torque => "inertia torque",
+        Quantity::Torque => "inertia-torque",
     }
 }
 
-/// A measured error in two digits; below the roundings of doubles only that it is below them.
-pub(super) fn measured(study: &Study, row: &Row) -> String {
-    match row.method {
-        Method::Fractions => String::new(),
-        _ if study.is_below_reference(row) => "below the reference's own error".to_owned(),
-        Method::Singles(_) => power(row.error),
-        _ if study.rounding.is_infinite() => "not known".to_owned(),
-        _ if row.error < study.rounding => format!("below {}", power_of_ten(study.rounding.log10().round() as i64)),
-        _ => power(row.error),
+/// What multiples of a load are multiples of.
+fn multiple(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "m r ω²",
+        Quantity::Moment => "m r ω² times the unit of the positions",
+        Quantity::Torque => "m r² ω²",
     }
 }
 
-/// Two digits: `0.41`, `4.1·10⁻⁴`.
-pub(super) fn power(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".to_owned() } else { "∞".to_owned() };
+/// That there is no peak, where there is none.
+pub(super) fn vanishing(study: &Study) -> Option<Text> {
+    if !study.rows.is_empty() {
+        return None;
     }
-    let text = format!("{value:.1e}");
-    let Some((digits, exponent)) = text.split_once('e') else { return text };
-    match exponent.parse::<i64>() {
-        Ok(0) => digits.to_owned(),
-        Ok(-1) => format!("{value:.2}"),
-        Ok(-2) => format!("{value:.3}"),
-        Ok(power) => format!("{digits}·{}", power_of_ten(power)),
-        Err(_) => text,
+    if study.peak.high.is_zero() {
+        return Some(match study.quantity {
+            Quantity::Force => "The force vanishes at every order, proved: there is no peak to compare.".into(),
+            Quantity::Moment => "The moment vanishes at every order, proved: there is no peak to compare.".into(),
+            Quantity::Torque => {
+                "The inertia torque vanishes at every order, proved: there is no peak to compare.".into()
+            }
+        });
     }
-}
-
-/// `10⁻⁴`.
-pub(super) fn power_of_ten(power: i64) -> String {
-    let digits = power.unsigned_abs().to_string();
-    let digits = digits.bytes().filter_map(|digit| SUPERSCRIPTS.get(usize::from(digit.wrapping_sub(b'0'))));
-    let minus = if power < 0 { "⁻" } else { "" };
-    format!("10{minus}{}", digits.collect::<String>())
-}
-
-/// Decimal places of the ends of a peak.
-const PLACES: u32 = 40;
-
-/// A number that is not negative with forty places, rounded down or up.
-pub(super) fn decimals(number: &BigRational, up: bool) -> String {
-    let scaled = number * BigRational::from_integer(num_bigint::BigInt::from(10).pow(PLACES));
-    let whole = if up { scaled.ceil() } else { scaled.floor() };
-    let digits = format!("{:0>width$}", whole.to_integer().to_string(), width = PLACES as usize + 1);
-    let (whole, fraction) = digits.split_at(digits.len() - PLACES as usize);
-    format!("{whole}.{fraction}")
-}
-
-/// The digits that both ends of a peak share, at most twenty places; none where they share none behind the point.
-pub(super) fn sure_digits(study: &Study) -> Option<String> {
-    let ends = [decimals(&study.peak.low, false), decimals(&study.peak.high, true)];
-    let [low, high] = &ends;
-    let shared = low.bytes().zip(high.bytes()).take_while(|(one, other)| one == other).count();
-    let point = low.find('.')?;
-    (shared > point + 1).then(|| low[..shared.min(point + 21)].to_owned())
-}
-
-fn time(time: Duration) -> String {
-    let seconds = time.as_secs_f64();
-    match seconds {
-        _ if seconds < 1e-6 => format!("{:.0} ns", seconds * 1e9),
-        _ if seconds < 1e-3 => format!("{:.3} µs", Significant(seconds * 1e6)),
-        _ if seconds < 1.0 => format!("{:.3} ms", Significant(seconds * 1e3)),
-        _ => format!("{:.3} s", Significant(seconds)),
-    }
-}
-
-/// A decimal with as many significant digits as its precision asks for.
-struct Significant(f64);
-
-impl std::fmt::Display for Significant {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let digits = f.precision().unwrap_or(6) as i32;
-        if !self.0.is_finite() {
-            return f.write_str("(overflow)");
+    let words = match study.quantity {
+        Quantity::Force => {
+            "The force vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
-        if self.0 == 0.0 {
-            return f.write_str("0");
+        Quantity::Moment => {
+            "The moment vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
-        let power = self.0.abs().log10().floor() as i32;
-        if !(-6..12).contains(&power) {
-            return write!(f, "{:.*e}", (digits - 1).max(0) as usize, self.0);
+        Quantity::Torque => {
+            "The inertia torque vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
-        write!(f, "{:.*}", (digits - 1 - power).max(0) as usize, self.0)
+    };
+    let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
+    Some(phrase!(words, methods::power(bound), multiple(study.quantity)))
+}
+
+/// The digits of a peak that are sure.
+pub(super) fn sure_digits(study: &Study) -> Option<Text> {
+    let digits = methods::sure_digits(study)?;
+    Some(phrase!("Sure digits in multiples of {}: {}…", multiple(study.quantity), digits))
+}
+
+/// What a designer wants to know of a load: its peak, the orders that are enough, the fastest method.
+pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Text {
+    if let Some(nothing) = vanishing(study) {
+        return phrase!("{}. {}", heading(case, study), nothing);
     }
+    let (unit, factor) = methods::unit(engine, study.quantity);
+    // The names of units in JSON are those of the file format.
+    let name = if unit == "N m" { Unit::NEWTON_METRE.name } else { unit };
+    let peak = study.peak.to_float() * factor;
+    let peak = phrase!("{}: {}.", heading(case, study), Piece::Quantity(peak, Unit { name, tex: name }));
+    let orders = match methods::orders_for_a_thousandth(study) {
+        Some(order) => phrase!("Orders up to {} have it within 0.1 %, guaranteed.", order),
+        None => "The orders compared here do not have it within 0.1 %.".into(),
+    };
+    let fastest = methods::fastest_within_a_thousandth(study).map(|(row, time)| {
+        phrase!("The fastest method within 0.1 % takes {}: {}.", methods::time(time), methods::name(row.method))
+    });
+    Text::joined([peak, orders].into_iter().chain(fastest), " ")
+}
+
+/// Which orders have the peak of a load within a thousandth, at each rod ratio.
+pub(super) fn orders_needed(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Text> {
+    let of_load = |place: usize| {
+        let studies = cases.iter().map(|case| (case.label(), &case.studies[place]));
+        let quantity = cases.first()?.studies[place].quantity;
+        let needed = studies.filter(|(_, study)| !study.rows.is_empty()).map(|(label, study)| {
+            match methods::orders_for_a_thousandth(study) {
+                Some(order) => phrase!("{} at {}", order, label),
+                None => phrase!("more at {}", label),
+            }
+        });
+        let needed = Text::joined(needed, ", ");
+        let words = match quantity {
+            Quantity::Force => "{}: the peak force is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::Moment => "{}: the peak moment is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::Torque => "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}.",
+        };
+        (!needed.is_empty()).then(|| phrase!(words, engine.title(), needed))
+    };
+    (0..case::loads_of(cases)).filter_map(of_load).collect()
 }

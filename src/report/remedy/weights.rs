@@ -1,124 +1,126 @@
-//! What does `remedy` show on a terminal? The weights, a row each, and what they come to.
+//! What are the weights of a remedy called, how large are they, and in which direction do they stand?
 
+use super::super::residual;
+use crate::engine::{Engine, LengthUnit};
+use crate::numbers;
+use crate::order::Factor;
+use crate::page::number::{Amount, Bearing};
+use crate::page::{Number, Piece, Table, Text, Unit, phrase};
+use crate::proof::Sense;
+use crate::remedy::{Kind, Remedy, Shaft, Weight};
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
-use super::super::calculation::Rows;
-use super::super::typeset::{decimal, number};
-use super::words;
-use crate::engine::LengthUnit;
-use crate::remedy::{Partial, Remedy};
+/// Letters of the longest closed form of a mass-radius that is shown.
+const LONGEST_FORM: usize = 24;
 
-/// A row a weight.
-pub fn remedy_rows(remedy: &Remedy) -> Rows {
+/// A row a weight; none where no weight is needed.
+pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     let in_numbers = remedy.subject.scale().is_some();
-    let metres = remedy.subject.engine().length_unit() == LengthUnit::Metre;
-    let position = if metres { "Position in m" } else { "Position" };
-    let mut header: Vec<String> =
-        ["Weight", "Turns", position, "Mass-radius U", "Angle at θ = 0"].map(str::to_owned).into();
-    header.extend(in_numbers.then(|| "U in kg·m".to_owned()));
-    let row = |part: words::Part<'_>| {
-        let weight = part.weight;
-        let mut cells = vec![
-            part.name.to_owned(),
-            words::speed(weight),
-            number(&weight.position),
-            words::size(remedy, weight),
-            words::direction(remedy, weight),
-        ];
-        cells.extend(in_numbers.then(|| {
-            weight.mass_radius(&remedy.subject).map_or_else(String::new, |size| format!("≈ {}", significant(size)))
-        }));
-        cells
+    let position = match remedy.subject.engine().length_unit() {
+        LengthUnit::Metre => "Position z in mm",
+        LengthUnit::Spacing => "Position z",
     };
-    Rows { header, rows: words::parts(remedy).into_iter().map(row).collect() }
+    let header = ["Weight", "Turns", position, "Mass × radius"].into_iter();
+    let header = header.chain(in_numbers.then_some("In kg·m")).chain(["Angle at θ = 0"]);
+    let mut table = Table::new(header);
+    let mut add = |name: Text, weight: &Weight| {
+        let in_units = in_numbers.then(|| match weight.mass_radius(&remedy.subject) {
+            Some(size) => Piece::Quantity(size, Unit::KILOGRAM_METRE).into(),
+            None => Text::default(),
+        });
+        let before = [name, turns(weight), position_of(remedy.subject.engine(), weight), size(remedy, weight)];
+        table.push(before.into_iter().chain(in_units).chain([direction(remedy, weight)]).collect());
+    };
+    remedy.bays.iter().for_each(|weight| add("counterweight by balance factor".into(), weight));
+    let on_the_crankshaft = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
+    on_the_crankshaft.for_each(|weight| add("counterweight".into(), weight));
+    for (index, shaft) in remedy.shafts.iter().enumerate() {
+        shaft.weights.iter().for_each(|weight| add(shaft_name(shaft, index + 1), weight));
+    }
+    (!table.rows.is_empty()).then_some(table)
 }
 
-/// What follows the table.
-pub fn remedy_lines(remedy: &Remedy) -> Vec<String> {
-    let mut lines = Vec::new();
-    let orders = remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-    lines.push(match (remedy.holds(), remedy.weights().is_empty()) {
-        (true, true) => format!("Nothing is left of force and moment at the orders {orders}: no weight is needed."),
-        (true, false) => format!(
-            "With these weights force and moment vanish at the orders {orders}: {} sums of the corrected engine, each proved zero.",
-            remedy.corrected.len()
-        ),
-        (false, _) => {
-            let left = remedy.corrected.iter().filter(|sum| !sum.vanishes()).count();
-            format!("{left} sums of the corrected engine do not vanish.")
+fn shaft_name(shaft: &Shaft, number: usize) -> Text {
+    match (shaft.lanchester, shaft.kind) {
+        (true, Kind::Force | Kind::Couple | Kind::ForceAndMoment) => phrase!("shaft {}, Lanchester pair", number),
+        (false, Kind::Force) => phrase!("shaft {}, one weight", number),
+        (false, Kind::Couple) => phrase!("shaft {}, couple", number),
+        (false, Kind::ForceAndMoment) => phrase!("shaft {}, two weights", number),
+    }
+}
+
+fn turns(weight: &Weight) -> Text {
+    match weight.sense {
+        Sense::Direct => phrase!("{}×, with the crank", weight.order),
+        Sense::Reverse => phrase!("{}×, against the crank", weight.order),
+    }
+}
+
+/// Along the crankshaft: in millimetres where the layout gives lengths in units, else in the unit of its positions.
+fn position_of(engine: &Engine, weight: &Weight) -> Text {
+    match engine.length_unit() {
+        LengthUnit::Metre => Number::exact(&(&weight.position * BigRational::from_integer(1000.into()))).into(),
+        LengthUnit::Spacing => Number::exact(&weight.position).into(),
+    }
+}
+
+/// Weights in a row: how large, and where.
+pub(super) fn listed(remedy: &Remedy, weights: &[Weight]) -> Text {
+    let one = |weight: &Weight| {
+        let size = in_short(remedy, weight);
+        let at = position_of(remedy.subject.engine(), weight);
+        match remedy.subject.engine().length_unit() {
+            LengthUnit::Metre => phrase!("{} at z = {} mm", size, at),
+            LengthUnit::Spacing => phrase!("{} at z = {}", size, at),
         }
-    });
-    if !remedy.shafts.is_empty() {
-        lines.push(format!(
-            "{} the least: a shaft adds to the vector of its own order and sense alone. Half-speed shafts are none of them: they turn once in two revolutions, and no inertia force of the cranks has order 1/2.",
-            if remedy.shafts.len() == 1 { "One balancer shaft is".to_owned() } else { format!("{} balancer shafts are", remedy.shafts.len()) }
-        ));
-    }
-    for height in &remedy.heights {
-        let metres = height.metres.map_or_else(String::new, |metres| format!(" ≈ {} m", significant(metres.abs())));
-        lines.push(format!(
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} r{metres} {} than the other, the pair takes the inertia torque of the order away too, not the torque of the gas; half the height takes half.",
-            height.order,
-            decimal_after(height.in_crank_radii.abs()),
-            if height.in_crank_radii < 0.0 { "lower" } else { "higher" }
-        ));
-    }
-    lines.extend(partial_line(remedy));
-    lines.extend(crankshaft_lines(remedy));
-    lines
+    };
+    Text::joined(weights.iter().map(one), ", ")
 }
 
-/// What counterweights alone can do, where the first order of the force has a reverse vector.
-fn partial_line(remedy: &Remedy) -> Option<String> {
-    let partial = Partial::new(remedy.subject.engine())?;
-    let (_, least) = partial.minimum().filter(|_| remedy.orders.contains(&1) && !partial.reverse.vanishes())?;
-    let bare = partial.ellipse(&num_traits::Zero::zero());
-    Some(format!(
-        "Counterweights alone: with the part f of the reciprocating masses balanced the first-order force peaks at ½(|1 − 2f|·|P⁺| + |P⁻|), {} m r ω² at f = 0 and least, {} m r ω², at f = ½; f and 1 − f are alike.",
-        decimal_after(bare.peak_decimal),
-        decimal_after(least.peak_decimal)
-    ))
+/// The mass-radius in kilogram-metres, else in multiples of m r.
+pub(super) fn in_short(remedy: &Remedy, weight: &Weight) -> Text {
+    match weight.mass_radius(&remedy.subject) {
+        Some(size) => Piece::Quantity(size, Unit::KILOGRAM_METRE).into(),
+        None => size(remedy, weight),
+    }
 }
 
-/// Mass, balance factors and bob weights, where the layout gives numbers.
-fn crankshaft_lines(remedy: &Remedy) -> Vec<String> {
-    let engine = remedy.subject.engine();
-    let mut lines = Vec::new();
-    if engine.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
-        let factors = engine.balance_factors();
-        let factors = factors.iter().map(|factor| factor.as_ref().map_or_else(|| "none".to_owned(), number));
-        let factors = factors.collect::<Vec<_>>().join(", ");
-        lines.push(format!("Balance factors of the throws, by the counterweights in the layout file: {factors}."));
+/// The mass-radius in multiples of m r or of m r |c_k|: `√3/4 ≈ 0.4330 m r`.
+fn size(remedy: &Remedy, weight: &Weight) -> Text {
+    // A form whose digits only repeat those of the layout's masses and lengths says nothing more than its decimals.
+    let exact = weight.modulus().filter(|form| form.to_string().chars().count() <= LONGEST_FORM);
+    let amount = |decimal: f64| Text::from(Amount { exact: exact.clone(), decimal });
+    match (weight.vector.only(), weight.decimals(&remedy.subject)) {
+        (Some((factor, sum)), _) => {
+            let amount = amount(residual::modulus_of(sum).decimal);
+            match factor {
+                Factor::One => phrase!("{} $m\\,r$", amount),
+                Factor::Motion(_) | Factor::Torque(_) | Factor::Open => {
+                    let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
+                    phrase!("{} {}", amount, unit)
+                }
+            }
+        }
+        (None, Some([size, _])) => phrase!("{} $m\\,r$", amount(size)),
+        (None, None) => depends(weight),
     }
-    if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
-        let bare = bare.to_f64().unwrap_or(f64::NAN);
-        lines.push(format!(
-            "Mass in the balance equations (throws with rotating and half the reciprocating masses, and counterweights): ≈ {} kg, with the remedy's counterweights at the crank radius ≈ {} kg.",
-            significant(bare),
-            significant(with)
-        ));
-    }
-    let half = BigRational::new(1.into(), 2.into());
-    if let Some(bob) = engine.bob_weight(0, &half) {
-        let one = bob.per_cylinder.first().map_or(f64::NAN, |mass| mass.to_f64().unwrap_or(f64::NAN));
-        let all = bob.per_throw.to_f64().unwrap_or(f64::NAN);
-        lines.push(format!(
-            "Bob weight of throw 1 with half the reciprocating masses: ≈ {} kg a cylinder, ≈ {} kg for the throw.",
-            significant(one),
-            significant(all)
-        ));
-    }
-    lines
 }
 
-fn decimal_after(value: f64) -> String {
-    format!("≈ {}", decimal(value))
+fn depends(weight: &Weight) -> Text {
+    phrase!("depends on {}", Text::formula(format!("c_{{{}}}", weight.order)))
 }
 
-/// Six digits.
-pub(super) fn significant(value: f64) -> String {
-    let places = if value == 0.0 { 5.0 } else { 5.0 - value.abs().log10().floor() };
-    let places = places.to_usize().unwrap_or(0).min(12);
-    format!("{value:.places$}").replace('-', "−")
+/// The direction at θ = 0.
+fn direction(remedy: &Remedy, weight: &Weight) -> Text {
+    let of_sum = || {
+        let (factor, sum) = weight.vector.only()?;
+        let value = numbers::evaluate(sum);
+        let value = if factor.is_negative(weight.order)? { -value } else { value };
+        Some(numbers::degrees(value))
+    };
+    let of_value = weight.decimals(&remedy.subject).map(|[_, degrees]| degrees);
+    match of_value.or_else(of_sum) {
+        Some(decimal) => Bearing { exact: weight.direction(), decimal }.into(),
+        None => depends(weight),
+    }
 }
