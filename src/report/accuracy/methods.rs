@@ -8,7 +8,7 @@ use super::super::loads_document::units;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
-use crate::page::{Text, phrase};
+use crate::page::{Text, Unit, phrase};
 use crate::proof::Quantity;
 use crate::text::SUPERSCRIPTS;
 
@@ -22,6 +22,14 @@ pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
         Quantity::Moment => (units.moment, factor(loads::Scale::force)),
         Quantity::Torque => (units.torque, factor(loads::Scale::torque)),
     }
+}
+
+/// What a page counts a load in, and how many of it are one multiple.
+pub(super) fn page_unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
+    let (name, factor) = unit(engine, quantity);
+    // The document has the names of layout files.
+    let name = if name == "N m" { Unit::NEWTON_METRE.name } else { name };
+    (Unit { name, tex: name }, factor)
 }
 
 /// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.

@@ -6,7 +6,7 @@ use super::methods;
 use super::{AccuracyCase, case};
 use crate::accuracy::Study;
 use crate::engine::Engine;
-use crate::page::{Piece, Text, Unit, phrase};
+use crate::page::{Piece, Text, phrase};
 use crate::proof::Quantity;
 
 /// How the methods work, and what the columns mean.
@@ -81,7 +81,7 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
 
 /// The digits of a peak that are sure.
 pub(super) fn sure_digits(study: &Study) -> Option<Text> {
-    let digits = methods::sure_digits(study)?;
+    let digits = methods::sure_digits(study).filter(|_| !study.rows.is_empty())?;
     Some(phrase!("Sure digits in multiples of {}: {}…", multiple(study.quantity), digits))
 }
 
@@ -90,11 +90,9 @@ pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Tex
     if let Some(nothing) = vanishing(study) {
         return phrase!("{}. {}", heading(case, study), nothing);
     }
-    let (unit, factor) = methods::unit(engine, study.quantity);
-    // The names of units in JSON are those of the file format.
-    let name = if unit == "N m" { Unit::NEWTON_METRE.name } else { unit };
-    let peak = study.peak.to_float() * factor;
-    let peak = phrase!("{}: {}.", heading(case, study), Piece::Quantity(peak, Unit { name, tex: name }));
+    let (unit, factor) = methods::page_unit(engine, study.quantity);
+    let peak = Piece::Quantity(study.peak.to_float() * factor, unit);
+    let peak = phrase!("{}: {}.", heading(case, study), peak);
     let orders = match methods::orders_for_a_thousandth(study) {
         Some(order) => phrase!("Orders up to {} have it within 0.1 %, guaranteed.", order),
         None => "The orders compared here do not have it within 0.1 %.".into(),

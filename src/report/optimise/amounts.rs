@@ -95,7 +95,7 @@ pub(super) fn weight(weight: &PlacedWeight) -> Text {
         (Some(factor), Some(skew)) => phrase!("{}, {}", Number::Decimal(four(factor)), tenths(skew)),
         (Some(_) | None, _) => {
             let angle = crate::numbers::degrees(weight.mass_radius);
-            phrase!("{} at {}", quantity(size, Unit::KILOGRAM_METRE), tenths(angle))
+            phrase!("{} at {}", quantity(size * 1000.0, Unit::KILOGRAM_MILLIMETRE), tenths(angle))
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::order::Factor;
 use crate::page::number::{Amount, Bearing};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
-use crate::remedy::{Kind, Remedy, Shaft, Weight};
+use crate::remedy::{Remedy, Weight};
 use num_rational::BigRational;
 
 /// Letters of the longest closed form of a mass-radius that is shown.
@@ -20,33 +20,24 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         LengthUnit::Metre => "Position z in mm",
         LengthUnit::Spacing => "Position z",
     };
-    let header = ["Weight", "Turns", position, "Mass × radius"].into_iter();
-    let header = header.chain(in_numbers.then_some("In kg·m")).chain(["Angle at θ = 0"]);
-    let mut table = Table::new(header);
+    let size_of = match in_numbers {
+        true => ["Mass × radius", "Exactly"].as_slice(),
+        false => ["Mass × radius"].as_slice(),
+    };
+    let before = ["Weight", "Turns", position].into_iter();
+    let mut table = Table::new(before.chain(size_of.iter().copied()).chain(["Angle at θ = 0"]));
     let mut add = |name: Text, weight: &Weight| {
-        let in_units = in_numbers.then(|| match weight.mass_radius(&remedy.subject) {
-            Some(size) => Piece::Quantity(size, Unit::KILOGRAM_METRE).into(),
-            None => Text::default(),
-        });
-        let before = [name, turns(weight), position_of(remedy.subject.engine(), weight), size(remedy, weight)];
-        table.push(before.into_iter().chain(in_units).chain([direction(remedy, weight)]).collect());
+        let before = [name, turns(weight), position_of(remedy.subject.engine(), weight)].into_iter();
+        let sizes = in_numbers.then(|| in_short(remedy, weight)).into_iter().chain([size(remedy, weight)]);
+        table.push(before.chain(sizes).chain([direction(remedy, weight)]).collect());
     };
     remedy.bays.iter().for_each(|weight| add("counterweight by balance factor".into(), weight));
     let on_the_crankshaft = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
     on_the_crankshaft.for_each(|weight| add("counterweight".into(), weight));
     for (index, shaft) in remedy.shafts.iter().enumerate() {
-        shaft.weights.iter().for_each(|weight| add(shaft_name(shaft, index + 1), weight));
+        shaft.weights.iter().for_each(|weight| add(phrase!("shaft {}", index + 1), weight));
     }
     (!table.rows.is_empty()).then_some(table)
-}
-
-fn shaft_name(shaft: &Shaft, number: usize) -> Text {
-    match (shaft.lanchester, shaft.kind) {
-        (true, Kind::Force | Kind::Couple | Kind::ForceAndMoment) => phrase!("shaft {}, Lanchester pair", number),
-        (false, Kind::Force) => phrase!("shaft {}, one weight", number),
-        (false, Kind::Couple) => phrase!("shaft {}, couple", number),
-        (false, Kind::ForceAndMoment) => phrase!("shaft {}, two weights", number),
-    }
 }
 
 fn turns(weight: &Weight) -> Text {
@@ -77,10 +68,10 @@ pub(super) fn listed(remedy: &Remedy, weights: &[Weight]) -> Text {
     Text::joined(weights.iter().map(one), ", ")
 }
 
-/// The mass-radius in kilogram-metres, else in multiples of m r.
+/// The mass-radius in kilogram-millimetres, else in multiples of m r.
 pub(super) fn in_short(remedy: &Remedy, weight: &Weight) -> Text {
     match weight.mass_radius(&remedy.subject) {
-        Some(size) => Piece::Quantity(size, Unit::KILOGRAM_METRE).into(),
+        Some(size) => Piece::Quantity(size * 1000.0, Unit::KILOGRAM_MILLIMETRE).into(),
         None => size(remedy, weight),
     }
 }

@@ -24,21 +24,13 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
         ));
     }
     lines.extend(remedy.crankshaft.iter().map(|shaft| on_the_crankshaft(remedy, shaft)));
-    let mut shafts = remedy.shafts.iter();
+    let mut shafts = remedy.shafts.iter().peekable();
     while let Some(shaft) = shafts.next() {
-        if shaft.lanchester {
-            // Its partner stands behind it.
-            lines.extend(shafts.next().and(shaft.weights.first()).map(|weight| {
-                phrase!(
-                    "A Lanchester pair cancels the force of order {}: two shafts at {}× crank speed, one with the crank and one against it, with {} each.",
-                    shaft.order,
-                    shaft.order,
-                    weights::in_short(remedy, weight)
-                )
-            }));
-            continue;
-        }
-        lines.push(of_shaft(remedy, shaft));
+        let partner = shafts.next_if(|next| next.order == shaft.order && next.kind == shaft.kind);
+        lines.push(match partner {
+            Some(partner) => of_two(remedy, shaft, partner),
+            None => of_one(remedy, shaft),
+        });
     }
     lines.push(proof(remedy));
     if !remedy.shafts.is_empty() {
@@ -78,7 +70,32 @@ fn on_the_crankshaft(remedy: &Remedy, shaft: &Shaft) -> Text {
     }
 }
 
-fn of_shaft(remedy: &Remedy, shaft: &Shaft) -> Text {
+/// Two shafts of one order that turn in opposite senses.
+fn of_two(remedy: &Remedy, with: &Shaft, against: &Shaft) -> Text {
+    let (order, twice) = (Text::from(with.order), Text::from(with.order));
+    if let (true, Some(weight)) = (with.lanchester, with.weights.first()) {
+        return phrase!(
+            "A Lanchester pair cancels the force of order {}: two shafts at {}× crank speed, one with the crank and one against it, with {} each.",
+            order,
+            twice,
+            weights::in_short(remedy, weight)
+        );
+    }
+    let words = match with.kind {
+        Kind::Force => {
+            "Two balancer shafts at {}× crank speed cancel the force of order {}: with the crank {}, against it {}."
+        }
+        Kind::Couple => {
+            "Two balancer shafts at {}× crank speed cancel the couple of order {}: with the crank {}, against it {}."
+        }
+        Kind::ForceAndMoment => {
+            "Two balancer shafts at {}× crank speed cancel the force and the moment of order {}: with the crank {}, against it {}."
+        }
+    };
+    phrase!(words, order, twice, weights::listed(remedy, &with.weights), weights::listed(remedy, &against.weights))
+}
+
+fn of_one(remedy: &Remedy, shaft: &Shaft) -> Text {
     let words = match (shaft.kind, shaft.sense) {
         (Kind::Force, Sense::Direct) => {
             "A balancer shaft at {}× crank speed, with the crank, cancels the part of the order-{} force that turns with it: {}."
@@ -103,19 +120,28 @@ fn of_shaft(remedy: &Remedy, shaft: &Shaft) -> Text {
 }
 
 fn proof(remedy: &Remedy) -> Text {
-    match (remedy.holds(), remedy.weights().is_empty()) {
+    let left = remedy.corrected.iter().filter(|sum| !sum.vanishes()).count();
+    if left > 0 {
+        return phrase!("{} sums of the corrected engine do not vanish.", left);
+    }
+    let sums = remedy.corrected.len();
+    match (remedy.weights().is_empty(), remedy.orders.len() == 1) {
         (true, true) => {
+            phrase!("Nothing is left of force and moment at order {}: no weight is needed.", orders(remedy))
+        }
+        (true, false) => {
             phrase!("Nothing is left of force and moment at the orders {}: no weight is needed.", orders(remedy))
         }
-        (true, false) => phrase!(
+        (false, true) => phrase!(
+            "With these weights force and moment vanish at order {}: {} sums of the corrected engine, each proved zero.",
+            orders(remedy),
+            sums
+        ),
+        (false, false) => phrase!(
             "With these weights force and moment vanish at the orders {}: {} sums of the corrected engine, each proved zero.",
             orders(remedy),
-            remedy.corrected.len()
+            sums
         ),
-        (false, _) => {
-            let left = remedy.corrected.iter().filter(|sum| !sum.vanishes()).count();
-            phrase!("{} sums of the corrected engine do not vanish.", left)
-        }
     }
 }
 
@@ -183,11 +209,17 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
         let bare = kilograms(bare.to_f64().unwrap_or(f64::NAN));
-        lines.push(phrase!(
-            "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
-            bare,
-            kilograms(with)
-        ));
+        lines.push(match remedy.bays.is_empty() && remedy.crankshaft.is_none() {
+            true => phrase!(
+                "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
+                bare
+            ),
+            false => phrase!(
+                "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
+                bare,
+                kilograms(with)
+            ),
+        });
     }
     let half = BigRational::new(1.into(), 2.into());
     if let Some(bob) = engine.bob_weight(0, &half) {
