@@ -8,9 +8,9 @@ use super::super::loads_document::units;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
+pub(super) use crate::page::number::power_of_ten;
 use crate::page::{Text, Unit, phrase};
 use crate::proof::Quantity;
-use crate::text::SUPERSCRIPTS;
 
 /// Unit of a load, and how many of it are one multiple.
 pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
@@ -131,14 +131,6 @@ pub(super) fn power(value: f64) -> String {
         Ok(power) => format!("{digits}·{}", power_of_ten(power)),
         Err(_) => text,
     }
-}
-
-/// `10⁻⁴`.
-pub(super) fn power_of_ten(power: i64) -> String {
-    let digits = power.unsigned_abs().to_string();
-    let digits = digits.bytes().filter_map(|digit| SUPERSCRIPTS.get(usize::from(digit.wrapping_sub(b'0'))));
-    let minus = if power < 0 { "⁻" } else { "" };
-    format!("10{minus}{}", digits.collect::<String>())
 }
 
 /// Decimal places of the ends of a peak.

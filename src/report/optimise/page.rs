@@ -4,7 +4,7 @@ use super::amounts::{self, Units};
 use super::{optimise_layouts, plot, tables};
 use crate::engine::Engine;
 use crate::optimise::{Couple, Front};
-use crate::page::{Block, Document, Number, Text, phrase};
+use crate::page::{Block, Document, Text, number, phrase};
 
 const METHOD: [&str; 5] = [
     "Chosen is the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its \
@@ -33,7 +33,7 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
             amounts::load(&only.design, units)
         )),
         [first, .., last] => lines.push(phrase!(
-            "From {} with {} on the worst bearing, the lightest crankshaft that keeps the balance, to {} with {}, the one with the least load.",
+            "The lightest crankshaft that keeps the balance weighs {} and loads its worst bearing with {}; the one with the least load weighs {} and loads it with {}.",
             amounts::kilograms(&first.design.mass),
             amounts::load(&first.design, units),
             amounts::kilograms(&last.design.mass),
@@ -43,8 +43,8 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     let compared = front.uniform.iter().rev().find_map(|uniform| Some((uniform, uniform.best.as_ref()?)));
     lines.extend(compared.map(|(uniform, best)| {
         phrase!(
-            "One balance factor of {} for all throws makes {} and {}; the best counterweights of the same mass make {}, {} less.",
-            Number::exact(&uniform.factor),
+            "A balance factor of {} on all throws weighs {} and loads the worst bearing with {}; the best counterweights of the same mass load it with {}, {} less.",
+            number::given(&uniform.factor),
             amounts::kilograms(&uniform.design.mass),
             amounts::load(&uniform.design, units),
             amounts::load(&best.design, units),
@@ -55,7 +55,7 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
         Couple::Zero => "Nothing is left of the first-order force and couple that turn with the crank: a bare 0 is exact and proved.".into(),
         Couple::AtMost(most) => phrase!(
             "Nothing is left of the first-order force that turns with the crank, and of its couple at most {} N·m: a bare 0 is exact and proved.",
-            Number::exact(most)
+            number::given(most)
         ),
     });
     lines

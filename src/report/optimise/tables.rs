@@ -5,7 +5,8 @@ use num_rational::BigRational;
 use super::amounts::{self, Units};
 use crate::engine::{Engine, LengthUnit};
 use crate::optimise::{Front, Place};
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::number::given;
+use crate::page::{Table, Text, phrase};
 
 /// The front: a row a point.
 pub(super) fn points(layout: &Engine, front: &Front) -> Table {
@@ -16,8 +17,8 @@ pub(super) fn points(layout: &Engine, front: &Front) -> Table {
         "Largest bearing load",
         "Bearing",
         "Above the least possible",
-        "First-order force",
-        "First-order couple",
+        "Order 1 force",
+        "Order 1 couple",
     ]);
     for (index, point) in front.points.iter().enumerate() {
         table.push(vec![
@@ -40,35 +41,25 @@ pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
         "One balance factor",
         "Crankshaft mass",
         "Largest bearing load",
-        "First-order couple",
-        "Best load at that mass",
-        "Less by",
-        "Its couple",
-        "Least mass with that load",
-        "Its couple",
+        "Order 1 couple",
+        "Best at that mass",
+        "Lightest with that load",
     ]);
     for uniform in &front.uniform {
-        let best = match &uniform.best {
-            None => ["none so light".into(), "–".into(), "–".into()],
-            Some(best) => [
-                amounts::load(&best.design, units),
-                amounts::less(&best.design, &uniform.design),
-                amounts::left(best.design.couple, units.couple),
-            ],
-        };
-        let lightest = match &uniform.lightest {
-            None => ["none".into(), "–".into()],
-            Some(lightest) => {
-                [amounts::kilograms(&lightest.design.mass), amounts::left(lightest.design.couple, units.couple)]
-            }
-        };
-        let first = [
-            Text::from(Number::exact(&uniform.factor)),
+        table.push(vec![
+            given(&uniform.factor),
             amounts::kilograms(&uniform.design.mass),
             amounts::load(&uniform.design, units),
             amounts::left(uniform.design.couple, units.couple),
-        ];
-        table.push(first.into_iter().chain(best).chain(lightest).collect());
+            uniform.best.as_ref().map_or_else(
+                || "none so light".into(),
+                |best| {
+                    let less = amounts::less(&best.design, &uniform.design);
+                    phrase!("{}, {} less", amounts::load(&best.design, units), less)
+                },
+            ),
+            uniform.lightest.as_ref().map_or_else(|| "none".into(), |point| amounts::kilograms(&point.design.mass)),
+        ]);
     }
     (!table.rows.is_empty()).then_some(table)
 }
@@ -79,13 +70,13 @@ pub(super) fn weights(layout: &Engine, front: &Front) -> Table {
         let thousand = BigRational::from_integer(1000.into());
         match (layout.length_unit(), place.throw) {
             (LengthUnit::Metre, Some(throw)) => {
-                phrase!("Throw {}, z = {} mm", throw + 1, Number::exact(&(&place.position * thousand)))
+                phrase!("Throw {}, z = {} mm", throw + 1, given(&(&place.position * thousand)))
             }
-            (LengthUnit::Metre, None) => phrase!("z = {} mm", Number::exact(&(&place.position * thousand))),
+            (LengthUnit::Metre, None) => phrase!("z = {} mm", given(&(&place.position * thousand))),
             (LengthUnit::Spacing, Some(throw)) => {
-                phrase!("Throw {}, z = {}", throw + 1, Number::exact(&place.position))
+                phrase!("Throw {}, z = {}", throw + 1, given(&place.position))
             }
-            (LengthUnit::Spacing, None) => phrase!("z = {}", Number::exact(&place.position)),
+            (LengthUnit::Spacing, None) => phrase!("z = {}", given(&place.position)),
         }
     };
     let mut table = Table::new([Text::from("Point")].into_iter().chain(front.places.iter().map(place)));

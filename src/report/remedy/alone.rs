@@ -5,8 +5,8 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::super::plot::{Axis, Curve, Plot};
 use crate::loads::{self, Scale};
-use crate::page::number::Amount;
-use crate::page::{Block, Number, Picture, Piece, Table, Text, Unit, phrase};
+use crate::page::number::{Amount, given};
+use crate::page::{Block, Picture, Piece, Table, Text, Unit, phrase};
 use crate::remedy::{Ellipse, Partial, Remedy};
 
 /// Steps of the curves.
@@ -66,7 +66,7 @@ fn table(partial: &Partial, scale: Option<&Scale>) -> Table {
     for percent in PARTS {
         let part = BigRational::new(percent.into(), 100.into());
         let ellipse = partial.ellipse(&part);
-        let part = Number::exact(&part).into();
+        let part = given(&part);
         let multiples = [part, peak(&ellipse).into(), least(&ellipse).into()];
         let newtons = scale.map(|_| [peak(&ellipse), least(&ellipse)].map(|amount| force(amount, scale)));
         table.push(multiples.into_iter().chain(newtons.into_iter().flatten()).collect());

@@ -4,8 +4,8 @@ use super::super::residual;
 use crate::engine::{Engine, LengthUnit};
 use crate::numbers;
 use crate::order::Factor;
-use crate::page::number::{Amount, Bearing};
-use crate::page::{Number, Piece, Table, Text, Unit, phrase};
+use crate::page::number::{Amount, Bearing, given};
+use crate::page::{Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Remedy, Weight};
 use num_rational::BigRational;
@@ -50,8 +50,8 @@ fn turns(weight: &Weight) -> Text {
 /// Along the crankshaft: in millimetres where the layout gives lengths in units, else in the unit of its positions.
 fn position_of(engine: &Engine, weight: &Weight) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => Number::exact(&(&weight.position * BigRational::from_integer(1000.into()))).into(),
-        LengthUnit::Spacing => Number::exact(&weight.position).into(),
+        LengthUnit::Metre => given(&(&weight.position * BigRational::from_integer(1000.into()))),
+        LengthUnit::Spacing => given(&weight.position),
     }
 }
 
