@@ -7,7 +7,7 @@ use super::super::calculation;
 use crate::engine::Engine;
 use crate::loads::Arm;
 use crate::optimise::{Design, Front, Optimum, PlacedWeight, Residual};
-use crate::page::{Number, Piece, Text, Unit, phrase};
+use crate::page::{Piece, Text, Unit, phrase};
 
 /// What loads and couples are counted in.
 #[derive(Clone, Copy, Debug)]
@@ -79,20 +79,20 @@ pub(super) fn within(point: &Optimum) -> Text {
     }
 }
 
-/// By how much the load of one design is smaller than that of another, in whole percent.
-pub(super) fn less(best: &Design, other: &Design) -> Text {
+/// By how much the load of one design is smaller than that of another, in whole percent; none where it is not.
+pub(super) fn less(best: &Design, other: &Design) -> Option<Text> {
     let less = 100.0 * (1.0 - best.peak() / other.peak());
-    Text::label(if less < 0.05 { "0 %".to_owned() } else { format!("{less:.0} %") })
+    (less >= 0.5).then(|| Text::label(format!("{less:.0} %")))
 }
 
-/// A counterweight: its balance factor and skew, or the mass-radius and its direction where it belongs to no throw.
+/// A counterweight: its balance factor in percent and its skew, or the mass-radius and its direction where it belongs to no throw.
 pub(super) fn weight(weight: &PlacedWeight) -> Text {
     let size = weight.mass_radius.norm();
     if size == 0.0 {
         return "none".into();
     }
     match (weight.factor, weight.skew) {
-        (Some(factor), Some(skew)) => phrase!("{}, {}", Number::Decimal(four(factor)), tenths(skew)),
+        (Some(factor), Some(skew)) => phrase!("{}, {}", quantity(factor * 100.0, Unit::PERCENT), tenths(skew)),
         (Some(_) | None, _) => {
             let angle = crate::numbers::degrees(weight.mass_radius);
             phrase!("{} at {}", quantity(size * 1000.0, Unit::KILOGRAM_MILLIMETRE), tenths(angle))

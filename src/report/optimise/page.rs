@@ -40,15 +40,18 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
             amounts::load(&last.design, units)
         )),
     }
-    let compared = front.uniform.iter().rev().find_map(|uniform| Some((uniform, uniform.best.as_ref()?)));
-    lines.extend(compared.map(|(uniform, best)| {
+    let compared = front.uniform.iter().rev().find_map(|uniform| {
+        let best = uniform.best.as_ref()?;
+        Some((uniform, best, amounts::less(&best.design, &uniform.design)?))
+    });
+    lines.extend(compared.map(|(uniform, best, less)| {
         phrase!(
             "A balance factor of {} on all throws weighs {} and loads the worst bearing with {}; the best counterweights of the same mass load it with {}, {} less.",
             number::given(&uniform.factor),
             amounts::kilograms(&uniform.design.mass),
             amounts::load(&uniform.design, units),
             amounts::load(&best.design, units),
-            amounts::less(&best.design, &uniform.design)
+            less
         )
     }));
     lines.push(match couple {
@@ -96,7 +99,7 @@ pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Documen
     page.push(tables::points(layout, front));
     page.push(Block::Heading(1, "The counterweights".into()));
     page.push(Block::Paragraph(
-        "The balance factor that each weight adds to its throw, and how far it stands ahead of opposite to it:".into(),
+        "The balance factor that each weight adds to its throw, in percent, and how far it stands ahead of opposite to it:".into(),
     ));
     page.push(tables::weights(layout, front));
     let files = optimise_layouts(front).into_iter().map(|file| Text::link(Text::code(file.name.clone()), file.name));

@@ -54,8 +54,11 @@ pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
             uniform.best.as_ref().map_or_else(
                 || "none so light".into(),
                 |best| {
-                    let less = amounts::less(&best.design, &uniform.design);
-                    phrase!("{}, {} less", amounts::load(&best.design, units), less)
+                    let load = amounts::load(&best.design, units);
+                    match amounts::less(&best.design, &uniform.design) {
+                        Some(less) => phrase!("{}, {} less", load, less),
+                        None => load,
+                    }
                 },
             ),
             uniform.lightest.as_ref().map_or_else(|| "none".into(), |point| amounts::kilograms(&point.design.mass)),
