@@ -20,7 +20,7 @@ pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
         "Error".into(),
         "Guaranteed".into(),
         "Time".into(),
-        "Front".into(),
+        "Unbeaten".into(),
     ]);
     for (place, row) in study.rows.iter().enumerate() {
         table.push(vec![
@@ -29,14 +29,15 @@ pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
             methods::measured(study, row),
             row.bound.map_or_else(Text::default, |bound| methods::power(bound).into()),
             row.time.map_or_else(Text::default, |time| methods::time(time).into()),
-            if front.contains(&place) { "●".into() } else { Text::default() },
+            if front.contains(&place) { "yes".into() } else { Text::default() },
         ]);
     }
     table
 }
 
 /// What stands below those tables.
-pub(super) const FRONT: &str = "Error and guaranteed bound are parts of the peak. ● marks the methods that no other beats in both speed and accuracy.";
+pub(super) const FRONT: &str =
+    "Error and guaranteed bound are parts of the peak. Unbeaten: no other method is both faster and more accurate.";
 
 /// The errors of the methods for the loads of an engine at some rod ratios: measured ones, and folded what is guaranteed.
 pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
