@@ -46,7 +46,7 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     });
     lines.extend(compared.map(|(uniform, best, less)| {
         phrase!(
-            "A balance factor of {} on all throws weighs {} and loads the worst bearing with {}; the best counterweights of the same mass load it with {}, {} less.",
+            "With a balance factor of {} on all throws the crankshaft weighs {} and loads its worst bearing with {}; the best counterweights of the same mass load it with {}, {} less.",
             number::given(&uniform.factor),
             amounts::kilograms(&uniform.design.mass),
             amounts::load(&uniform.design, units),
