@@ -2,9 +2,7 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
-mod accuracy_document;
-mod accuracy_page;
-mod accuracy_words;
+mod accuracy;
 mod argument;
 mod atlas;
 mod bearings;
@@ -40,11 +38,12 @@ mod views;
 
 pub use views::{end_view, side_view};
 
-use crate::page::{figure, number as typeset, plot, svg, tikz};
+use crate::page::{figure, number as typeset, plot, svg};
 
-pub use accuracy_document::{AccuracyDocument, accuracy_document};
-pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
-pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
+pub use accuracy::{
+    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
+    accuracy_section,
+};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
@@ -63,12 +62,9 @@ pub use multiples::{Column, multiples};
 pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
-    OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
-    optimise_summary,
+    OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
-pub use remedy::{
-    remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
-};
+pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
 pub use search::{search_answer, search_page};
 pub use star::{small_star, star_figure, told, torque_figure};

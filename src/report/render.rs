@@ -6,14 +6,9 @@ use tera::{Context, Delimiters, Tera};
 use super::dialect::Dialect;
 
 const CLAIMS: &str = include_str!("../../templates/claims.md");
-const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
 const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
 const COMPARE: &str = include_str!("../../templates/compare.md");
-#[cfg(feature = "optimise")]
-const OPTIMISE: &str = include_str!("../../templates/optimise.md");
-#[cfg(feature = "optimise")]
-const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
 const MOVING: &str = include_str!("../../templates/html/moving.html");
 const INDEX: &str = include_str!("../../templates/index.md");
 
@@ -23,11 +18,6 @@ const OURS: &str = "a template of the program";
 /// Fills the template of a page of claims.
 pub(super) fn claims(page: &impl Serialize) -> String {
     fill(CLAIMS, page, false)
-}
-
-/// Fills the template of a page on accuracy.
-pub(super) fn accuracy(page: &impl Serialize) -> String {
-    fill(ACCURACY, page, false)
 }
 
 /// Fills the template of a comparison.
@@ -41,18 +31,6 @@ pub(super) fn atlas(page: &impl Serialize, dialect: Dialect) -> String {
         Dialect::Latex => fill(ATLAS_LATEX, page, true),
         _ => fill(ATLAS_MARKDOWN, page, false),
     }
-}
-
-/// Fills the template of a page of best crankshafts.
-#[cfg(feature = "optimise")]
-pub(super) fn optimise(page: &impl Serialize) -> String {
-    fill(OPTIMISE, page, false)
-}
-
-/// Fills the template of what that page begins with.
-#[cfg(feature = "optimise")]
-pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
-    fill(OPTIMISE_SUMMARY, summary, false)
 }
 
 /// Fills the template of an engine in motion.

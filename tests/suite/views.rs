@@ -171,7 +171,10 @@ fn sweep_files(text: &str, parameters: &[&str]) -> Vec<report::File> {
     let parameters: Vec<Parameter> =
         parameters.iter().map(|text| Parameter::parse(text).expect("a parameter")).collect();
     let swept = sweep::sweep(&template, &parameters, &[1, 2, 4, 6], &Geometry::default()).expect("a sweep");
-    report::sweep_page(&swept).into_iter().filter(|file| file.name.ends_with(".svg")).collect()
+    pages::files(&report::sweep_page(&swept), Format::GITHUB)
+        .into_iter()
+        .filter(|file| file.name.ends_with(".svg"))
+        .collect()
 }
 
 #[test]

@@ -10,8 +10,9 @@ pub use answer::engine_answer;
 pub(super) use conventions::{ASSUMED, FIRES, SEEN};
 pub(super) use engine::intervals;
 
-use super::accuracy_words::AccuracyCase;
+use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
+use super::remedy::remedy_section;
 use super::{family_page, firmness, moving, table, theorem};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
@@ -107,14 +108,6 @@ pub fn engine_page(subject: Contents) -> Document {
     page.push(Block::Heading(1, "Layout file".into()));
     page.push(Block::Verbatim("toml", engine.file().clone()));
     page
-}
-
-fn remedy_section(_: &Remedy) -> Vec<Block> {
-    Vec::new()
-}
-
-fn accuracy_section(_: &[AccuracyCase]) -> Vec<Block> {
-    Vec::new()
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.
