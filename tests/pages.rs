@@ -11,6 +11,7 @@ use std::process::{Command, Stdio};
 
 use crankstar::engine::Engine;
 use crankstar::file;
+use crankstar::page;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Compared, Dialect};
 use crankstar::text::Untrusted;
@@ -65,7 +66,7 @@ fn comparison() -> (PathBuf, usize) {
     let compared: Vec<Compared> = few
         .map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders).expect("orders"))
         .collect();
-    for file in report::compare_page(&compared) {
+    for file in page::write(&report::compare_page(&compared), page::Format::GITHUB, &page::Options::default()) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     (folder, orders.len())

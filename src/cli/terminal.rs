@@ -1,12 +1,12 @@
 //! How do the verdicts look on a terminal? In colour there, in plain text elsewhere.
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
-use comfy_table::{Cell, Color, ContentArrangement, Table};
+use comfy_table::{Cell, Color, Table};
 use crankstar::engine::{Engine, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::loads::Needed;
 use crankstar::remedy::Remedy;
-use crankstar::report::{self, AccuracyCase, Compared, Numbers};
+use crankstar::report::{self, AccuracyCase, Numbers};
 use crankstar::text::Format;
 use crankstar::verdict::{Judgement, OrderVerdict};
 
@@ -84,17 +84,6 @@ pub fn loads(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Str
     let table = coloured(report::loads_rows(engine, &numbers.loads));
     let lines = report::loads_lines(engine, numbers, needed).join("\n");
     format!("{}\n{table}\n{lines}\n", engine.title().escaped(Format::Plain))
-}
-
-/// Engines side by side: one column per engine.
-pub fn compare(engines: &[Compared]) -> String {
-    let mut rows = report::compare_rows(engines);
-    // One part of a remedy a line: columns stay narrow.
-    rows.rows.iter_mut().flatten().for_each(|text| *text = text.replace("; ", ";\n"));
-    let mut table = coloured(rows);
-    // On a terminal the cells are wrapped to its width.
-    table.set_content_arrangement(ContentArrangement::Dynamic);
-    format!("{table}\n{}\n", report::compare_lines(engines).join("\n"))
 }
 
 /// One table per rod ratio and load, with one row per method.

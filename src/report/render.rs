@@ -9,11 +9,9 @@ const MARKDOWN: &str = include_str!("../../templates/report.md");
 const LATEX: &str = include_str!("../../templates/report.tex");
 const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
 const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
-const CLAIMS: &str = include_str!("../../templates/claims.md");
 const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
 const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
-const COMPARE: &str = include_str!("../../templates/compare.md");
 #[cfg(feature = "optimise")]
 const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 #[cfg(feature = "optimise")]
@@ -41,19 +39,9 @@ pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
     }
 }
 
-/// Fills the template of a page of claims.
-pub(super) fn claims(page: &impl Serialize) -> String {
-    fill(CLAIMS, page, false)
-}
-
 /// Fills the template of a page on accuracy.
 pub(super) fn accuracy(page: &impl Serialize) -> String {
     fill(ACCURACY, page, false)
-}
-
-/// Fills the template of a comparison.
-pub(super) fn compare(page: &impl Serialize) -> String {
-    fill(COMPARE, page, false)
 }
 
 /// Fills the template of the atlas.

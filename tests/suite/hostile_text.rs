@@ -215,6 +215,7 @@ fn no_text_of_a_claims_file_acts() {
     let find = |_: &str| crankstar::file::parse("i3.toml", &layout_text()).map_err(|error| error.to_string());
     let claims = crankstar::claim::parse_claims("<script>.toml", &text, &find).expect("it reads");
     let page = crankstar::report::claims_page(&claims);
+    let page = page::write(&page, page::Format::GITHUB, &page::Options::default()).remove(0);
     nothing_acts("the page of claims", &page.text);
     // What the page folds away is markup of its own.
     markdown_is_whole("the page of claims", &page.text);

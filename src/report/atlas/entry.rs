@@ -1,5 +1,6 @@
 //! What is known of an engine of the atlas? Its verdicts at orders 1 to 8, the first order that is left, the remedy.
 
+use super::super::calculation::plain;
 use super::super::typeset::Amount;
 use super::super::{engine_cells, residual, typeset};
 use super::{ORDERS, REMEDIED};
@@ -97,7 +98,7 @@ impl EngineRow {
             name,
             title,
             ties,
-            firing: engine_cells::firing(layout.firing()),
+            firing: plain(engine_cells::firing(layout.firing())),
             firing_order: layout.firing().map(names).unwrap_or_default(),
             orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
                 .unwrap_or_else(|number| unreachable!("the atlas asks for orders: {number}"))
@@ -109,8 +110,8 @@ impl EngineRow {
                     moment: Left::new(&judged.moment),
                 })
                 .collect(),
-            first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)),
-            remedy: engine_cells::remedy(&remedy::remedy(layout, &wish)),
+            first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)).map(plain),
+            remedy: plain(engine_cells::remedy(&remedy::remedy(layout, &wish))),
             unit: layout.length_unit(),
         }
     }

@@ -6,7 +6,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use serde::Serialize;
 
-use super::super::claim_words::{claim_finding, claim_status, said};
+use super::super::calculation::plain;
+use super::super::claims::{claim_finding, claim_status};
 use super::super::dialect::Dialect;
 use super::super::folder::File;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
@@ -15,7 +16,7 @@ use super::csv::sweep_csv;
 use super::page::{Drawing, Table, tables, zero_rows};
 use super::plots::{Amplitude, amplitudes};
 use super::words::{axis, exact, float, quantity_name, short_number, zeros_name};
-use crate::claim::{Checked, Found, Studied, Study};
+use crate::claim::{Checked, Found, Provenance, Quote, Studied, Study};
 use crate::loads::Arm;
 use crate::proof::Quantity;
 use crate::sweep::{Envelope, Sweep, SweptEngine, ZeroSet, Zeros};
@@ -122,6 +123,19 @@ pub fn study_page(study: &Study) -> Vec<File> {
     files
 }
 
+/// Where a claim is said, with its source where that is not the one that stands above; nothing of the file's own.
+fn said(provenance: &Provenance, above: Option<&Untrusted>, dialect: Dialect) -> Option<String> {
+    match provenance {
+        Provenance::Quoted(Quote { source, place, words }) => {
+            let [shown, place, words] = [source, place, words].map(|text| dialect.quoted(text));
+            let source = if above == Some(source) { String::new() } else { format!("{shown}, ") };
+            Some(format!("{source}{place}: “{words}”"))
+        }
+        Provenance::Folklore => Some("folklore: no source found".to_owned()),
+        Provenance::Own => None,
+    }
+}
+
 /// A row of what the paper says.
 fn claimed(check: &Checked, above: &Untrusted, dialect: Dialect) -> Option<[String; 5]> {
     let said = said(&check.provenance, Some(above), dialect)?;
@@ -131,14 +145,14 @@ fn claimed(check: &Checked, above: &Untrusted, dialect: Dialect) -> Option<[Stri
 
 fn row(check: &Checked, dialect: Dialect) -> [String; 4] {
     let answer = match &check.found {
-        Found::Claim(pair) => claim_status(&pair.1),
+        Found::Claim(pair) => plain(claim_status(&pair.1)),
         _ if check.holds => "true".to_owned(),
         _ => "false".to_owned(),
     };
     let degrees =
         |values: &[BigRational]| values.iter().map(|at| format!("{}°", exact(at))).collect::<Vec<_>>().join(", ");
     let found = match &check.found {
-        Found::Claim(pair) => claim_finding(&pair.0, &pair.1),
+        Found::Claim(pair) => plain(claim_finding(&pair.0, &pair.1)),
         Found::Values { everywhere: true, .. } => "At every angle.".to_owned(),
         Found::Values { at, complete, .. } => {
             let all = if *complete { ", and proved: nowhere else in the range" } else { ", and perhaps elsewhere" };
