@@ -73,16 +73,28 @@ fn element(mark: &Mark, height: f64) -> String {
             format!("<path d=\"{outlines}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>", colour(*fill))
         }
         Mark::Text { at, text, anchor, bold, .. } => {
-            let anchor = match anchor {
-                Anchor::Start => "start",
-                Anchor::Middle => "middle",
-                Anchor::End => "end",
-            };
+            let anchor = hanging(*anchor);
             let weight = if *bold { " font-weight=\"bold\"" } else { "" };
             let baseline = Point::new(at.re, at.im - 1.05);
             let (x, y) = (x(&baseline), y(&baseline));
             format!("<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{weight}>{}</text>", xml(text))
         }
+        Mark::Title { at, text, letters, anchor } => {
+            let (x, y) = (coordinate(at.re), coordinate(height - at.im + 0.35 * letters));
+            let (anchor, size) = (hanging(*anchor), coordinate(*letters));
+            format!(
+                "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" font-weight=\"bold\" font-size=\"{size}\">{}</text>",
+                xml(text)
+            )
+        }
+    }
+}
+
+fn hanging(anchor: Anchor) -> &'static str {
+    match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
     }
 }
 

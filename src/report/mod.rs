@@ -9,6 +9,7 @@ mod argument;
 mod atlas;
 mod bearings;
 mod calculation;
+mod catalogue;
 mod claims;
 mod compare;
 mod dialect;
@@ -25,6 +26,7 @@ mod open_words;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod page;
+mod poster;
 mod remedy;
 mod render;
 mod residual;
@@ -42,11 +44,12 @@ pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows}
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
+pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_finding, claim_status, claims_answer, claims_page};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use dialect::Dialect;
 pub use document::document;
-pub use folder::{File, index, open_report, report};
+pub use folder::{File, open_report, report};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use open_document::open_document;
 pub use open_words::{even_firing_words, open_summary};
@@ -56,6 +59,7 @@ pub use optimise::{
     optimise_summary,
 };
 pub use page::Contents;
+pub use poster::poster;
 pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
 };

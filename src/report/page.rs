@@ -523,7 +523,7 @@ fn firing(engine: &Engine) -> Vec<String> {
 }
 
 /// Even or uneven, and which.
-pub(super) fn intervals(firing: &Firing) -> String {
+fn intervals(firing: &Firing) -> String {
     let intervals = firing.intervals();
     match intervals.as_slice() {
         [first, ..] if firing.is_even() => format!("It fires evenly, every {} of crank angle.", typeset::turns(first)),

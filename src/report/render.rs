@@ -18,7 +18,6 @@ const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
 const SWEEP: &str = include_str!("../../templates/sweep.md");
 const STUDY: &str = include_str!("../../templates/study.md");
-const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
@@ -72,11 +71,6 @@ pub(super) fn sweep(page: &impl Serialize) -> String {
 /// Fills the template of the page of a study.
 pub(super) fn study(page: &impl Serialize) -> String {
     fill(STUDY, page, false)
-}
-
-/// Fills the template of the index of all reports.
-pub(super) fn index(page: &impl Serialize) -> String {
-    fill(INDEX, page, false)
 }
 
 fn fill(template: &str, page: &impl Serialize, latex: bool) -> String {

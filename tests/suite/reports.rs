@@ -154,9 +154,9 @@ fn reports_on_examples_with_numbers_are_as_stored() {
 
 #[test]
 fn the_index_is_as_stored_and_every_folder_is_an_engine() {
-    let engines: Vec<_> = file::catalogue().expect("reads").into_iter().map(|(e, l)| judged(e, l)).collect();
-    let index = report::index(&engines);
-    compare(&folder(), &BTreeMap::from([(index.name, index.text)]));
+    let index = report::catalogue_page(&file::catalogue().expect("reads"));
+    let files = page::write(&index, page::Format::GITHUB, &page::Options::default());
+    compare(&folder(), &files.into_iter().map(|file| (file.name, file.text)).collect());
     let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
     for path in folders.filter(|path| path.is_dir()) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();

@@ -17,7 +17,7 @@ pub fn claims_answer(claims: &Claims) -> Document {
     page.push(Block::Answer(counts(claims)));
     let answered: Vec<Answered> = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
     if !answered.is_empty() {
-        page.push(table(&answered));
+        page.push(narrow(&answered));
     }
     page.blocks.extend(tables(claims));
     page
@@ -114,6 +114,18 @@ fn table<'a>(claims: impl IntoIterator<Item = &'a Answered<'a>>) -> Table {
             (&claim.says).into(),
             phrase!("**{}**", claim_status(answer)),
             claim_finding(&claim.statement, answer),
+        ]);
+    }
+    table
+}
+
+/// The same in two columns, which a terminal has room for.
+fn narrow(claims: &[Answered]) -> Table {
+    let mut table = Table::new(["Claim", "Answer"]);
+    for (claim, answer) in claims {
+        table.push(vec![
+            phrase!("{}: {}", &claim.engine, &claim.says),
+            phrase!("{}. {}", claim_status(answer), claim_finding(&claim.statement, answer)),
         ]);
     }
     table
