@@ -10,8 +10,6 @@ const LATEX: &str = include_str!("../../templates/report.tex");
 const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
 const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const ACCURACY: &str = include_str!("../../templates/accuracy.md");
-const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
-const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
 #[cfg(feature = "optimise")]
 const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 #[cfg(feature = "optimise")]
@@ -41,14 +39,6 @@ pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
 /// Fills the template of a page on accuracy.
 pub(super) fn accuracy(page: &impl Serialize) -> String {
     fill(ACCURACY, page, false)
-}
-
-/// Fills the template of the atlas.
-pub(super) fn atlas(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(ATLAS_LATEX, page, true),
-        _ => fill(ATLAS_MARKDOWN, page, false),
-    }
 }
 
 /// Fills the template of a page of best crankshafts.

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
+use crankstar::page::{self, Format, Options};
+
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
 }

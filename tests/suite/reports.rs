@@ -8,20 +8,14 @@ use std::{env, fs};
 
 use crankstar::engine::Engine;
 use crankstar::family;
-use crankstar::file::{self, Entry, Layout};
+use crankstar::file::{self, Layout};
+use crankstar::page;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Dialect};
-use crankstar::verdict::{Judgement, OrderVerdict};
-
-use crate::support::verdicts;
+use crankstar::verdict::Judgement;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
-}
-
-fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderVerdict>) {
-    let orders = verdicts::judged(&layout, layout.orders(), false);
-    (entry, layout, orders)
 }
 
 fn judgement(engine: &Engine) -> Judgement {

@@ -1,11 +1,11 @@
 //! What is known of an engine of the atlas? Its verdicts at orders 1 to 8, the first order that is left, the remedy.
 
-use super::super::calculation::plain;
 use super::super::typeset::Amount;
 use super::super::{engine_cells, residual, typeset};
 use super::{ORDERS, REMEDIED};
 use crate::engine::{BuildError, Cycle, Engine, LengthUnit};
 use crate::order::Masses;
+use crate::page::Text;
 use crate::proof::Quantity;
 use crate::proof::Shape;
 use crate::remedy::{self, Wish};
@@ -30,15 +30,15 @@ pub(super) struct EngineRow {
     /// Title in the catalogue, or throws.
     pub title: Untrusted,
     /// `even, 180°`.
-    pub firing: String,
+    pub firing: Text,
     /// Cylinders in the order in which they fire, where it is known.
     pub firing_order: String,
     /// How many stars are as good.
     pub ties: Option<Ties>,
     /// What is left at [`ORDERS`].
     pub orders: Vec<Order>,
-    pub first_left: [String; 2],
-    pub remedy: String,
+    pub first_left: [Text; 2],
+    pub remedy: Text,
     /// What positions are counted in.
     pub unit: LengthUnit,
 }
@@ -98,7 +98,7 @@ impl EngineRow {
             name,
             title,
             ties,
-            firing: plain(engine_cells::firing(layout.firing())),
+            firing: engine_cells::firing(layout.firing()),
             firing_order: layout.firing().map(names).unwrap_or_default(),
             orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
                 .unwrap_or_else(|number| unreachable!("the atlas asks for orders: {number}"))
@@ -110,8 +110,8 @@ impl EngineRow {
                     moment: Left::new(&judged.moment),
                 })
                 .collect(),
-            first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)).map(plain),
-            remedy: plain(engine_cells::remedy(&remedy::remedy(layout, &wish))),
+            first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)),
+            remedy: engine_cells::remedy(&remedy::remedy(layout, &wish)),
             unit: layout.length_unit(),
         }
     }
