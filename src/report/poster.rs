@@ -12,8 +12,8 @@ use crate::page::{self, Document, File, Format, Options, Text, phrase};
 const SHEET: (f64, f64) = (297.0, 420.0);
 const MARGIN: f64 = 14.0;
 /// Height of the head with the title, and of the foot with what is to be read.
-const HEAD: f64 = 27.0;
-const FOOT: f64 = 21.0;
+const HEAD: f64 = 28.0;
+const FOOT: f64 = 18.0;
 /// Height of the name of a family.
 const HEADING: f64 = 8.0;
 /// The most columns that are tried.
@@ -30,28 +30,33 @@ fn title(engines: usize) -> Text {
     phrase!("How {} engines balance", engines)
 }
 
-const SUBTITLE: &str = "The lowest order of the inertia force and of its moment that each engine leaves, and the vector star of the lower of both";
+const SUBTITLE: [&str; 2] = [
+    "Each engine from its free end, cranks inside and cylinders outside; beside it the vector star of the lowest order",
+    "that it leaves, of the force or else of the moment; below it the lowest order left of each. Exact, and proved for every order.",
+];
 
 const FOOTER: [&str; 4] = [
-    "Black arrows: the vectors of the cylinders at that order, the direct ones or, where they sum to zero, the reverse ones; cylinder 1 at θ = 0, seen from the free end.",
-    "Red arrow: what is left, the sum of the arrows. Coloured polygons: arrows that sum to zero. An engine without a red arrow leaves nothing, at any order.",
-    "Rotating: what is left turns with the crank, and counterweights remove order 1. Counter-rotating: one shaft against the crank does. Planar: it swings along a line, and",
-    "a pair of shafts removes it. Moments are taken about the middle of the engine. Orders are multiples of crank speed; all is decided exactly, for every order.",
+    "Black arrows: the vectors of the cylinders at that order, in the sense of the crank, or against it where the former sum to zero; of a moment they are as long as their arms.",
+    "Red arrow: their sum, which is what is left. Each star has a scale of its own. Moments are taken about the middle of the engine. Orders are multiples of crank speed: 1, 2, 4, 6, …",
+    "Rotating: what is left turns with the crank; of order 1, counterweights on the crankshaft remove it. Planar: it swings along a line, and a pair of shafts removes it.",
+    "Elliptical: neither; of order 1, counterweights remove the part that turns with the crank, and a shaft against the crank removes the rest.",
 ];
 
 fn sheet(families: &[Family], engines: usize) -> Figure {
     let (width, height) = SHEET;
     let mut figure = Figure::new(width, height);
     figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), plain(title(engines)), 13.0, Anchor::Middle);
-    figure.text(Point::new(width / 2.0, height - MARGIN - 18.0), SUBTITLE, Anchor::Middle);
+    for (index, line) in SUBTITLE.iter().enumerate() {
+        figure.text(Point::new(width / 2.0, height - MARGIN - 17.0 - 4.4 * index as f64), *line, Anchor::Middle);
+    }
     let columns = columns(families);
     let cell = (width - 2.0 * MARGIN) / columns as f64;
     let row = row_height(families, columns);
     let mut y = height - MARGIN - HEAD;
     for family in families {
-        figure.title(Point::new(MARGIN, y - 3.0), family.heading, 5.0, Anchor::Start);
+        figure.title(Point::new(MARGIN, y - 3.6), family.heading, 5.0, Anchor::Start);
         let rule = Stroke::solid(Ink::Grey, 0.3);
-        figure.line(Point::new(MARGIN, y - 6.2), Point::new(width - MARGIN, y - 6.2), rule);
+        figure.line(Point::new(MARGIN, y - 6.6), Point::new(width - MARGIN, y - 6.6), rule);
         y -= HEADING;
         for engines in family.engines.chunks(columns) {
             for (column, known) in engines.iter().enumerate() {

@@ -2,41 +2,41 @@
 
 use super::super::figure::{Figure, Point};
 use super::{Family, Known, Stamp};
-use crate::page::{Block, Picture, Text};
+use crate::page::{Block, Picture};
 
 /// Stamps beside each other: their words are read on a telephone too.
-const COLUMNS: usize = 3;
-/// Rows of a picture: so many stand on a printed page.
-const MOST_ROWS: usize = 5;
-/// Width of a stamp in millimetres.
-const WIDTH: f64 = 35.0;
-/// Space between two rows.
-const GAP: f64 = 3.0;
+const COLUMNS: usize = 2;
+/// Engines of one picture; on a wide screen two pictures stand beside each other.
+const MOST_ENGINES: usize = 8;
+/// Space between two stamps.
+const GAP: f64 = 4.0;
 
 /// What the pictures of a family show.
-const CAPTION: &str = "The star of the lowest order that each engine leaves, of the force or else of the moment: black arrows are the vectors of \
-    the cylinders, polygons sum to zero, the red arrow is what is left. Below it the lowest order left of the force and of the moment.";
+const CAPTION: &str = "Each engine from its free end, cranks inside and cylinders outside, beside the vector star of the lowest order that it leaves: \
+    black arrows are the vectors of the cylinders, the red arrow is their sum.";
 
-/// The pictures of a family, each as many rows as a page takes.
+/// The pictures of a family.
 pub(in crate::report) fn pictures(family: &Family) -> Block {
-    let pages: Vec<&[Known]> = family.engines.chunks(COLUMNS * MOST_ROWS).collect();
-    let picture = |(index, engines): (usize, &&[Known])| Picture {
+    let pages = family.engines.len().div_ceil(MOST_ENGINES).max(1);
+    let rows_a_page = family.engines.len().div_ceil(pages * COLUMNS);
+    let picture = |(index, engines): (usize, &[Known])| Picture {
         name: match index {
             0 => family.file.to_owned(),
             later => format!("{}-{}", family.file, later + 1),
         },
-        caption: if index + 1 == pages.len() { CAPTION.into() } else { Text::default() },
+        caption: CAPTION.into(),
         figure: rows(engines),
     };
-    Block::Pictures(pages.iter().enumerate().map(picture).collect())
+    Block::Pictures(family.engines.chunks(rows_a_page * COLUMNS).enumerate().map(picture).collect())
 }
 
 fn rows(engines: &[Known]) -> Figure {
     let (columns, rows) = (engines.len().min(COLUMNS), engines.len().div_ceil(COLUMNS));
-    let mut figure = Figure::new(columns as f64 * WIDTH, rows as f64 * (Stamp::HEIGHT + GAP));
+    let (width, height) = (Stamp::WIDTH + GAP, Stamp::HEIGHT + GAP);
+    let mut figure = Figure::new(columns as f64 * width, rows as f64 * height);
     for (index, known) in engines.iter().enumerate() {
         let (column, row) = (index % COLUMNS, index / COLUMNS);
-        let top = Point::new((column as f64 + 0.5) * WIDTH, figure.height - row as f64 * (Stamp::HEIGHT + GAP));
+        let top = Point::new((column as f64 + 0.5) * width, figure.height - row as f64 * height);
         Stamp::new(known).draw(&mut figure, top);
     }
     figure

@@ -2,6 +2,7 @@
 
 mod gallery;
 mod page;
+mod small;
 mod stamp;
 
 pub(super) use gallery::pictures;
