@@ -61,6 +61,11 @@ impl Pages {
         }
     }
 
+    /// Whether the page runs scripts.
+    pub fn runs_scripts(&self) -> bool {
+        self.format == Format::Html
+    }
+
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));

@@ -15,17 +15,16 @@ mod compare;
 mod dialect;
 mod document;
 mod engine_cells;
+mod engine_page;
+mod family_page;
 mod firmness;
 mod folder;
 mod loads_document;
+pub mod moving;
 mod multiples;
-mod open_document;
-mod open_page;
-mod open_table;
-mod open_words;
+mod old;
 #[cfg(feature = "optimise")]
 mod optimise;
-mod page;
 mod poster;
 mod remedy;
 mod render;
@@ -36,6 +35,8 @@ mod table;
 mod theorem;
 mod views;
 
+pub use views::{end_view, side_view};
+
 use crate::page::{figure, number as typeset, plot, svg, tikz};
 
 pub use accuracy_document::{AccuracyDocument, accuracy_document};
@@ -43,28 +44,27 @@ pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading,
 pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
-pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
+pub use calculation::{Numbers, loads_answer};
 pub use catalogue::{catalogue_answer, catalogue_page};
-pub use claims::{claim_finding, claim_status, claims_answer, claims_page};
+pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use dialect::Dialect;
 pub use document::document;
-pub use folder::{File, open_report, report};
+pub use engine_page::{Contents, engine_answer, engine_page};
+pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
+pub use folder::File;
 pub use loads_document::{LoadsDocument, loads_document};
-pub use open_document::open_document;
-pub use open_words::{even_firing_words, open_summary};
+pub use multiples::{Column, multiples};
+pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
     OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
     optimise_summary,
 };
-pub use page::Contents;
 pub use poster::poster;
 pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
 };
-pub use residual::{
-    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
-    whole_summary, whose_masses, why_not,
-};
+pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
+pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};

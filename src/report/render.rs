@@ -3,38 +3,17 @@
 use serde::Serialize;
 use tera::{Context, Delimiters, Tera};
 
-use super::dialect::Dialect;
-
-const MARKDOWN: &str = include_str!("../../templates/report.md");
-const LATEX: &str = include_str!("../../templates/report.tex");
-const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
-const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const ACCURACY: &str = include_str!("../../templates/accuracy.md");
 #[cfg(feature = "optimise")]
 const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 #[cfg(feature = "optimise")]
 const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
+const MOVING: &str = include_str!("../../templates/html/moving.html");
 const SWEEP: &str = include_str!("../../templates/sweep.md");
 const STUDY: &str = include_str!("../../templates/study.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
-
-/// Fills the template of a report.
-pub(super) fn report(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(LATEX, page, true),
-        _ => fill(MARKDOWN, page, false),
-    }
-}
-
-/// Fills the template of the report of a family.
-pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(OPEN_LATEX, page, true),
-        _ => fill(OPEN_MARKDOWN, page, false),
-    }
-}
 
 /// Fills the template of a page on accuracy.
 pub(super) fn accuracy(page: &impl Serialize) -> String {
@@ -51,6 +30,11 @@ pub(super) fn optimise(page: &impl Serialize) -> String {
 #[cfg(feature = "optimise")]
 pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
     fill(OPTIMISE_SUMMARY, summary, false)
+}
+
+/// Fills the template of an engine in motion.
+pub(super) fn moving(fragment: &impl Serialize) -> String {
+    fill(MOVING, fragment, false)
 }
 
 /// Fills the template of a page of a sweep.

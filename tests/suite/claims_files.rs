@@ -226,7 +226,7 @@ fn a_page_counts_what_is_quoted_what_is_folklore_and_what_is_its_own_apart() {
         "Claims quoted from their sources: 1 of 2 hold.",
         "Claims often made, for which no source was found: 0 of 1 hold.",
         "Statements reckoned here, which no source makes: 1 of 1 hold.",
-        "a book, page 7: “fires as it should”",
+        "**a book, page 7:** “fires as it should”",
     ] {
         assert!(page.contains(words), "{words}\n{page}");
     }

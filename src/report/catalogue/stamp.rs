@@ -1,10 +1,11 @@
 //! How does an engine look in the size of a stamp? Its cranks and cylinders beside the star of the lowest order left, and a few words.
 
 use super::super::calculation::plain;
-use super::super::figure::{Anchor, Figure, Mark, Point, Stroke};
+use super::super::figure::{Anchor, Figure, Point};
 use super::super::residual;
+use super::super::star::small_star;
 use super::Known;
-use super::small::{SIZE, small_engine, small_star};
+use super::small::{SIZE, small_engine};
 use crate::page::{Text, phrase};
 use crate::verdict::Balance;
 
@@ -33,15 +34,15 @@ impl Stamp {
             name: known.name,
             lines: lines(known).map(plain),
             engine: small_engine(known.engine),
-            star: known.drawn().map_or_else(|| Figure::new(SIZE, SIZE), |order| small_star(&order)),
+            star: known.drawn().map_or_else(|| Figure::new(SIZE, SIZE), |order| small_star(&order, None)),
         }
     }
 
     /// Draws it below this point, centred.
     pub fn draw(&self, figure: &mut Figure, top: Point) {
-        let scale = DRAWING / SIZE;
-        place(figure, &self.engine, top - Point::new(DRAWING, DRAWING), scale);
-        place(figure, &self.star, top - Point::new(0.0, DRAWING), scale);
+        let size = |drawing: &Figure| drawing.clone().scaled(DRAWING / drawing.width);
+        figure.place(size(&self.engine), top - Point::new(DRAWING, DRAWING));
+        figure.place(size(&self.star), top - Point::new(0.0, DRAWING));
         let below = |millimetres: f64| top - Point::new(0.0, DRAWING + millimetres);
         figure.title(below(2.0), self.name, NAME, Anchor::Middle);
         for (index, line) in self.lines.iter().enumerate() {
@@ -63,34 +64,4 @@ fn lines(known: &Known) -> [Text; 2] {
         None => "no moment".into(),
     };
     [force, moment]
-}
-
-/// Puts a drawing upon another, its lower left corner here, so many times as large.
-fn place(figure: &mut Figure, drawing: &Figure, corner: Point, scale: f64) {
-    let moved = |point: &mut Point| *point = corner + *point * scale;
-    let thinner = |stroke: &mut Stroke| stroke.width *= scale;
-    for mut mark in drawing.marks.iter().cloned() {
-        match &mut mark {
-            Mark::Line { from, to, stroke, .. } => {
-                moved(from);
-                moved(to);
-                thinner(stroke);
-            }
-            Mark::Circle { centre, radius, stroke, .. } => {
-                moved(centre);
-                *radius *= scale;
-                thinner(stroke);
-            }
-            Mark::Polygon { corners: points, stroke, .. } | Mark::Path { points, stroke } => {
-                points.iter_mut().for_each(moved);
-                thinner(stroke);
-            }
-            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
-                moved(low);
-                moved(high);
-            }),
-            Mark::Text { at, .. } | Mark::Title { at, .. } => moved(at),
-        }
-        figure.marks.push(mark);
-    }
 }

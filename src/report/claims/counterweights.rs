@@ -1,6 +1,6 @@
 //! Which counterweights do what is claimed to be possible? Their places, masses and angles in a sentence.
 
-use super::super::residual;
+use super::super::{residual, typeset};
 use crate::claim::Witness;
 use crate::page::{Number, Text, phrase};
 use crate::remedy::Weight;
@@ -20,7 +20,7 @@ pub(super) fn found(found: &Witness) -> Text {
 }
 
 fn one(weight: &Weight, mass: Option<f64>) -> Text {
-    let at = Number::exact(&weight.position);
+    let at = typeset::number(&weight.position);
     match (mass, weight.vector.only()) {
         (Some(mass), Some((_, sum))) => {
             phrase!("at z = {}, {} kg at the crank radius, angle {}", at, Number::Decimal(mass), residual::bearing(sum))

@@ -13,13 +13,13 @@ fn one(evidence: &Evidence) -> Text {
     let certificate = Text::phrase(argument::certificate_of(evidence.sum(), evidence.certificate()), Vec::new());
     let about = match evidence {
         Evidence::Verdict(verdict) => {
-            let quantity = super::super::page::capital(verdict.quantity.name());
+            let quantity = super::super::old::capital(verdict.quantity.name());
             match verdict.sense {
                 Some(sense) => phrase!("{}, order {}, {}", quantity, verdict.order, sense.name()),
                 None => phrase!("{}, order {}", quantity, verdict.order),
             }
         }
-        Evidence::Comparison { about, .. } => super::super::page::capital(about).into(),
+        Evidence::Comparison { about, .. } => super::super::old::capital(about).into(),
     };
     match evidence.vanishes() {
         true => phrase!("{}: {}, proved. {}", about, Text::zero(), certificate),

@@ -9,3 +9,4 @@ mod student;
 
 pub use finding::{claim_finding, claim_status};
 pub use page::{claims_answer, claims_page};
+pub use student::table_finding;

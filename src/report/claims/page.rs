@@ -98,9 +98,9 @@ fn statement(published: &Published) -> Vec<Block> {
 fn said(provenance: &Provenance, above: Option<&Untrusted>) -> Text {
     match provenance {
         Provenance::Quoted(Quote { source, place, words }) if above == Some(source) => {
-            phrase!("Said in {}: “{}”", place, words)
+            phrase!("**{}:** “{}”", place, words)
         }
-        Provenance::Quoted(Quote { source, place, words }) => phrase!("Said in {}, {}: “{}”", source, place, words),
+        Provenance::Quoted(Quote { source, place, words }) => phrase!("**{}, {}:** “{}”", source, place, words),
         Provenance::Folklore => "Often said; no source was found:".into(),
         Provenance::Own => Text::default(),
     }
@@ -149,7 +149,7 @@ fn tables(claims: &Claims) -> impl Iterator<Item = Block> {
     let judged = claims.tables.iter().zip(claims.judged_tables());
     let rows = judged.map(|(table, verdict)| {
         let answer = if verdict.holds() { "**true**" } else { "**false**" };
-        vec![(&table.engine).into(), table.order.into(), answer.into(), student::finding(table, &verdict)]
+        vec![(&table.engine).into(), table.order.into(), answer.into(), student::table_finding(table, &verdict)]
     });
     let mut table = Table::new(["Engine", "Vector-star table of order", "Answer", "What is the case"]);
     table.rows = rows.collect();

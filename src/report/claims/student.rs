@@ -8,7 +8,7 @@ use crate::page::number::Amount;
 use crate::page::{Text, phrase};
 
 /// The answer to a table.
-pub(super) fn finding(of: &StarTable, verdict: &TableVerdict) -> Text {
+pub fn table_finding(of: &StarTable, verdict: &TableVerdict) -> Text {
     match verdict {
         TableVerdict::Right(entries) => phrase!("All {} entries are right.", *entries),
         TableVerdict::WrongPhase { cylinder, sense, written, right } => {

@@ -3,11 +3,11 @@
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
-use super::super::calculation::Rows;
 use super::super::dialect::Dialect;
 use super::super::folder::File;
+use super::super::old::Rows;
+use super::super::old::Table;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
-use super::super::table::Table;
 use super::super::{render, svg};
 use super::{amounts, tables};
 use crate::engine::Engine;

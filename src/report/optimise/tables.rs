@@ -1,6 +1,6 @@
 //! Which tables tell what the best crankshafts are? The front, their counterweights, and uniform balance factors beside them.
 
-use super::super::calculation::Rows;
+use super::super::old::Rows;
 use super::super::typeset;
 use super::amounts::{self, Units};
 use crate::engine::{Engine, LengthUnit};

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::super::calculation::Rows;
+use super::super::old::Rows;
 use super::super::typeset::{decimal, number};
 use super::words;
 use crate::engine::LengthUnit;

@@ -5,50 +5,37 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::argument;
-use super::page::capital;
-use super::residual;
-use super::typeset::{self, Bearing};
+use super::super::{argument, residual, typeset};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
 use crate::numbers::Form;
+use crate::page::number::Bearing;
+use crate::page::{Piece, Text, phrase};
 
-/// When a verdict vanishes, in a few words of plain text: `0`, `never 0`, `0 at φ = 90°, 270°`, `= 2√10 (2a + b + 2c)`.
-pub fn open_summary(verdict: &OpenVerdict) -> String {
-    cell(verdict, |form| form.to_string())
-}
-
-/// The same as prose with formulas.
-pub(super) fn open_summary_prose(verdict: &OpenVerdict) -> String {
-    cell(verdict, |form| format!("${}$", form.tex()))
-}
-
-fn cell(verdict: &OpenVerdict, set: fn(&Form) -> String) -> String {
+/// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
+pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
     if verdict.always() {
-        return "0".to_owned();
+        return Text::zero();
     }
     if let Left::Factored { factor, lengths, .. } = family::left(verdict) {
-        return format!("= {}", factored(&factor, &lengths, set));
+        return factored(&factor, &lengths);
     }
     if verdict.never() {
-        return "never 0".to_owned();
+        return "never 0".into();
     }
     match verdict.bank_angles() {
-        Some(angles) if angles.is_empty() => "never 0 in (0°, 360°)".to_owned(),
-        Some(angles) => format!("0 at φ = {}", list(&angles)),
-        None => {
-            let open: Vec<String> = verdict.sums.iter().filter_map(condition_of).collect();
-            open.join("; and ")
-        }
+        Some(angles) if angles.is_empty() => "never 0 in (0°, 360°)".into(),
+        Some(angles) => phrase!("0 at φ = {}", list(&angles)),
+        None => Text::joined(verdict.sums.iter().filter_map(condition_of), "; and "),
     }
 }
 
 /// At which bank angles it can fire evenly.
-pub fn even_firing_words(angles: &BTreeSet<Turn>) -> String {
+pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
     match angles.is_empty() {
-        true => "No bank angle lets it fire evenly.".to_owned(),
-        false => format!("It can fire evenly exactly at φ = {}.", list(angles)),
+        true => "No bank angle lets it fire evenly.".into(),
+        false => phrase!("It can fire evenly exactly at φ = {}.", list(angles)),
     }
 }
 
@@ -57,16 +44,16 @@ pub(super) fn list(angles: &BTreeSet<Turn>) -> String {
     angles.iter().map(typeset::angle).collect::<Vec<_>>().join(", ")
 }
 
-fn condition_of(sum: &OpenSum) -> Option<String> {
+fn condition_of(sum: &OpenSum) -> Option<Text> {
     match &sum.when {
         When::Always => None,
-        When::Never(_) => Some("never 0".to_owned()),
-        When::Where(angles) => Some(format!("0 where {}", conditions(angles))),
+        When::Never(_) => Some("never 0".into()),
+        When::Where(angles) => Some(phrase!("0 where {}", conditions(angles))),
         When::Irrational { phi, delta, degrees, .. } => {
             let decimal = typeset::decimal(degrees.rem_euclid(360.0));
-            Some(format!("0 where {} ≈ {decimal}°", unknowns(phi, delta)))
+            Some(phrase!("0 where {} ≈ {}°", unknowns(phi, delta), decimal))
         }
-        When::NotSolved(parts) => Some(format!("not solved: {parts} parts")),
+        When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
 }
 
@@ -118,70 +105,73 @@ pub(super) fn open_length(length: &Linear) -> String {
 }
 
 /// Sentences on one sum: its parts, and why it vanishes where it does.
-pub(super) fn argument(sum: &OpenSum) -> String {
-    let before = match &sum.symbol {
-        Some(symbol) => format!("What {symbol} multiplies: "),
-        None => String::new(),
-    };
+pub(super) fn argument(sum: &OpenSum) -> Text {
     let has_open_angles = sum.parts.iter().any(|part| !part.phi.is_zero() || !part.delta.is_zero());
     let one = |part: &Part| {
-        let turned = format!("turned by {}: {}. ", unknowns(&part.phi, &part.delta), value(part));
-        let value = match (&sum.symbol, has_open_angles) {
-            (_, true) => capital(&turned),
-            (Some(_), false) => format!("{}. ", value(part)),
+        let certificate = argument::certificate_of(&part.sum, &part.certificate);
+        let certificate = Text::phrase(certificate, Vec::new());
+        match (&sum.symbol, has_open_angles) {
+            (_, true) => {
+                phrase!("Turned by {}: {}. {}", unknowns(&part.phi, &part.delta), value(part), certificate)
+            }
+            (Some(_), false) => phrase!("{}. {}", value(part), certificate),
             // The lead of the verdict says it already.
-            (None, false) => String::new(),
-        };
-        format!("{value}{}", argument::certificate_of(&part.sum, &part.certificate))
+            (None, false) => certificate,
+        }
     };
-    let mut sentences: Vec<String> = sum.parts.iter().map(one).collect();
-    sentences.extend(has_open_angles.then(|| why(&sum.when)));
-    format!("{before}{}", sentences.join(" "))
+    let sentences = sum.parts.iter().map(one).chain(has_open_angles.then(|| why(&sum.when)));
+    let sentences = Text::joined(sentences, " ");
+    match &sum.symbol {
+        Some(symbol) => phrase!("What {} multiplies: {}", symbol.clone(), sentences),
+        None => sentences,
+    }
 }
 
-fn why(when: &When) -> String {
+fn why(when: &When) -> Text {
     match when {
-        When::Always => "Every part vanishes, so the sum does for all angles.".to_owned(),
-        When::Never(Never::OnePart) => "One part is left, so the sum vanishes for no angle.".to_owned(),
+        When::Always => "Every part vanishes, so the sum does for all angles.".into(),
+        When::Never(Never::OnePart) => "One part is left, so the sum vanishes for no angle.".into(),
         When::Never(Never::UnequalLengths(_)) => {
-            "Two parts are left and their lengths differ (proved), so they cancel for no angle.".to_owned()
+            "Two parts are left and their lengths differ (proved), so they cancel for no angle.".into()
         }
-        When::Where(angles) => format!(
-            "The parts that are left are equally long (proved), so they cancel exactly where they are {}: {} (modulo 360°).",
-            if angles.alternatives.len() == 1 { "opposite" } else { "120° apart" },
-            conditions(angles)
-        ),
+        When::Where(angles) => {
+            let words = match angles.alternatives.len() {
+                1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",
+                _ => "The parts that are left are equally long (proved), so they cancel exactly where they are 120° apart: {} (modulo 360°).",
+            };
+            phrase!(words, conditions(angles))
+        }
         When::Irrational { .. } => {
-            "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that."
-                .to_owned()
+            "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that.".into()
         }
-        When::NotSolved(count) => format!("{count} parts are left; for which angles they cancel is not solved here."),
+        When::NotSolved(count) => {
+            phrase!("{} parts are left; for which angles they cancel is not solved here.", *count)
+        }
     }
 }
 
-fn value(part: &Part) -> String {
+fn value(part: &Part) -> Text {
     if part.certificate.claims_zero() {
-        return "0".to_owned();
+        return Text::zero();
     }
-    let (length, bearing) = (residual::modulus_of(&part.sum).prose(), residual::bearing(&part.sum).prose());
-    format!("length {length}, angle {bearing}")
+    phrase!("length {}, angle {}", residual::modulus_of(&part.sum), residual::bearing(&part.sum))
 }
 
 /// `2√10 (2a + b + 2c)`, `√2 b`, `3`.
-fn factored(factor: &Form, lengths: &Linear, set: fn(&Form) -> String) -> String {
+fn factored(factor: &Form, lengths: &Linear) -> Text {
+    let size = || Text::from(Piece::Form(factor.clone()));
     if lengths.as_known().is_some_and(|known| known.abs().is_one()) {
-        return set(factor);
+        return size();
     }
     let is_single = lengths.symbols().len() == 1 && lengths.known().is_zero();
     let lengths = if is_single { lengths.to_string() } else { format!("({lengths})") };
     let is_one = factor.as_rational().is_some_and(|one| one.is_one());
-    if is_one { lengths } else { format!("{} {lengths}", set(factor)) }
+    if is_one { lengths.into() } else { phrase!("{} {}", size(), lengths) }
 }
 
 /// Where the lengths factor out, in which direction what is left points.
-pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<String> {
+pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<Text> {
     let Left::Factored { factor, lengths, direction, degrees } = family::left(verdict) else { return None };
     let bearing = Bearing { exact: direction, decimal: degrees };
-    let factored = factored(&factor, &lengths, |form| format!("${}$", form.tex()));
-    Some(format!("What is left: length = {factored}, angle {}.", bearing.prose()))
+    Some(phrase!("What is left: length {}, angle {}.", factored(&factor, &lengths), bearing))
 }

@@ -1,6 +1,6 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
-use super::document::vectors;
+use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
 use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
 use crate::proof::{
