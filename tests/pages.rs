@@ -102,7 +102,7 @@ fn comparison() -> (PathBuf, usize) {
     let compared: Vec<Compared> = few
         .map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders).expect("orders"))
         .collect();
-    for file in report::compare_page(&compared) {
+    for file in page::write(&report::compare_page(&compared), Format::GITHUB, &Options::default()) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     (folder, orders.len())

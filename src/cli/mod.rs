@@ -19,7 +19,6 @@ mod remedy;
 mod report;
 mod search;
 mod sweep;
-mod terminal;
 mod verify;
 mod write;
 
@@ -80,10 +79,7 @@ enum Command {
     /// Check all that the output of `classify --json` or `remedy --json` says
     Verify(verify::Verify),
     /// Check claims about engines: statements of books, homework
-    Check {
-        /// The claims file (TOML)
-        file: PathBuf,
-    },
+    Check(check::Check),
     /// Find the crank stars that balance best
     Search(search::Search),
     /// Compare engines side by side: what each leaves, its remedy, its firing
@@ -141,7 +137,7 @@ pub fn run() -> ExitCode {
         Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify(verify) => verify.run().map(done),
-        Command::Check { file } => check::run(&file),
+        Command::Check(check) => check.run(),
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),

@@ -57,7 +57,7 @@ fn paints(mark: &Mark) -> Vec<(&'static str, Ink)> {
             [(STROKE, stroke.ink)].into_iter().chain(fill.map(|ink| (FILL, ink))).collect()
         }
         Mark::Rectangles { fill, .. } => vec![(FILL, *fill)],
-        Mark::Text { .. } => vec![(FILL, Ink::Black)],
+        Mark::Text { .. } | Mark::Title { .. } => vec![(FILL, Ink::Black)],
     }
 }
 
@@ -132,17 +132,29 @@ fn element(mark: &Mark, figure: &Figure) -> String {
             format!("<path d=\"{outlines}\" class=\"{}\" shape-rendering=\"crispEdges\"/>", class(FILL, *fill))
         }
         Mark::Text { at, text, anchor, bold, .. } => {
-            let anchor = match anchor {
-                Anchor::Start => "start",
-                Anchor::Middle => "middle",
-                Anchor::End => "end",
-            };
+            let anchor = hanging(*anchor);
             let weight = if *bold { " font-weight=\"bold\"" } else { "" };
             let baseline = Point::new(at.re, at.im - BASELINE * figure.letters);
             let (x, y) = (x(&baseline), y(&baseline));
             let class = class(FILL, Ink::Black);
             format!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{weight}>{}</text>", xml(text))
         }
+        Mark::Title { at, text, letters, anchor } => {
+            let (x, y) = (coordinate(at.re), coordinate(height - at.im + 0.35 * letters));
+            let (anchor, size) = (hanging(*anchor), coordinate(*letters));
+            format!(
+                "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" font-weight=\"bold\" font-size=\"{size}\">{}</text>",
+                xml(text)
+            )
+        }
+    }
+}
+
+fn hanging(anchor: Anchor) -> &'static str {
+    match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
     }
 }
 

@@ -53,15 +53,24 @@ fn command(mark: &Mark) -> String {
             fills.collect::<Vec<_>>().join("\n")
         }
         Mark::Text { at, text, prose, anchor, bold } => {
-            let anchor = match anchor {
-                Anchor::Start => "west",
-                Anchor::Middle => "center",
-                Anchor::End => "east",
-            };
+            let anchor = hanging(*anchor);
             let text = prose.as_ref().map_or_else(|| latex(text), |prose| prose_in_tex(prose));
             let text = if *bold { format!("\\textbf{{{text}}}") } else { text };
             format!("\\node[anchor={anchor},inner sep=0pt] at {} {{{text}}};", point(at))
         }
+        Mark::Title { at, text, letters, anchor } => {
+            let (anchor, size) = (hanging(*anchor), coordinate(*letters));
+            let font = format!("\\fontsize{{{size}mm}}{{{size}mm}}\\selectfont\\bfseries");
+            format!("\\node[anchor={anchor},inner sep=0pt,font={font}] at {} {{{}}};", point(at), latex(text))
+        }
+    }
+}
+
+fn hanging(anchor: Anchor) -> &'static str {
+    match anchor {
+        Anchor::Start => "west",
+        Anchor::Middle => "center",
+        Anchor::End => "east",
     }
 }
 

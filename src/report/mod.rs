@@ -7,25 +7,22 @@ mod argument;
 mod atlas;
 mod bearings;
 mod calculation;
-mod claim_page;
-mod claim_words;
+mod catalogue;
+mod claims;
 mod compare;
-mod dialect;
 mod document;
 mod engine_cells;
 mod engine_page;
 mod example;
 mod family_page;
 mod firmness;
-mod folder;
 mod loads_document;
 pub mod moving;
 mod multiples;
-mod old;
 #[cfg(feature = "optimise")]
 mod optimise;
+mod poster;
 mod remedy;
-mod render;
 mod residual;
 mod residual_words;
 mod search;
@@ -38,8 +35,9 @@ mod views;
 
 pub use views::{end_view, side_view};
 
-use crate::page::{figure, number as typeset, plot, svg};
+use crate::page::{figure, number as typeset, plot};
 
+pub use crate::page::File;
 pub use accuracy::{
     AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
     accuracy_section,
@@ -48,22 +46,20 @@ pub use argument::{argument as verdict_argument, certificate as verdict_certific
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, loads_answer};
-pub use claim_page::claims_page;
-pub use claim_words::{claim_finding, claim_status, table_finding};
-pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
-pub use dialect::Dialect;
+pub use catalogue::{catalogue_answer, catalogue_page};
+pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
 pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
-pub use folder::{File, index};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
-pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
     OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
+pub use poster::poster;
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
 pub use search::{search_answer, search_page};

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
+use crankstar::page::{self, Format, Options};
+
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
 }
@@ -35,11 +37,23 @@ fn text(path: &std::path::Path) -> &str {
 }
 
 #[test]
-fn list_prints_a_line_an_engine() {
+fn list_prints_a_row_an_engine_in_eighty_columns_with_what_it_leaves_first() {
     let list = succeeds(&["list"]);
+    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     let engines = crankstar::file::catalogue().expect("the catalogue reads");
-    assert_eq!(list.lines().count(), engines.len());
-    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(layout.title().written())));
+    let document = crankstar::report::catalogue_answer(&engines);
+    let wide = Format::Terminal { width: 120, colour: false };
+    let wide = page::write(&document, wide, &Options::default()).remove(0).text;
+    for (entry, layout) in &engines {
+        let starts = |line: &&str| line.starts_with(&format!(" {} ", entry.name));
+        assert_eq!(list.lines().filter(starts).count(), 1, "{}", entry.name);
+        assert!(wide.lines().find(starts).is_some_and(|line| line.contains(layout.title().written())), "{wide}");
+    }
+    for (name, cells) in [("I4", ["even, 180°", "2", "none"]), ("V8-crossplane", ["even, 90°", "4", "1"])] {
+        let line = wide.lines().find(|line| line.starts_with(&format!(" {name} "))).expect("a row");
+        let told: Vec<&str> = line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+        assert_eq!(told[2..], cells, "{line}");
+    }
 }
 
 #[test]

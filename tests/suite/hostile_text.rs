@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crankstar::page::{Format, Options};
+
 use crate::support::program::{call, scratch};
 
 /// What does harm somewhere: to a terminal, Markdown, HTML, LaTeX, a spreadsheet.
@@ -225,6 +227,7 @@ fn no_text_of_a_claims_file_acts() {
     let find = |_: &str| crankstar::file::parse("i3.toml", &layout_text()).map_err(|error| error.to_string());
     let claims = crankstar::claim::parse_claims("<script>.toml", &text, &find).expect("it reads");
     let page = crankstar::report::claims_page(&claims);
+    let page = crankstar::page::write(&page, Format::GITHUB, &Options::default()).remove(0);
     nothing_acts("the page of claims", &page.text);
     // What the page folds away is markup of its own.
     markdown_is_whole("the page of claims", &page.text);

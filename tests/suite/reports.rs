@@ -8,20 +8,14 @@ use std::{env, fs};
 
 use crankstar::engine::Engine;
 use crankstar::family;
-use crankstar::file::{self, Entry, Layout};
+use crankstar::file::{self, Layout};
 use crankstar::page::{Document, Format};
 use crankstar::report::{self, Contents};
-use crankstar::verdict::OrderVerdict;
 
-use crate::support::{pages, verdicts};
+use crate::support::pages;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
-}
-
-fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderVerdict>) {
-    let orders = verdicts::judged(&layout, layout.orders(), false);
-    (entry, layout, orders)
 }
 
 /// The files of an engine's folder, by name.
@@ -152,9 +146,9 @@ fn reports_on_examples_with_numbers_are_as_stored() {
 
 #[test]
 fn the_index_is_as_stored_and_every_folder_is_an_engine() {
-    let engines: Vec<_> = file::catalogue().expect("reads").into_iter().map(|(e, l)| judged(e, l)).collect();
-    let index = report::index(&engines);
-    compare(&folder(), &BTreeMap::from([(index.name, index.text)]));
+    let index = report::catalogue_page(&file::catalogue().expect("reads"));
+    let files = pages::files(&index, Format::GITHUB);
+    compare(&folder(), &files.into_iter().map(|file| (file.name, file.text)).collect());
     let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
     for path in folders.filter(|path| path.is_dir()) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();

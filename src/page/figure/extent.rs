@@ -90,8 +90,16 @@ pub fn text_width(text: &str, letters: f64) -> f64 {
 impl Mark {
     /// A text with what it covers; nothing of other marks.
     fn text_box(&self, letters: f64) -> Option<(&str, Extent)> {
-        let Mark::Text { at, text, anchor, bold, .. } = self else { return None };
-        let width = text_width(text, letters) * if *bold { 1.1 } else { 1.0 };
+        let (at, text, anchor, bold, letters) = match self {
+            Mark::Text { at, text, anchor, bold, .. } => (at, text, anchor, *bold, letters),
+            Mark::Title { at, text, anchor, letters } => (at, text, anchor, true, *letters),
+            Mark::Line { .. }
+            | Mark::Circle { .. }
+            | Mark::Polygon { .. }
+            | Mark::Path { .. }
+            | Mark::Rectangles { .. } => return None,
+        };
+        let width = text_width(text, letters) * if bold { 1.1 } else { 1.0 };
         let left = match anchor {
             Anchor::Start => 0.0,
             Anchor::Middle => width / 2.0,
@@ -116,7 +124,7 @@ impl Mark {
                 Extent::around(points.iter().copied()).map(|area| area.grown(stroke.width / 2.0))
             }
             Mark::Rectangles { corners, .. } => Extent::around(corners.iter().flat_map(|(low, high)| [*low, *high])),
-            Mark::Text { .. } => self.text_box(letters).map(|(_, text)| text),
+            Mark::Text { .. } | Mark::Title { .. } => self.text_box(letters).map(|(_, text)| text),
         }
     }
 
@@ -134,7 +142,35 @@ impl Mark {
                 *low += by;
                 *high += by;
             }),
-            Mark::Text { at, .. } => *at += by,
+            Mark::Text { at, .. } | Mark::Title { at, .. } => *at += by,
+        }
+    }
+
+    fn scaled(&mut self, by: f64) {
+        match self {
+            Mark::Line { from, to, stroke, .. } => {
+                *from *= by;
+                *to *= by;
+                stroke.width *= by;
+            }
+            Mark::Circle { centre, radius, stroke, .. } => {
+                *centre *= by;
+                *radius *= by;
+                stroke.width *= by;
+            }
+            Mark::Polygon { corners: points, stroke, .. } | Mark::Path { points, stroke } => {
+                points.iter_mut().for_each(|point| *point *= by);
+                stroke.width *= by;
+            }
+            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
+                *low *= by;
+                *high *= by;
+            }),
+            Mark::Text { at, .. } => *at *= by,
+            Mark::Title { at, letters, .. } => {
+                *at *= by;
+                *letters *= by;
+            }
         }
     }
 }
@@ -171,6 +207,12 @@ impl Figure {
             mark
         };
         self.marks.extend(other.marks.into_iter().map(moved));
+    }
+
+    /// The same drawing so many times as large, its letters and lines with it.
+    pub fn scaled(mut self, by: f64) -> Figure {
+        self.marks.iter_mut().for_each(|mark| mark.scaled(by));
+        Figure { width: by * self.width, height: by * self.height, letters: by * self.letters, marks: self.marks }
     }
 
     /// The same marks on a page that they fill, with a margin in millimetres.

@@ -133,6 +133,17 @@ pub enum Mark {
         /// Whether it is a heading of the drawing.
         bold: bool,
     },
+    /// A bold line of letters of a size of its own, centred in height on its point.
+    Title {
+        /// Where.
+        at: Point,
+        /// What, in plain text.
+        text: String,
+        /// Size of the letters in millimetres.
+        letters: f64,
+        /// How it hangs.
+        anchor: Anchor,
+    },
 }
 
 /// Size of the letters of a drawing that asks for no other, in millimetres.
@@ -200,6 +211,11 @@ impl Figure {
     /// Writes a text that has formulas, centred: plain where there is no TeX, else as prose.
     pub fn formula(&mut self, at: Point, text: String, prose: String) {
         self.marks.push(Mark::Text { at, text, prose: Some(prose), anchor: Anchor::Middle, bold: false });
+    }
+
+    /// Writes a bold line in letters of so many millimetres.
+    pub fn title(&mut self, at: Point, text: impl Into<String>, letters: f64, anchor: Anchor) {
+        self.marks.push(Mark::Title { at, text: text.into(), letters, anchor });
     }
 
     /// Writes a heading, centred.

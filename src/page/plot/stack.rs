@@ -31,6 +31,6 @@ pub(crate) fn shift(mark: &mut Mark, way: Point) {
             *low += way;
             *high += way;
         }),
-        Mark::Text { at, .. } => *at += way,
+        Mark::Text { at, .. } | Mark::Title { at, .. } => *at += way,
     }
 }

@@ -42,7 +42,7 @@ fn fires(engine: &Engine, firing: &Firing) -> Text {
 }
 
 /// Even or uneven, and which.
-pub(in crate::report) fn intervals(firing: &Firing) -> Text {
+fn intervals(firing: &Firing) -> Text {
     let intervals = firing.intervals();
     match intervals.as_slice() {
         [first, ..] if firing.is_even() => {

@@ -8,7 +8,6 @@ mod torque;
 
 pub use answer::engine_answer;
 pub(super) use conventions::{ASSUMED, FIRES, SEEN};
-pub(super) use engine::intervals;
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};

@@ -36,6 +36,8 @@ fn reach(mark: &Mark) -> Vec<Area> {
             points.iter().map(|point| around(point, stroke.width / 2.0)).collect()
         }
         Mark::Rectangles { corners, .. } => corners.iter().map(|&(low, high)| Area { low, high }).collect(),
-        Mark::Text { at, text, anchor, .. } => vec![labels::area(text, &(*at, *anchor))],
+        Mark::Text { at, text, anchor, .. } | Mark::Title { at, text, anchor, .. } => {
+            vec![labels::area(text, &(*at, *anchor))]
+        }
     }
 }

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use crate::claim::{Checked, Found, Provenance, Quote};
 use crate::page::{Block, Number, Table, Text, number, phrase};
-use crate::report::claim_words::{claim_finding, claim_status};
+use crate::report::claims::{claim_finding, claim_status};
 use crate::report::typeset::Amount;
 use crate::text::Untrusted;
 
@@ -53,7 +53,7 @@ fn answer(check: &Checked) -> Text {
 /// What is the case.
 pub(super) fn found(found: &Found) -> Text {
     match found {
-        Found::Claim(pair) => claim_finding(&pair.0, &pair.1).into(),
+        Found::Claim(pair) => claim_finding(&pair.0, &pair.1),
         Found::Values { everywhere: true, .. } => "At every angle.".into(),
         Found::Values { at, complete, .. } => match (at.is_empty(), *complete) {
             (true, true) => "At no angle of the range; this is proved.".into(),
