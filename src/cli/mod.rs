@@ -26,7 +26,7 @@ mod write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
@@ -122,24 +122,6 @@ impl EngineAndOrders {
         orders.dedup();
         Ok((layout, orders))
     }
-}
-
-/// Which language a report is written in.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// report.md and SVG files
-    Markdown,
-    /// report.tex for pdflatex
-    Latex,
-}
-
-/// How formulas are marked in Markdown.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Math {
-    /// $`…`$, as code-hosting pages read it
-    Github,
-    /// $…$, as pandoc, Quarto and Jupyter read it
-    Dollars,
 }
 
 /// Answers the command line.

@@ -11,10 +11,12 @@ use crate::text::SUPERSCRIPTS;
 const MOST_PLACES: usize = 4;
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
+/// The longest fraction that is shown as one.
+const LONGEST_FRACTION: usize = 7;
 /// Longer closed forms than this tell a reader nothing; their decimals do.
-const LONGEST_FORM: usize = 90;
+const LONGEST_FORM: usize = 48;
 /// Digits of the longest number in a closed form that is shown.
-const MOST_DIGITS: usize = 6;
+const MOST_DIGITS: usize = 4;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(crate) fn number(value: &BigRational) -> String {
@@ -25,14 +27,20 @@ pub(crate) fn number(value: &BigRational) -> String {
     if value.is_negative() { format!("−{text}") } else { text }
 }
 
+/// Whether an exact number is shown in decimals, for it is too long.
+pub(crate) fn is_rounded(value: &BigRational) -> bool {
+    exact_text(value).len() > MOST_LETTERS
+}
+
 /// The modulus, exactly.
 fn exact_text(value: &BigRational) -> String {
     terminating(value).unwrap_or_else(|| value.abs().to_string())
 }
 
-/// Whether an exact number is too long to be read.
+/// Whether an exact number is too long to be read: a fraction of large numbers tells less than its decimals.
 fn is_long(value: &BigRational) -> bool {
-    exact_text(value).len() > MOST_LETTERS
+    let text = exact_text(value);
+    text.len() > if text.contains('/') { LONGEST_FRACTION } else { MOST_LETTERS }
 }
 
 /// The decimal form of a modulus, where it ends after a few places.
@@ -82,7 +90,8 @@ pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
 /// A decimal of four digits; whole numbers whole.
 pub(crate) fn decimal(value: f64) -> String {
     let text = match value.abs() {
-        size if size != 0.0 && !(0.01..1e9).contains(&size) => scientific(value, 3),
+        0.0 => "0".to_owned(),
+        size if !(0.01..1e9).contains(&size) => scientific(value, 3),
         size if size >= 999.95 => format!("{value:.0}"),
         size if size >= 99.995 => format!("{value:.1}"),
         size if size >= 9.9995 => format!("{value:.2}"),

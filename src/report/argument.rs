@@ -10,6 +10,7 @@ use super::typeset;
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order::Source;
+use crate::page::Text;
 use crate::proof::{Certificate, Polygon, Quantity, Residue, Step};
 use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason};
 
@@ -17,7 +18,11 @@ use crate::verdict::{Reason, Verdict, mirror_partners, opposed_partners, reason}
 const MOST_TERMS_WRITTEN: usize = 9;
 
 /// The sentences that prove a verdict.
-pub(super) fn argument(engine: &Engine, verdict: &Verdict) -> String {
+pub(super) fn argument(engine: &Engine, verdict: &Verdict) -> Text {
+    Text::phrase(words(engine, verdict), Vec::new())
+}
+
+fn words(engine: &Engine, verdict: &Verdict) -> String {
     let star = Star::new(verdict);
     match reason(engine, verdict) {
         Reason::NoWeight if verdict.sources.is_empty() => "No mass has a part in it.".to_owned(),
@@ -158,8 +163,8 @@ fn listed(items: &[String]) -> String {
 }
 
 /// The numbers of the certificate, as `classify --json` holds them.
-pub(super) fn certificate(verdict: &Verdict) -> String {
-    certificate_of(&verdict.sum, &verdict.certificate)
+pub(super) fn certificate(verdict: &Verdict) -> Text {
+    Text::phrase(certificate_of(&verdict.sum, &verdict.certificate), Vec::new())
 }
 
 /// The numbers of the certificate of any sum.

@@ -253,9 +253,9 @@ fn one(evidence: &Evidence) -> String {
     let about = match evidence {
         Evidence::Verdict(verdict) => {
             let sense = verdict.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
-            format!("{}, order {}{sense}", super::page::capital(verdict.quantity.name()), verdict.order)
+            format!("{}, order {}{sense}", super::old::capital(verdict.quantity.name()), verdict.order)
         }
-        Evidence::Comparison { about, .. } => super::page::capital(about),
+        Evidence::Comparison { about, .. } => super::old::capital(about),
     };
     let zero = if evidence.vanishes() { "is 0" } else { "is not 0" };
     format!("{about}: {zero}. {}", super::argument::certificate_of(evidence.sum(), evidence.certificate()))

@@ -2,48 +2,13 @@
 
 use serde::Serialize;
 
-use super::calculation::{self, Numbers};
 use super::dialect::Dialect;
-use super::open_page::OpenPage;
-use super::page::{Contents, NamedFigure, Page, figures, intervals, torque_stars, torque_verdicts};
-use super::remedy::alone_picture;
+use super::engine_page::intervals;
 use super::{render, residual};
-use crate::engine::{Engine, Family};
-use crate::family::OpenOrder;
+use crate::engine::Engine;
 use crate::file::Entry;
 pub use crate::page::File;
 use crate::verdict::OrderVerdict;
-
-/// A report with its diagrams: `report.md` with SVG files, or `report.tex`, which holds its own.
-pub fn report(subject: Contents, dialect: Dialect) -> Vec<File> {
-    let numbers = subject.numbers();
-    let text = render::report(&Page::new(subject, numbers.as_ref(), dialect), dialect);
-    if dialect == Dialect::Latex {
-        return vec![File { name: "report.tex".into(), text }];
-    }
-    let mut drawn = figures(subject.engine, subject.judged);
-    if let Some(Ok(remedy)) = subject.remedy() {
-        let picture = alone_picture(&remedy);
-        drawn.extend(picture.map(|picture| NamedFigure {
-            name: picture.name,
-            caption: "Partial balance".into(),
-            figure: picture.figure,
-        }));
-    }
-    let torque = torque_verdicts(subject.engine, subject.judged, numbers.as_ref());
-    drawn.extend((!torque.is_empty()).then(|| torque_stars(subject.engine, &torque)));
-    if let Some(Ok(Numbers { loads, .. })) = &numbers {
-        drawn.extend(calculation::figures(subject.engine, loads));
-    }
-    [File { name: "report.md".into(), text }].into_iter().chain(drawn.into_iter().map(NamedFigure::into_svg)).collect()
-}
-
-/// The report of a family: one file, without diagrams, for its angles are open.
-pub fn open_report(family: &Family, orders: &[OpenOrder], dialect: Dialect) -> Vec<File> {
-    let name = if dialect == Dialect::Latex { "report.tex" } else { "report.md" };
-    let text = render::open_report(&OpenPage::new(family, orders, dialect), dialect);
-    vec![File { name: name.into(), text }]
-}
 
 /// What the template of the index places.
 #[derive(Serialize)]
@@ -83,7 +48,9 @@ pub fn index(engines: &[(Entry, Engine, Vec<OrderVerdict>)]) -> File {
     let line = |(entry, engine, orders): &(Entry, Engine, Vec<OrderVerdict>)| Line {
         name: entry.name,
         title: dialect.quoted(engine.title()),
-        firing: engine.firing().map_or_else(String::new, intervals),
+        firing: engine
+            .firing()
+            .map_or_else(String::new, |firing| crate::page::text_in(&intervals(firing), crate::page::Format::GITHUB)),
         forces: cells(orders, 0),
         moments: cells(orders, 1),
     };

@@ -5,36 +5,15 @@ use tera::{Context, Delimiters, Tera};
 
 use super::dialect::Dialect;
 
-const MARKDOWN: &str = include_str!("../../templates/report.md");
-const LATEX: &str = include_str!("../../templates/report.tex");
-const OPEN_MARKDOWN: &str = include_str!("../../templates/family.md");
-const OPEN_LATEX: &str = include_str!("../../templates/family.tex");
 const CLAIMS: &str = include_str!("../../templates/claims.md");
 const ATLAS_MARKDOWN: &str = include_str!("../../templates/atlas.md");
 const ATLAS_LATEX: &str = include_str!("../../templates/atlas.tex");
 const COMPARE: &str = include_str!("../../templates/compare.md");
-const SWEEP: &str = include_str!("../../templates/sweep.md");
-const STUDY: &str = include_str!("../../templates/study.md");
+const MOVING: &str = include_str!("../../templates/html/moving.html");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
-
-/// Fills the template of a report.
-pub(super) fn report(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(LATEX, page, true),
-        _ => fill(MARKDOWN, page, false),
-    }
-}
-
-/// Fills the template of the report of a family.
-pub(super) fn open_report(page: &impl Serialize, dialect: Dialect) -> String {
-    match dialect {
-        Dialect::Latex => fill(OPEN_LATEX, page, true),
-        _ => fill(OPEN_MARKDOWN, page, false),
-    }
-}
 
 /// Fills the template of a page of claims.
 pub(super) fn claims(page: &impl Serialize) -> String {
@@ -54,14 +33,9 @@ pub(super) fn atlas(page: &impl Serialize, dialect: Dialect) -> String {
     }
 }
 
-/// Fills the template of a page of a sweep.
-pub(super) fn sweep(page: &impl Serialize) -> String {
-    fill(SWEEP, page, false)
-}
-
-/// Fills the template of the page of a study.
-pub(super) fn study(page: &impl Serialize) -> String {
-    fill(STUDY, page, false)
+/// Fills the template of an engine in motion.
+pub(super) fn moving(fragment: &impl Serialize) -> String {
+    fill(MOVING, fragment, false)
 }
 
 /// Fills the template of the index of all reports.

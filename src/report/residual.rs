@@ -112,7 +112,7 @@ pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
 }
 
 /// A sentence on a whole order, how it is known whether it vanishes.
-pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> String {
+pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> Text {
     let why = |outcome: &Outcome| match outcome {
         Outcome::Zero => "each of its sums is zero".to_owned(),
         Outcome::NotZero => "one of its sums alone is left, and what that stands before is not zero".to_owned(),
@@ -155,7 +155,7 @@ pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> Stri
         Shape::Balanced | Shape::NotDecided => String::new(),
         shape => format!(" What is left is **{}**{how}.", shape_name(shape)),
     };
-    format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}")
+    Text::phrase(format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}"), Vec::new())
 }
 
 /// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
@@ -202,19 +202,29 @@ pub fn torque_summary(of: &TorqueVerdict) -> String {
 }
 
 /// What the summaries are counted in.
-pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
+pub(super) const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
                           times the unit of the positions; exact but after ≈.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
-pub fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<String> {
+pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {
     if let Some(why) = judged.not_as_built {
-        return Some(format!("Verdicts on the reciprocating masses alone: {why}."));
+        return Some(phrase!("Verdicts on the reciprocating masses alone: {}.", why.to_string()));
     }
     let groups = order::groups_of(engine);
     (groups.len() > 1).then(|| match judged.masses {
-        Masses::All => format!("As built: {}.", groups.into_iter().map(group_words).collect::<Vec<_>>().join(", ")),
-        masses => format!("Verdicts on {} alone.", masses_words(masses)),
+        Masses::All => {
+            phrase!("As built: {}.", Text::joined(groups.into_iter().map(|group| group_words(group).into()), ", "))
+        }
+        masses => phrase!("Verdicts on {} alone.", masses_words(masses)),
     })
+}
+
+/// `order 2`, `orders 2, 6`.
+pub(super) fn orders_in_words(orders: &[String]) -> Text {
+    match orders {
+        [only] => phrase!("order {}", only.clone()),
+        several => phrase!("orders {}", several.join(", ")),
+    }
 }
 
 /// What a group of masses is called.
@@ -239,7 +249,7 @@ pub(super) fn masses_words(masses: Masses) -> &'static str {
 }
 
 /// Why an order does not exist, of the masses that verdicts are about.
-pub fn why_not(masses: Masses) -> &'static str {
+pub(super) fn why_not(masses: Masses) -> &'static str {
     match masses {
         Masses::Reciprocating | Masses::All => WHY_NOT,
         Masses::Rotating | Masses::Counterweights => "What turns with the crank has order 1 and no other.",
@@ -247,17 +257,12 @@ pub fn why_not(masses: Masses) -> &'static str {
 }
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
-pub fn turning_unit(judged: &Judgement) -> Option<&'static str> {
+pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     let parts = judged.orders.iter().flat_map(|order| &order.parts);
     let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
     let mut apart = parts.filter(|part| is_apart(part));
     apart.next().map(|_| "A sum of masses that turn is in m r ω², without c_k.")
 }
-
-/// What a table of verdicts is headed by, where there are two.
-pub const AS_BUILT: &str = "As built";
-/// The same of the other one.
-pub const PISTONS_ALONE: &str = "The pistons alone";
 
 fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {
     let size = || Text::from(largest(balance));
@@ -274,12 +279,12 @@ pub(super) fn moment_name(order: &OrderBalance) -> &'static str {
 }
 
 /// A sentence on what the two vectors together trace.
-pub(super) fn sentence(balance: &Balance) -> String {
+pub(super) fn sentence(balance: &Balance) -> Text {
     let k = balance.direct.order;
     let speed = if k == 1 { "crank speed".to_owned() } else { format!("{k} times crank speed") };
     let largest = largest(balance).prose();
     let symbol = if balance.direct.quantity == Quantity::Force { "F" } else { "C" };
-    match balance.shape {
+    let words = match balance.shape {
         Shape::Balanced => "Nothing is left: both vectors vanish.".to_owned(),
         Shape::Rotating => format!(
             "What is left is **rotating**: a vector of constant length {largest} that turns with the crank at {speed}. {}",
@@ -302,7 +307,9 @@ pub(super) fn sentence(balance: &Balance) -> String {
         Shape::NotDecided => "Whether the vectors are equally long is not decided.".to_owned(),
     }
     .replace("|P", "\\lvert P")
-    .replace("}|^2", "}\\rvert^2")
+    .replace("}|^2", "}\\rvert^2");
+    let letter = if balance.direct.quantity == Quantity::Moment { words.replace("P_{", "C_{") } else { words };
+    Text::phrase(letter, Vec::new())
 }
 
 /// The major axis, `(arg P⁺ + arg P⁻)/2` (theory, section 3), as a line in `(−90°, 90°]`.

@@ -1,12 +1,9 @@
 //! How is a statement on every order put into words?
 
-use serde::Serialize;
-
-use super::dialect::Dialect;
-use super::residual;
-use super::table::{self, Table};
+use super::{residual, table};
 use crate::engine::Engine;
 use crate::order::{self, Masses};
+use crate::page::{Block, Fold, Text, phrase};
 use crate::proof::Survivors;
 use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 
@@ -18,32 +15,27 @@ const MOST_NAMED: usize = 4;
 const MOST_DIGITS: usize = 20;
 
 /// The section on every order: the statements, why one period proves them, and the period.
-#[derive(Clone, Debug, Serialize)]
-pub(super) struct Section {
-    statements: Vec<String>,
-    why: String,
-    table: Option<Table>,
-}
-
-impl Section {
-    /// Sets the section in a dialect.
-    pub fn new(engine: &Engine, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
-        let theorem = match theorem {
-            Ok(theorem) => theorem,
-            Err(reason) => {
-                return Section { statements: Vec::new(), why: dialect.prose(&no_theorem(reason)), table: None };
+pub(super) fn section(engine: &Engine, theorem: &Result<Theorem, NoTheorem>) -> Vec<Block> {
+    let mut blocks = vec![Block::Heading(1, "Every order".into())];
+    match theorem {
+        Err(reason) => blocks.push(Block::Paragraph(no_theorem(reason))),
+        Ok(theorem) => {
+            blocks.push(Block::List(statements(engine, theorem)));
+            blocks.push(Block::Paragraph(why(engine, theorem)));
+            if theorem.force.direct.len() <= MOST_ROWS {
+                let summary = "One period of orders".into();
+                blocks.push(Block::Folded(Fold { summary, blocks: vec![table::period(theorem).into()] }));
             }
-        };
-        let statements = [("force", &theorem.force), ("moment", &theorem.moment)];
-        let rows = theorem.force.direct.len();
-        Section {
-            statements: statements
-                .map(|(name, every)| dialect.prose(&format!("{}{}", statement(name, every), whose(engine, theorem))))
-                .to_vec(),
-            why: dialect.prose(&why(engine, theorem)),
-            table: (rows <= MOST_ROWS).then(|| table::period(dialect, theorem)),
         }
     }
+    blocks
+}
+
+/// What is true of every order, of the force and of the moment.
+pub(super) fn statements(engine: &Engine, theorem: &Theorem) -> Vec<Text> {
+    let statement =
+        |name, every| Text::phrase(format!("{}{}", statement(name, every), whose(engine, theorem)), Vec::new());
+    vec![statement("force", &theorem.force), statement("moment", &theorem.moment)]
 }
 
 /// Whose masses it is about, where the engine has others than pistons.
@@ -57,7 +49,7 @@ fn whose(engine: &Engine, theorem: &Theorem) -> String {
     }
 }
 
-fn no_theorem(reason: &NoTheorem) -> String {
+fn no_theorem(reason: &NoTheorem) -> Text {
     let why = match reason {
         NoTheorem::PeriodTooLong(period) => {
             let period = match period.to_string() {
@@ -68,18 +60,19 @@ fn no_theorem(reason: &NoTheorem) -> String {
         }
         other => other.to_string(),
     };
-    format!("No statement is made on every order at once: {why}.")
+    phrase!("No statement is made on every order at once: {}.", why)
 }
 
-fn why(engine: &Engine, theorem: &Theorem) -> String {
+fn why(engine: &Engine, theorem: &Theorem) -> Text {
     let period = theorem.period;
     let even = if period == 2 { "order 2".to_owned() } else { format!("the even orders 2 to {period}") };
     let plane = super::typeset::number(engine.reference_plane());
-    format!(
+    let words = format!(
         "All throws and banks are multiples of $\\tfrac{{1}}{{{period}}}$ of a turn, and in (2) the order k only multiplies \
          angles: $P_k^{{\\pm}}$ depends on $k$ only modulo {period}, and so do the sums of the moment, about z = {plane}. The verdicts \
          on order 1 and on {even} prove the statements for every order of a centric engine."
-    )
+    );
+    Text::phrase(words, Vec::new())
 }
 
 /// `**Force.** The force of order k vanishes iff 6 ∤ k. …`, and the two vectors apart where they differ.

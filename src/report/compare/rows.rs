@@ -2,7 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::super::calculation::{self, Rows, Unit};
+use super::super::calculation::{self, Unit};
+use super::super::old::Rows;
 use super::super::{bearings, engine_cells, residual, typeset};
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;

@@ -6,7 +6,6 @@ mod page;
 mod weights;
 mod words;
 
-pub(super) use alone::picture as alone_picture;
 pub use document::{remedy_document, remedy_engine};
 pub use page::{remedy_answer, remedy_page, remedy_section};
 pub use words::remedy_cures;
