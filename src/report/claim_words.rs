@@ -258,7 +258,9 @@ fn one(evidence: &Evidence) -> String {
         Evidence::Comparison { about, .. } => super::old::capital(about),
     };
     let zero = if evidence.vanishes() { "is 0" } else { "is not 0" };
-    format!("{about}: {zero}. {}", super::argument::certificate_of(evidence.sum(), evidence.certificate()))
+    let certificate = super::argument::certificate_of(evidence.sum(), evidence.certificate());
+    let prose = crate::page::Format::Markdown(crate::page::Math::Dollars);
+    format!("{about}: {zero}. {}", crate::page::text_in(&certificate, prose))
 }
 
 /// The answer to a student's table, in plain text.

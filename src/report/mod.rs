@@ -14,6 +14,7 @@ mod dialect;
 mod document;
 mod engine_cells;
 mod engine_page;
+mod example;
 mod family_page;
 mod firmness;
 mod folder;
@@ -26,11 +27,13 @@ mod optimise;
 mod remedy;
 mod render;
 mod residual;
+mod residual_words;
 mod search;
 mod star;
 mod sweep;
 mod table;
 mod theorem;
+mod theorem_words;
 mod views;
 
 pub use views::{end_view, side_view};
@@ -41,6 +44,7 @@ pub use accuracy::{
     AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
     accuracy_section,
 };
+pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, loads_answer};
@@ -50,6 +54,7 @@ pub use compare::{CompareDocument, Compared, compare_document, compare_lines, co
 pub use dialect::Dialect;
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
+pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use folder::{File, index};
 pub use loads_document::{LoadsDocument, loads_document};
