@@ -98,6 +98,9 @@ fn swept(sweep: &Sweep) -> Text {
         let show = |at| value(parameter, at, is_angle);
         let key = Text::code(parameter.key.to_string());
         let range = &parameter.range;
+        if range.count() == 1 {
+            return phrase!("{} at {} alone", key, show(&range.value(0)));
+        }
         phrase!("{} from {} to {}, {} values", key, show(&range.value(0)), show(&range.last()), range.count())
     };
     let ranges = Text::joined(sweep.axes().map(range), "; ");
