@@ -38,7 +38,14 @@ fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
         let judged = Judgement::new(black_box(&layout), layout.orders(), &QUANTITIES).expect("orders");
-        let subject = report::Contents { engine: &layout, judged: &judged, family: None, needed: None, accuracy: None };
+        let subject = report::Contents {
+            engine: &layout,
+            judged: &judged,
+            family: None,
+            needed: None,
+            in_motion: false,
+            accuracy: None,
+        };
         page::write(&report::engine_page(subject), Format::GITHUB, &Options::default()).len()
     });
 }

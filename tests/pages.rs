@@ -1,7 +1,10 @@
 //! Do the reports look right where they are read: in LaTeX, on a Markdown page, in a browser?
 //!
-//! These tests need pdflatex, pandoc 3, node with KaTeX, and Chromium: `.ci/run` installs them and runs
+//! These tests need pdflatex, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
+
+#[path = "pages/moving.rs"]
+mod moving;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -35,7 +38,14 @@ fn write_page(name: &str, document: &Document, format: Format) -> PathBuf {
 
 fn report_of(engine: &Engine) -> Document {
     let judged = Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders");
-    report::engine_page(Contents { engine, judged: &judged, family: None, needed: None, accuracy: None })
+    report::engine_page(Contents {
+        engine,
+        judged: &judged,
+        family: None,
+        needed: None,
+        in_motion: false,
+        accuracy: None,
+    })
 }
 
 /// Layouts that strain the page: masses, long fractions, many cylinders, odd angles, a title full of special characters.
@@ -56,7 +66,9 @@ fn reports() -> Vec<(String, Document)> {
     let strange = STRANGE.map(|(name, text)| {
         let page = match file::parse_layout(name, text).expect("it reads") {
             Layout::Known(engine, _) => report_of(&engine),
-            Layout::Open(open) => report::family_page(&open, &family::classify(&open, open.orders()).expect("orders")),
+            Layout::Open(open) => {
+                report::family_page(&open, &family::classify(&open, open.orders()).expect("orders"), false)
+            }
         };
         (format!("strange-{name}"), page)
     });

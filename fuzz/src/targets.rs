@@ -56,7 +56,14 @@ fn known(layout: &Engine) {
     }
     if layout.cylinders().len() <= MOST_REPORTED {
         let judged = Judgement::new(layout, &orders, &[Quantity::Force, Quantity::Moment]).expect("orders");
-        let subject = report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None };
+        let subject = report::Contents {
+            engine: layout,
+            judged: &judged,
+            family: None,
+            needed: None,
+            in_motion: false,
+            accuracy: None,
+        };
         let page = report::engine_page(subject);
         for format in [Format::GITHUB, Format::Latex, Format::Html, Format::PLAIN] {
             assert!(!page::write(&page, format, &page::Options::default()).is_empty());
@@ -72,7 +79,7 @@ fn open(family: &Family) {
     let verdicts = family::classify(family, &orders).expect("orders");
     assert!(serde_json::to_string(&report::open_document(family, &verdicts)).is_ok());
     if family.cylinders().len() <= MOST_REPORTED {
-        let page = report::family_page(family, &verdicts);
+        let page = report::family_page(family, &verdicts, false);
         assert!(!page::write(&page, Format::Latex, &page::Options::default()).is_empty());
     }
 }

@@ -67,7 +67,6 @@ impl Look {
             (Format::Text, _) => page::Format::PLAIN,
         }
     }
-
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
@@ -89,6 +88,11 @@ impl Look {
 }
 
 impl Pages {
+    /// Whether the page runs scripts.
+    pub fn runs_scripts(&self) -> bool {
+        self.format == Format::Html
+    }
+
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document) -> Vec<File> {
         self.look.files(document, self.format)

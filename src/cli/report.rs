@@ -60,6 +60,7 @@ impl Report {
                     judged: &judged,
                     family,
                     needed: needed.as_ref(),
+                    in_motion: self.pages.runs_scripts(),
                     accuracy: accuracy.as_ref(),
                 };
                 (report::engine_page(subject), report::engine_answer(engine, &judged))
@@ -70,7 +71,10 @@ impl Report {
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders).map_err(Failure::new)?;
-                (report::family_page(family, &verdicts), report::family_answer(family, &verdicts))
+                (
+                    report::family_page(family, &verdicts, self.pages.runs_scripts()),
+                    report::family_answer(family, &verdicts),
+                )
             }
         };
         self.pages.show_page(&answer, &page)

@@ -20,6 +20,7 @@ mod family_page;
 mod firmness;
 mod folder;
 mod loads_document;
+pub mod moving;
 mod multiples;
 mod old;
 #[cfg(feature = "optimise")]
@@ -33,6 +34,8 @@ mod sweep;
 mod table;
 mod theorem;
 mod views;
+
+pub use views::{end_view, side_view};
 
 use crate::page::{figure, number as typeset, plot, svg, tikz};
 
@@ -48,9 +51,10 @@ pub use compare::{CompareDocument, Compared, compare_document, compare_lines, co
 pub use dialect::Dialect;
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
-pub use family_page::{family_answer, family_page, open_document};
+pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use folder::{File, index};
 pub use loads_document::{LoadsDocument, loads_document};
+pub use multiples::{Column, multiples};
 pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
@@ -62,4 +66,5 @@ pub use remedy::{
 };
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
 pub use search::{search_answer, search_page};
+pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};

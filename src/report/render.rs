@@ -14,6 +14,7 @@ const COMPARE: &str = include_str!("../../templates/compare.md");
 const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 #[cfg(feature = "optimise")]
 const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
+const MOVING: &str = include_str!("../../templates/html/moving.html");
 const INDEX: &str = include_str!("../../templates/index.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
@@ -52,6 +53,11 @@ pub(super) fn optimise(page: &impl Serialize) -> String {
 #[cfg(feature = "optimise")]
 pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
     fill(OPTIMISE_SUMMARY, summary, false)
+}
+
+/// Fills the template of an engine in motion.
+pub(super) fn moving(fragment: &impl Serialize) -> String {
+    fill(MOVING, fragment, false)
 }
 
 /// Fills the template of the index of all reports.

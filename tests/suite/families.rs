@@ -234,7 +234,7 @@ fn reports_on_families_are_written_in_every_format() {
     for text in [V_TWIN, V6_SPLIT, W, UNEQUAL] {
         let family = open(text);
         let orders = family::classify(&family, family.orders()).expect("orders");
-        let page = report::family_page(&family, &orders);
+        let page = report::family_page(&family, &orders, false);
         for format in [Format::GITHUB, pages::DOLLARS, Format::Latex, Format::Html, Format::PLAIN] {
             let written = pages::text(&page, format);
             assert!(written.contains("Left open") && written.contains("opposite") || text == UNEQUAL || text == W);

@@ -21,6 +21,7 @@ mod document_mutations;
 mod documents_verify;
 mod examples;
 mod families;
+mod figures;
 mod firmness;
 mod fuzzed;
 mod grigoryev;
@@ -34,6 +35,7 @@ mod layout_random;
 mod loads;
 mod mechanism_files;
 mod motion;
+mod moving;
 mod odd_surroundings;
 mod open_certificate_cheats;
 #[cfg(feature = "optimise")]
@@ -51,6 +53,7 @@ mod sweep;
 mod theorems;
 mod theory;
 mod thesis;
+mod views;
 mod whole_cheats;
 
 mod support {

@@ -122,9 +122,18 @@ fn compare_layouts(below: &str) {
                 let judged = pages::judgement(&engine);
                 let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
                 let engine = &engine;
-                report::engine_page(Contents { engine, judged: &judged, family, needed: None, accuracy: None })
+                report::engine_page(Contents {
+                    engine,
+                    judged: &judged,
+                    family,
+                    needed: None,
+                    in_motion: false,
+                    accuracy: None,
+                })
             }
-            Layout::Open(open) => report::family_page(&open, &family::classify(&open, open.orders()).expect("orders")),
+            Layout::Open(open) => {
+                report::family_page(&open, &family::classify(&open, open.orders()).expect("orders"), false)
+            }
         };
         files.extend(in_all_formats(&page));
         compare(&folder, &files);

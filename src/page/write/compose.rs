@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::super::block::{Block, Document, Fold, Picture, Table};
+use super::super::block::{Block, Document, Fold, Live, Picture, Table};
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
@@ -20,6 +20,9 @@ pub(super) struct Composer<'a> {
     folds: Vec<Folded>,
     /// Headings so far.
     headings: Vec<Heading>,
+    /// What parts that move look like, and what moves them, each once.
+    styles: Vec<&'static str>,
+    scripts: Vec<&'static str>,
 }
 
 #[derive(Clone, Serialize)]
@@ -48,6 +51,8 @@ struct Whole<'a> {
     folds: &'a [Folded],
     stamp: Option<String>,
     fragment: bool,
+    styles: &'a [&'static str],
+    scripts: &'a [&'static str],
 }
 
 #[derive(Serialize)]
@@ -58,7 +63,15 @@ struct Drawn {
 
 impl<'a> Composer<'a> {
     pub fn new(writer: &'a dyn Writer, options: &'a Options) -> Self {
-        Composer { writer, options, files: Vec::new(), folds: Vec::new(), headings: Vec::new() }
+        Composer {
+            writer,
+            options,
+            files: Vec::new(),
+            folds: Vec::new(),
+            headings: Vec::new(),
+            styles: Vec::new(),
+            scripts: Vec::new(),
+        }
     }
 
     fn fill(&self, template: &str, values: &impl Serialize) -> String {
@@ -81,6 +94,8 @@ impl<'a> Composer<'a> {
             folds: &self.folds,
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
+            styles: &self.styles,
+            scripts: &self.scripts,
         };
         self.fill("document", &whole)
     }
@@ -120,6 +135,7 @@ impl<'a> Composer<'a> {
             Block::Table(table) => self.table(table),
             Block::Pictures(pictures) => self.pictures(pictures),
             Block::Folded(fold) => self.folded(fold),
+            Block::Live(live) => self.live(live),
             Block::Verbatim(language, file) => {
                 #[derive(Serialize)]
                 struct Verbatim<'a> {
@@ -171,6 +187,17 @@ impl<'a> Composer<'a> {
             drawn.push(Drawn { body, caption: self.text(&picture.caption) });
         }
         self.fill("pictures", &Beside { pictures: drawn })
+    }
+
+    fn live(&mut self, live: &Live) -> String {
+        if !self.writer.has_scripts() {
+            return String::new();
+        }
+        if !self.scripts.contains(&live.script) {
+            self.styles.push(live.style);
+            self.scripts.push(live.script);
+        }
+        live.body.clone()
     }
 
     fn folded(&mut self, fold: &Fold) -> String {

@@ -2,7 +2,7 @@
 
 use super::super::table;
 use super::super::typeset;
-use super::super::views::{end_view, side_view};
+use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
 use super::orders::StarOf;
 use crate::engine::{Cycle, Engine, Firing};
 use crate::page::{Block, Picture, Text, phrase};
@@ -11,7 +11,7 @@ use crate::page::{Block, Picture, Text, phrase};
 pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> {
     let end = Picture {
         name: "end-view".to_owned(),
-        caption: "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise: crankpins inside, cylinders outside.".into(),
+        caption: Text::phrase(end_view_caption(engine), Vec::new()),
         figure: end_view(engine),
     };
     let left = stars.iter().find(|star| star.is_left()).or(stars.first());
@@ -22,7 +22,7 @@ pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> 
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let side = Picture {
         name: "side-view".to_owned(),
-        caption: "The crankshaft from the side with the throw angles below, the cylinders above, and the reference plane of the moments dashed.".into(),
+        caption: Text::phrase(side_view_caption(engine), Vec::new()),
         figure: side_view(engine),
     };
     let mut blocks = vec![Block::Heading(1, "The engine".into()), side.into(), table::cylinders(engine).into()];

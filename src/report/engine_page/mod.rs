@@ -12,7 +12,7 @@ pub(super) use engine::intervals;
 
 use super::accuracy_words::AccuracyCase;
 use super::calculation::{self, Numbers};
-use super::{family_page, firmness, table, theorem};
+use super::{family_page, firmness, moving, table, theorem};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
@@ -32,6 +32,8 @@ pub struct Contents<'a> {
     pub family: Option<(&'a Family, &'a [OpenOrder])>,
     /// The choice of the orders, where it was made by an accuracy.
     pub needed: Option<&'a Needed>,
+    /// Whether the engine is shown in motion, where a page can.
+    pub in_motion: bool,
     /// The errors of the methods for the peak loads, where they are asked for.
     pub accuracy: Option<&'a AccuracyCase>,
 }
@@ -62,7 +64,7 @@ fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<Theorem, NoTheorem>
 
 /// The report of an engine.
 pub fn engine_page(subject: Contents) -> Document {
-    let Contents { engine, judged, family, needed, accuracy } = subject;
+    let Contents { engine, judged, family, needed, in_motion, accuracy } = subject;
     let numbers = subject.numbers();
     let known = numbers.as_ref().and_then(|numbers| numbers.as_ref().ok());
     let theorem = theorem_of(engine, judged);
@@ -71,6 +73,9 @@ pub fn engine_page(subject: Contents) -> Document {
     page.blocks.extend(title_block(engine));
     page.push(Block::Answer(answer::lines(engine, judged, known, theorem.as_ref().ok())));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
+    if in_motion {
+        page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
+    }
     page.blocks.extend(results(engine, judged, known));
     page.blocks.extend(engine::section(engine));
     match &numbers {

@@ -1,10 +1,9 @@
 //! How is each order proved? Its star, what is left, and the argument for each vector.
 
-use super::super::star::star_figure;
+use super::super::star::{star_figure, star_legend};
 use super::super::{argument, residual, table};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
-use crate::order::Source;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, Judgement, OrderBalance, OrderVerdict, Verdict};
@@ -60,22 +59,9 @@ impl StarOf<'_> {
 
     /// Its drawing.
     pub fn picture(&self, engine: &Engine) -> Picture {
-        let mut caption = phrase!("{}: vector stars, angle 0 upwards.", self.title()).and(" ").and(COLOURS);
-        if has_turning(self.balance) {
-            caption = caption.and(" ").and(TURNING_LABELS);
-        }
+        let caption = phrase!("{}: vector stars. {}", self.title(), star_legend(engine, self.balance));
         Picture { name: self.file.clone(), caption, figure: star_figure(engine, self.balance) }
     }
-}
-
-const COLOURS: &str = "Coloured polygons sum to zero; a red arrow is the resultant; a vector with a negative arm is drawn turned by 180°.";
-/// How the masses that turn are called on a star.
-const TURNING_LABELS: &str = "Beside the cylinders: rod, pin, webs and cw (counterweight) with their numbers, shaft for a balancer; +6 stands for six \
-                              masses that turn.";
-
-fn has_turning(balance: &OrderBalance) -> bool {
-    let sources = balance.force.verdicts().into_iter().flat_map(|verdict| &verdict.sources);
-    sources.into_iter().any(|source| !matches!(source, Source::Piston(_)))
 }
 
 const FORCE: &str =

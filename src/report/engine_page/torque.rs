@@ -1,7 +1,7 @@
 //! How is the inertia torque proved, where the file asks for it?
 
 use super::super::calculation::Numbers;
-use super::super::star::torque_figure;
+use super::super::star::{torque_figure, torque_legend};
 use super::super::{argument, residual};
 use super::orders::{certified, value};
 use crate::engine::Engine;
@@ -34,7 +34,7 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
     let verdicts: Vec<_> = parts.iter().map(|part| &part.verdict).collect();
     let stars = Picture {
         name: "torque-stars".to_owned(),
-        caption: "Vector stars of the inertia torque, angle 0 upwards. Coloured polygons sum to zero; a red arrow is the resultant.".into(),
+        caption: phrase!("Vector stars of the inertia torque. {}", torque_legend(engine, &verdicts)),
         figure: torque_figure(engine, &verdicts),
     };
     let argued = parts.iter().map(|part| argued(engine, part)).collect();

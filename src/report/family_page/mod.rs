@@ -1,26 +1,37 @@
 //! What stands on the report of a family? For which angles and lengths each order vanishes, and why.
 
 mod document;
+mod picture;
 mod tables;
 mod words;
 
 pub use document::open_document;
+pub use picture::{amplitudes, amplitudes_caption};
+pub(super) use words::summary;
 
 use super::engine_page::{ASSUMED, FIRES, SEEN};
+use super::moving;
 use crate::engine::{Family, PHI};
 use crate::family::{self, OpenOrder, OpenVerdict};
-use crate::page::{Block, Document, Fold, Text, phrase};
+use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a moment that vanishes does so for all lengths. Angles are those \
                       in (0°, 360°), exact and complete; ≡ is modulo 360°.";
 
 /// The report of a family.
-pub fn family_page(family: &Family, orders: &[OpenOrder]) -> Document {
+///
+/// `in_motion`: whether it is shown in motion, where a page can.
+pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("report", family.title()) };
     page.push(Block::Answer(answer(family, orders)));
+    if in_motion {
+        let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+        page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
+    }
     page.push(tables::summary(orders));
     page.push(Block::Note(LEGEND.into()));
+    page.blocks.extend(amplitude_picture(family, orders));
     page.push(Block::Heading(1, "The engine".into()));
     page.push(tables::cylinders(family));
     let source = family.source().map(|source| phrase!("Source of the crank star: {}.", source));
@@ -46,6 +57,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder]) -> Document {
 pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "For all lengths".into()), Block::Paragraph(left_open(family))];
     blocks.extend([tables::summary(orders).into(), Block::Note(LEGEND.into())]);
+    blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
         blocks.push(Block::Folded(Fold { summary, blocks: proofs(order) }));
@@ -72,6 +84,12 @@ fn left_open(family: &Family) -> Text {
     let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
     let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
     phrase!("Left open: {}.", unknowns)
+}
+
+/// The amplitude of each order over the one open angle, with its exact zeros.
+fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
+    let (figure, caption) = amplitudes(family, orders).zip(amplitudes_caption(family, orders))?;
+    Some(Picture { name: "amplitudes".to_owned(), caption: Text::phrase(caption, Vec::new()), figure }.into())
 }
 
 /// What is open, and where each order vanishes.

@@ -14,7 +14,7 @@ use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
 
 /// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
-pub(super) fn summary(verdict: &OpenVerdict) -> Text {
+pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
     if verdict.always() {
         return Text::zero();
     }

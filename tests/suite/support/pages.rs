@@ -17,7 +17,14 @@ pub fn judgement(engine: &Engine) -> Judgement {
 /// The report of an engine.
 pub fn document(engine: &Engine) -> Document {
     let judged = judgement(engine);
-    report::engine_page(Contents { engine, judged: &judged, family: None, needed: None, accuracy: None })
+    report::engine_page(Contents {
+        engine,
+        judged: &judged,
+        family: None,
+        needed: None,
+        in_motion: false,
+        accuracy: None,
+    })
 }
 
 /// The files of a page in a format.

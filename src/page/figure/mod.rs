@@ -1,12 +1,16 @@
 //! What is a drawing? Marks in millimetres, y upwards; SVG and TikZ are printed from the same marks.
 
+mod extent;
+
+pub use extent::{Extent, text_width};
+
 use num_complex::Complex;
 
 /// A point of the drawing, in millimetres: x to the right, y upwards.
 pub type Point = Complex<f64>;
 
 /// Colours of different lightness, so that they differ in grey too.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ink {
     /// Text and vectors.
     Black,
@@ -131,6 +135,9 @@ pub enum Mark {
     },
 }
 
+/// Size of the letters of a drawing that asks for no other, in millimetres.
+pub const LETTERS: f64 = 3.0;
+
 /// A drawing of a given size, its origin at the lower left.
 #[derive(Clone, Debug)]
 pub struct Figure {
@@ -138,6 +145,8 @@ pub struct Figure {
     pub width: f64,
     /// Height in millimetres.
     pub height: f64,
+    /// Size of its letters in millimetres.
+    pub letters: f64,
     /// What is drawn, in order.
     pub marks: Vec<Mark>,
 }
@@ -145,7 +154,12 @@ pub struct Figure {
 impl Figure {
     /// An empty drawing.
     pub fn new(width: f64, height: f64) -> Self {
-        Figure { width, height, marks: Vec::new() }
+        Figure { width, height, letters: LETTERS, marks: Vec::new() }
+    }
+
+    /// The same drawing with letters of this size in millimetres.
+    pub fn lettered(self, letters: f64) -> Self {
+        Figure { letters, ..self }
     }
 
     /// Draws a line.
@@ -194,8 +208,19 @@ impl Figure {
     }
 }
 
-/// A coordinate as text: two places, no negative zero.
+/// Length and half the width of the head of an arrow in millimetres; none on a line of no length.
+pub(super) fn arrow_head(from: Point, to: Point, stroke: &Stroke) -> Option<(f64, f64)> {
+    let length = (to - from).norm();
+    let size = (1.2 + 1.6 * stroke.width).min(0.35 * length);
+    (length > 1e-6).then_some((1.6 * size, 0.5 * size))
+}
+
+/// A coordinate as text: two places at most, no negative zero, and 0 for what is no number.
 pub(super) fn coordinate(value: f64) -> String {
+    if !value.is_finite() {
+        return "0".to_owned();
+    }
     let text = format!("{value:.2}");
-    if text == "-0.00" { "0.00".to_owned() } else { text }
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
