@@ -67,6 +67,7 @@ impl Look {
             (Format::Text, _) => page::Format::PLAIN,
         }
     }
+
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
