@@ -8,7 +8,7 @@ use crankstar::family;
 use crankstar::file::{self, Layout, Template};
 use crankstar::page::figure::{Anchor, Figure, Ink, Mark, Point};
 use crankstar::page::plot::{Axis, Curve, Map, Plot, Polar};
-use crankstar::page::{Format, svg};
+use crankstar::page::{Format, Options, svg, write};
 use crankstar::report::{self, end_view, side_view};
 use crankstar::report::{amplitudes, amplitudes_caption};
 use crankstar::sweep::{self, Geometry, Parameter};
@@ -171,7 +171,8 @@ fn sweep_files(text: &str, parameters: &[&str]) -> Vec<report::File> {
     let parameters: Vec<Parameter> =
         parameters.iter().map(|text| Parameter::parse(text).expect("a parameter")).collect();
     let swept = sweep::sweep(&template, &parameters, &[1, 2, 4, 6], &Geometry::default()).expect("a sweep");
-    report::sweep_page(&swept).into_iter().filter(|file| file.name.ends_with(".svg")).collect()
+    let files = write(&report::sweep_page(&swept), Format::GITHUB, &Options::default());
+    files.into_iter().filter(|file| file.name.ends_with(".svg")).collect()
 }
 
 #[test]
