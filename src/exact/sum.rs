@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use super::collected::IntegerSum;
 use super::decide;
@@ -76,6 +76,25 @@ impl PhasorSum {
             .filter(|(_, weight)| !weight.is_zero())
             .map(|(angle, weight)| Term { angle: angle.clone(), weight })
             .collect()
+    }
+
+    /// The same sum with each line once, opposite directions collected too: all weights positive, in order of the angles.
+    pub fn on_lines(&self) -> Vec<Term> {
+        let half = Turn::fraction(1, 2);
+        let to_first_half = |term: &Term| match term.angle < half {
+            true => term.clone(),
+            false => Term { angle: term.angle.opposite(), weight: -&term.weight },
+        };
+        let lines = PhasorSum::new(self.terms.iter().map(to_first_half).collect()).collected();
+        PhasorSum::new(lines).positive().collected()
+    }
+
+    /// The sum with every vector of negative weight as one of positive weight, turned by half a turn.
+    pub fn positive(&self) -> Self {
+        self.map(|term| match term.weight.is_negative() {
+            true => Term { angle: term.angle.opposite(), weight: -&term.weight },
+            false => term.clone(),
+        })
     }
 
     /// Whether the sum is zero, decided exactly (see [`decide::vanishes`]).

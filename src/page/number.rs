@@ -286,14 +286,3 @@ pub(crate) fn multiple(factor: i64, degrees_value: &BigRational) -> Option<(bool
     let text = if factor.abs().is_one() { modulus } else { format!("{}·{modulus}", factor.abs()) };
     Some((product_sign.is_negative(), text))
 }
-
-/// The kinds of regular polygon that proofs speak of.
-pub(crate) fn polygon_name(sides: u64) -> String {
-    match sides {
-        2 => "an opposed pair".to_owned(),
-        3 => "a regular triangle".to_owned(),
-        5 => "a regular pentagon".to_owned(),
-        7 => "a regular heptagon".to_owned(),
-        _ => format!("a regular {sides}-gon"),
-    }
-}

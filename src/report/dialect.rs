@@ -2,6 +2,7 @@
 //!
 //! Prose is written once, as plain text with `$formulas$` in TeX and `**bold**`, and put into a dialect here.
 
+use crate::page;
 use crate::text::{self, Format, Untrusted};
 
 /// The language that a report is written in.
@@ -20,6 +21,18 @@ impl Dialect {
     pub fn prose(self, text: &str) -> String {
         let pieces = text.split('$').enumerate();
         pieces.map(|(index, piece)| if index % 2 == 1 { self.formula(piece) } else { self.bold(piece) }).collect()
+    }
+
+    /// A text of a page.
+    pub fn text(self, text: &page::Text) -> String {
+        page::text_in(
+            text,
+            match self {
+                Dialect::GithubMarkdown => page::Format::GITHUB,
+                Dialect::DollarMarkdown => page::Format::Markdown(page::Math::Dollars),
+                Dialect::Latex => page::Format::Latex,
+            },
+        )
     }
 
     /// A person's text: nothing in it is markup.

@@ -16,6 +16,7 @@ mod dialect;
 mod document;
 mod engine_cells;
 mod engine_page;
+mod example;
 mod family_page;
 mod firmness;
 mod folder;
@@ -29,10 +30,13 @@ mod poster;
 mod remedy;
 mod render;
 mod residual;
+mod residual_words;
+mod search;
 mod star;
 mod sweep;
 mod table;
 mod theorem;
+mod theorem_words;
 mod views;
 
 pub use views::{end_view, side_view};
@@ -42,6 +46,7 @@ use crate::page::{figure, number as typeset, plot, svg, tikz};
 pub use accuracy_document::{AccuracyDocument, accuracy_document};
 pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
 pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
+pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, loads_answer};
@@ -51,6 +56,7 @@ pub use compare::{CompareDocument, Compared, compare_answer, compare_document, c
 pub use dialect::Dialect;
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
+pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use folder::File;
 pub use loads_document::{LoadsDocument, loads_document};
@@ -66,5 +72,6 @@ pub use remedy::{
     remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
 };
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
+pub use search::{search_answer, search_page};
 pub use star::{small_star, star_figure, told, torque_figure};
-pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
+pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};

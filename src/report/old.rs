@@ -3,9 +3,6 @@
 use serde::Serialize;
 
 use super::dialect::Dialect;
-use super::folder::File;
-use super::svg;
-use crate::page::figure::Figure;
 
 /// Header and rows of plain text.
 pub struct Rows {
@@ -32,20 +29,6 @@ impl Table {
             header: header.iter().map(|cell| dialect.prose(cell)).collect(),
             rows: rows.into_iter().map(set).collect(),
         }
-    }
-}
-
-/// A drawing with the file that it goes to.
-pub(super) struct NamedFigure {
-    pub name: String,
-    pub caption: String,
-    pub figure: Figure,
-}
-
-impl NamedFigure {
-    /// The SVG file of the drawing.
-    pub fn into_svg(self) -> File {
-        File { text: svg(&self.figure, &self.caption), name: format!("{}.svg", self.name) }
     }
 }
 

@@ -9,8 +9,6 @@ const OPTIMISE: &str = include_str!("../../templates/optimise.md");
 #[cfg(feature = "optimise")]
 const OPTIMISE_SUMMARY: &str = include_str!("../../templates/optimise-summary.md");
 const MOVING: &str = include_str!("../../templates/html/moving.html");
-const SWEEP: &str = include_str!("../../templates/sweep.md");
-const STUDY: &str = include_str!("../../templates/study.md");
 
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
@@ -35,16 +33,6 @@ pub(super) fn optimise_summary(summary: &impl Serialize) -> String {
 /// Fills the template of an engine in motion.
 pub(super) fn moving(fragment: &impl Serialize) -> String {
     fill(MOVING, fragment, false)
-}
-
-/// Fills the template of a page of a sweep.
-pub(super) fn sweep(page: &impl Serialize) -> String {
-    fill(SWEEP, page, false)
-}
-
-/// Fills the template of the page of a study.
-pub(super) fn study(page: &impl Serialize) -> String {
-    fill(STUDY, page, false)
 }
 
 fn fill(template: &str, page: &impl Serialize, latex: bool) -> String {

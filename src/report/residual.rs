@@ -1,15 +1,16 @@
 //! What is left of an order, and how is it put in a few words?
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 
+pub(super) use super::residual_words::{sentence, whole_sentence};
 use super::typeset::{self, Amount, Bearing, number, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
 use crate::page::{Format, Text, phrase, text_in};
-use crate::proof::{Quantity, Shape, ShapeEvidence};
+use crate::proof::Shape;
 use crate::verdict::{
     Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, WholeOrder,
 };
@@ -109,53 +110,6 @@ pub(super) fn whole(order: &OrderVerdict) -> [Text; 2] {
 /// The same as plain text.
 pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
     whole(order).map(|text| text_in(&text, Format::PLAIN))
-}
-
-/// A sentence on a whole order, how it is known whether it vanishes.
-pub(super) fn whole_sentence(name: &str, order: u32, whole: &WholeOrder) -> Text {
-    let why = |outcome: &Outcome| match outcome {
-        Outcome::Zero => "each of its sums is zero".to_owned(),
-        Outcome::NotZero => "one of its sums alone is left, and what that stands before is not zero".to_owned(),
-        Outcome::NotZeroByEnclosure { .. } => {
-            "an enclosure of the whole, each sum times its coefficient, excludes zero".to_owned()
-        }
-        Outcome::NotDecided { below } => {
-            let below = below.to_f64().unwrap_or(f64::INFINITY).next_up();
-            format!("only the coefficients could make it vanish, and it is shorter than {below:.1e}")
-        }
-        Outcome::Open => "the layout says nothing of its rods, on which it depends".to_owned(),
-    };
-    let verb = |outcome: &Outcome| match outcome.vanishes() {
-        Some(true) => "vanishes",
-        Some(false) => "does not vanish",
-        None => "is not decided",
-    };
-    let [direct, reverse] = &whole.outcomes;
-    let outcomes = match (why(direct) == why(reverse), direct.vanishes()) {
-        (true, Some(true)) => "Both vectors vanish: each of their sums is zero.".to_owned(),
-        (true, Some(false)) => format!("Neither vector vanishes: {}.", why(direct)),
-        (true, None) => format!("Neither vector is decided: {}.", why(direct)),
-        (false, _) => format!(
-            "The direct vector {}: {}. The reverse vector {}: {}.",
-            verb(direct),
-            why(direct),
-            verb(reverse),
-            why(reverse)
-        ),
-    };
-    let how = match &whole.evidence {
-        Some(ShapeEvidence::Certificate(_)) => ": the squares of both lengths are compared exactly",
-        Some(ShapeEvidence::Mirror(_)) => {
-            ": each sum of one vector is the mirror image of its partner in the other, so that both are equally long"
-        }
-        Some(ShapeEvidence::Bits(_)) => ": an enclosure shows that their lengths differ",
-        None => "",
-    };
-    let shape = match whole.shape {
-        Shape::Balanced | Shape::NotDecided => String::new(),
-        shape => format!(" What is left is **{}**{how}.", shape_name(shape)),
-    };
-    Text::phrase(format!("**{name} of order {order}, all its sums together.** {outcomes}{shape}"), Vec::new())
 }
 
 /// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
@@ -276,40 +230,6 @@ fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {
 /// What a moment is called: a couple only where the force of its order vanishes.
 pub(super) fn moment_name(order: &OrderBalance) -> &'static str {
     if order.moment_is_couple() { "couple" } else { "moment" }
-}
-
-/// A sentence on what the two vectors together trace.
-pub(super) fn sentence(balance: &Balance) -> Text {
-    let k = balance.direct.order;
-    let speed = if k == 1 { "crank speed".to_owned() } else { format!("{k} times crank speed") };
-    let largest = largest(balance).prose();
-    let symbol = if balance.direct.quantity == Quantity::Force { "F" } else { "C" };
-    let words = match balance.shape {
-        Shape::Balanced => "Nothing is left: both vectors vanish.".to_owned(),
-        Shape::Rotating => format!(
-            "What is left is **rotating**: a vector of constant length {largest} that turns with the crank at {speed}. {}",
-            if k == 1 { "Counterweights on the crankshaft remove it." } else { "A balancer shaft geared to that speed removes it." }
-        ),
-        Shape::CounterRotating => format!(
-            "What is left is **counter-rotating**: a vector of constant length {largest} that turns against the crank at {speed}. \
-             One balancer shaft removes it."
-        ),
-        Shape::Planar => format!(
-            "What is left is **planar**: both vectors are equally long ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 = 0$, proved), so \
-             ${symbol}_{{{k}}}$ swings along the line of angle {}; its largest value {largest}.",
-            line_bearing(balance).prose()
-        ),
-        Shape::Elliptical => format!(
-            "What is left is **elliptical**: the vectors differ in length ($|P_{{{k}}}^{{+}}|^2 - |P_{{{k}}}^{{-}}|^2 \\ne 0$, proved); the \
-             largest value {largest}, along the line of angle {}.",
-            line_bearing(balance).prose()
-        ),
-        Shape::NotDecided => "Whether the vectors are equally long is not decided.".to_owned(),
-    }
-    .replace("|P", "\\lvert P")
-    .replace("}|^2", "}\\rvert^2");
-    let letter = if balance.direct.quantity == Quantity::Moment { words.replace("P_{", "C_{") } else { words };
-    Text::phrase(letter, Vec::new())
 }
 
 /// The major axis, `(arg P⁺ + arg P⁻)/2` (theory, section 3), as a line in `(−90°, 90°]`.

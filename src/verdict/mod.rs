@@ -10,7 +10,9 @@ mod whole;
 pub use balance::{Balance, Class, Verdict};
 pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
 pub use judgement::{Judgement, NotJudged};
-pub use reason::{Reason, mirror_partners, opposed_partners, reason};
+pub use reason::{
+    Component, Reason, Size, corners, drawn_polygons, mirror_axis, mirror_partners, opposed_partners, reason,
+};
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
 pub use whole::{Outcome, WholeOrder};
 

@@ -160,9 +160,19 @@ fn no_text_of_a_layout_file_acts_in_the_output_of_any_command() {
     }
     markdown_is_whole("report --math dollars", &answered(&["report", file, "--math", "dollars"]));
     latex_is_whole("report --format latex", &answered(&["report", file, "--format", "latex"]));
-    markdown_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000"]));
+    markdown_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "markdown"]));
+    latex_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "latex"]));
     csv_is_inert("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "csv"]));
-    for command in ["classify", "loads", "bearings", "remedy", "compare I4", "accuracy", "classify --torque"] {
+    for command in [
+        "classify",
+        "loads",
+        "bearings",
+        "remedy",
+        "compare I4",
+        "accuracy",
+        "classify --torque",
+        "sweep --speed=1000..3000:1000",
+    ] {
         let arguments: Vec<&str> = command.split(' ').chain([file]).collect();
         assert!(answered(&arguments).contains("of-title"), "{command}");
     }

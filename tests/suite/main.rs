@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_types)]
 
 mod accuracy;
+mod arguments;
 mod atlas;
 mod beam;
 mod bearings;

@@ -63,9 +63,9 @@ fn the_in_line_six_keeps_the_orders_that_six_divides() {
     says(
         &six,
         &[
-            "The first order that survives: force 6, planar; no moment at any order.",
-            "- **Force.** The force of order $k$ vanishes iff $6 \\nmid k$. Direct and reverse vector alike.",
-            "- **Moment.** The moment vanishes at every order.",
+            "The first order that is left: force 6, planar; no moment at any order.",
+            "- **Force.** Zero exactly at the orders $k$ that 6 does not divide ($6 \\nmid k$). Direct and reverse vector alike.",
+            "- **Moment.** Zero at every order.",
             "| 2, 8, … | **0** | **0** | **0** | **0** |",
             "| 6, 12, … | not 0 | not 0 | **0** | **0** |",
         ],
@@ -81,8 +81,8 @@ fn the_radial_nine_keeps_order_1_and_two_classes() {
     says(
         &nine,
         &[
-            "The first order that survives: force 1, rotating; no moment at any order.",
-            "- **Force.** Nothing is left of the force but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and 10, \
+            "The first order that is left: force 1, rotating; no moment at any order.",
+            "- **Force.** Nothing is left but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and orders 10, \
              28, … = $18j - 8$ (direct).",
         ],
     );
@@ -94,7 +94,7 @@ fn the_flat_twelve_on_shared_pins_keeps_nothing() {
     let theorem = proved(&twelve);
     assert_eq!((theorem.force.survivors(), theorem.moment.survivors()), (NO_ORDER, NO_ORDER));
     assert!(theorem.force.first.is_none() && theorem.moment.first.is_none());
-    says(&twelve, &["No order survives: neither force nor moment, at any order."]);
+    says(&twelve, &["No order is left: neither force nor moment, at any order."]);
     let offset = proved(&written("[flat]\nthrows = [0, 240, 120, 120, 240, 0]\nbank_offset = 0.2"));
     assert_eq!((offset.force.survivors(), offset.moment.survivors()), (NO_ORDER, survivors(false, 6, &[0])));
 }
@@ -103,17 +103,25 @@ fn the_flat_twelve_on_shared_pins_keeps_nothing() {
 fn each_kind_of_statement_has_its_sentence() {
     let alike = "Direct and reverse vector alike.";
     for (name, line) in [
-        ("I1", format!("- **Force.** The force vanishes at no order. {alike}")),
-        ("I4", format!("- **Force.** The force vanishes at order 1 and at no other. {alike}")),
-        ("I2-270", format!("- **Force.** The force of order $k$ vanishes iff $k \\ne 1$ and $4 \\nmid k$. {alike}")),
-        ("I2-270", format!("- **Moment.** The moment of order $k$ vanishes iff $4 \\mid k$. {alike}")),
-        ("I6-two-stroke", format!("- **Moment.** The moment of order $k$ vanishes iff $k = 1$ or $6 \\mid k$. {alike}")),
-        ("I2-180", "- **Moment.** Nothing is left of the moment but order 1.".to_owned()),
-        ("V8-crossplane", "- **Moment.** Nothing is left of the moment but order 1 (direct).".to_owned()),
+        ("I1", format!("- **Force.** Zero at no order. {alike}")),
+        ("I4", format!("- **Force.** Zero at order 1 and at no other. {alike}")),
+        (
+            "I2-270",
+            format!("- **Force.** Zero exactly at the orders $k$ but 1 that 4 does not divide ($4 \\nmid k$). {alike}"),
+        ),
+        ("I2-270", format!("- **Moment.** Zero exactly at the orders $k$ that 4 divides ($4 \\mid k$). {alike}")),
+        (
+            "I6-two-stroke",
+            format!(
+                "- **Moment.** Zero exactly at order 1 and at the orders $k$ that 6 divides ($6 \\mid k$). {alike}"
+            ),
+        ),
+        ("I2-180", "- **Moment.** Nothing is left but order 1.".to_owned()),
+        ("V8-crossplane", "- **Moment.** Nothing is left but order 1 (direct).".to_owned()),
         (
             "V2-60",
-            "- **Force.** The force vanishes at no order. The direct vector vanishes at orders 4, 10, … = $6j - 2$ and at no \
-             other. The reverse vector vanishes at orders 2, 8, … = $6j - 4$ and at no other."
+            "- **Force.** Zero at no order. The direct vector: Zero at orders 4, 10, … = $6j - 2$ and at no \
+             other. The reverse vector: Zero at orders 2, 8, … = $6j - 4$ and at no other."
                 .to_owned(),
         ),
     ] {
@@ -131,7 +139,7 @@ fn many_classes_are_listed_by_their_residues() {
     let left: Vec<u32> = (0..72).step_by(2).filter(is_left).collect();
     assert_eq!(theorem.force.survivors(), survivors(true, 72, &left));
     let section = text(&engine, pages::DOLLARS);
-    let line = "The force vanishes at the orders that are 4, 6, 12, 20, 24, 28, 30, 36, 42, 44, 48, 52, 60, 66, 68 modulo 72 and \
+    let line = "Zero at the orders that are 4, 6, 12, 20, 24, 28, 30, 36, 42, 44, 48, 52, 60, 66, 68 modulo 72, and \
                 at no other. Direct and reverse vector alike.";
     assert!(section.contains(line) && !section.contains("Force, direct"), "no table of 37 rows");
 }

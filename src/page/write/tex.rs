@@ -66,8 +66,11 @@ impl Reader<'_> {
             };
         }
         let name: String = self.letters[start..self.at].iter().collect();
-        let behind = self.letters.get(self.at).is_some_and(|letter| *letter == ' ');
-        self.at += usize::from(behind);
+        // A space ends the command before letters and digits; before a sign it is one to be read.
+        let follows = |ahead: usize| self.letters.get(self.at + ahead).copied();
+        let ends =
+            follows(0) == Some(' ') && follows(1).is_some_and(|letter| letter.is_alphanumeric() || letter == '\\');
+        self.at += usize::from(ends);
         self.named(&name)
     }
 

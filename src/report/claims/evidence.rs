@@ -10,7 +10,7 @@ pub(super) fn evidence(answer: &Answer) -> Vec<Text> {
 }
 
 fn one(evidence: &Evidence) -> Text {
-    let certificate = Text::phrase(argument::certificate_of(evidence.sum(), evidence.certificate()), Vec::new());
+    let certificate = argument::certificate_of(evidence.sum(), evidence.certificate());
     let about = match evidence {
         Evidence::Verdict(verdict) => {
             let quantity = super::super::old::capital(verdict.quantity.name());

@@ -1,7 +1,7 @@
 //! How is each order proved? Its star, what is left, and the argument for each vector.
 
 use super::super::star::{star_figure, star_legend};
-use super::super::{argument, residual, table};
+use super::super::{argument, example, residual, table};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
 use crate::page::{Block, Fold, Picture, Text, phrase};
@@ -74,13 +74,14 @@ const BANKS: &str = "Between two banks an angle φ apart the direct phases of or
 pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
     let paragraph = |words: &'static str| Block::Paragraph(words.into());
-    let mut blocks = vec![
-        Block::Heading(1, "Proofs, order by order".into()),
+    let mut blocks = vec![Block::Heading(1, "Proofs, order by order".into())];
+    blocks.extend(stars.iter().take(1).flat_map(|star| example::worked(engine, star.balance)));
+    blocks.extend([
         paragraph("The force of order k is a vector that turns with the crank and one that turns against it:"),
         Block::Formula(FORCE.to_owned(), Some(1)),
         Block::Formula(PHASES.to_owned(), Some(2)),
         paragraph("The moment has the same sums with each term multiplied by its arm z; they are called C."),
-    ];
+    ]);
     blocks.extend(has_banks.then(|| paragraph(BANKS)));
     for star in stars {
         blocks.extend(proof(engine, star));

@@ -109,7 +109,6 @@ pub(super) fn argument(sum: &OpenSum) -> Text {
     let has_open_angles = sum.parts.iter().any(|part| !part.phi.is_zero() || !part.delta.is_zero());
     let one = |part: &Part| {
         let certificate = argument::certificate_of(&part.sum, &part.certificate);
-        let certificate = Text::phrase(certificate, Vec::new());
         match (&sum.symbol, has_open_angles) {
             (_, true) => {
                 phrase!("Turned by {}: {}. {}", unknowns(&part.phi, &part.delta), value(part), certificate)

@@ -8,7 +8,7 @@ mod sheet;
 mod small;
 
 pub(super) use legend::{star_legend, torque_legend};
-pub(super) use names::{shortened, source_names};
+pub(super) use names::shortened;
 pub(super) use panel::Panel;
 pub(super) use sheet::{Scale, Sheet, WIDTH};
 pub use sheet::{star_figure, torque_figure};
@@ -20,11 +20,12 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
+use super::argument;
 use super::figure::Point;
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::Turn;
 use crate::numbers;
 use crate::order::Source;
-use crate::proof::{Certificate, Polygon};
+use crate::proof::Polygon;
 use crate::verdict::Verdict;
 
 /// The vectors of one sum as they are drawn: all of positive length, those of negative weight turned by 180°.
@@ -73,14 +74,9 @@ impl Star {
             by_angle.entry(angle).or_default().push((*source, term.weight.abs()));
         }
         let rays: Vec<Ray> = by_angle.into_iter().map(|(angle, members)| Ray { angle, members }).collect();
-        let drawn = rays.iter().map(|ray| Term { angle: ray.angle.clone(), weight: ray.total() });
-        let polygons = match verdict.vanishes().then(|| PhasorSum::new(drawn.collect()).certificate()) {
-            Some(Certificate::Polygons { polygons }) => polygons,
-            _ => Vec::new(),
-        };
         Star {
             rays,
-            polygons,
+            polygons: argument::polygons_shown(verdict),
             resultant: (!verdict.vanishes()).then(|| numbers::evaluate(&verdict.sum)),
             has_turned: verdict.sum.terms().iter().any(|term| term.weight.is_negative()),
         }

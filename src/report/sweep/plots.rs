@@ -4,17 +4,11 @@ use super::super::figure::{Figure, Ink};
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::super::typeset;
-use super::words::{axis, exact, float, quantity_name, short_number, unit};
+use super::amounts::axis_unit;
+use super::words::{axis, exact, float, quantity_name};
+use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
 use crate::sweep::{Amplitudes, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
-use crate::text::Format;
-
-/// A drawing with its name and what it shows.
-pub(super) struct Drawn {
-    pub name: String,
-    pub caption: String,
-    pub figure: Figure,
-}
 
 /// One of the amplitudes of an order.
 pub(super) type Amplitude = fn(&Amplitudes) -> f64;
@@ -26,10 +20,10 @@ const MOST_MARKS: usize = 60;
 const CURVES: &str = "Above, the largest and the smallest value through a revolution; below, the largest along the reference \
                       direction and across it. Curves that coincide share a name; at most 60 exact zeros are marked.";
 const MAP: &str = "The darker, the larger; the contour lines, at the values of the scale, are interpolated between the points of the \
-                   grid. Rings are exact zeros, not marked where there are more than 60; without any, a dot marks the least value.";
+                   grid. Where there are more than 60 rings, none is drawn; without any, a dot marks the least value.";
 
 /// One drawing for each order of force and moment that is not zero at every point.
-pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
+pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
     let mut drawn = Vec::new();
     for quantity in [Quantity::Force, Quantity::Moment] {
         for (place, &order) in sweep.orders.iter().enumerate() {
@@ -38,20 +32,44 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
                 continue;
             }
             let name = format!("{}-{order}", quantity_name(quantity));
-            let what = quantity_name(quantity);
-            let caption = format!(
-                "{}, order {order}: {what} of order {order}. {}",
-                sweep.title.escaped(Format::Plain),
-                if sweep.parameters.len() == 1 { CURVES } else { MAP }
-            );
             let figure = match sweep.parameters.len() {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
             };
-            drawn.push(Drawn { name, caption, figure });
+            let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
+            let caption = caption(sweep, quantity, order).and(" ").and(shown);
+            drawn.push(Picture { name, caption, figure });
         }
     }
     drawn
+}
+
+/// What a reader sees in a drawing.
+fn caption(sweep: &Sweep, quantity: Quantity, order: u32) -> Text {
+    match (sweep.parameters.len(), quantity == Quantity::Moment, sweep.zeros.is_some()) {
+        (1, false, true) => phrase!(
+            "Force of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
+            order
+        ),
+        (1, true, true) => phrase!(
+            "Moment of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
+            order
+        ),
+        (1, false, false) => {
+            phrase!("Force of order {}. Rings mark values at which a part is proved to be zero.", order)
+        }
+        (1, true, false) => {
+            phrase!("Moment of order {}. Rings mark values at which a part is proved to be zero.", order)
+        }
+        (_, false, _) => phrase!(
+            "Largest force of order {} over both values. Rings mark points at which it is proved to be zero.",
+            order
+        ),
+        (_, true, _) => phrase!(
+            "Largest moment of order {} over both values. Rings mark points at which it is proved to be zero.",
+            order
+        ),
+    }
 }
 
 pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) -> Option<&Amplitudes> {
@@ -61,13 +79,13 @@ pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) 
 
 fn value_axis(sweep: &Sweep, quantity: Quantity) -> Axis {
     let name = if quantity == Quantity::Moment { "Moment" } else { "Force" };
-    Axis::amplitude(format!("{name} in {}", unit(sweep, quantity)))
+    Axis::amplitude(format!("{name} in {}", axis_unit(sweep, quantity)))
 }
 
 /// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let parameter = &sweep.parameters[0];
-    let is_angle = sweep.zeros.is_some() || is_angle(parameter);
+    let is_angle = sweep.zeros.is_some() || sweep.angles.first().copied().unwrap_or(false);
     let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
     let label = axis(parameter, is_angle);
     let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
@@ -90,28 +108,6 @@ fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure
         panel(format!("{title}: largest and smallest"), axes, &[Zeros::Largest, Zeros::Direct, Zeros::Reverse]),
         panel(format!("{title}: along and across"), parts, &[Zeros::Largest, Zeros::Along, Zeros::Across]),
     ])
-}
-
-/// Keys of a layout file that hold angles.
-const ANGLES: [&str; 11] = [
-    "bank_angle",
-    "pin_split",
-    "throws",
-    "banks",
-    "pin_splits",
-    "row_rotation",
-    "row_throw",
-    "throw",
-    "bank",
-    "angle",
-    "phi",
-];
-
-/// Whether the parameter is an angle in degrees.
-fn is_angle(parameter: &Parameter) -> bool {
-    let key = parameter.key.to_string();
-    let named = key.split(['.', '[', ']']).any(|part| ANGLES.contains(&part));
-    named && ["", "°", "deg"].contains(&parameter.range.unit())
 }
 
 /// A mark with what vanishes at it.
@@ -175,13 +171,13 @@ fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<ZeroMark> 
 
 fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let [slow, fast] = [&sweep.parameters[0], &sweep.parameters[1]];
+    let is_angle = [0, 1].map(|index| sweep.angles.get(index).copied().unwrap_or(false));
     let columns = fast.range.count();
-    let around = |parameter: &Parameter| {
+    let around = |parameter: &Parameter, is_angle: bool| {
         // Cells reach half a step beyond the outer values.
         let (first, last) = (float(&parameter.range.value(0)), float(&parameter.range.last()));
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
-        let is_angle = is_angle(parameter);
         let label = axis(parameter, is_angle);
         let (low, high) = (first - half, last + half);
         if is_angle { Axis::degrees(label, low, high) } else { Axis::linear(label).within(low, high) }
@@ -208,8 +204,8 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     }
     let map = Map {
         title: format!("Order {order}: largest {}", quantity_name(quantity)),
-        x: around(fast),
-        y: around(slow),
+        x: around(fast, is_angle[1]),
+        y: around(slow, is_angle[0]),
         value: value_axis(sweep, quantity),
         rows,
         curves: Vec::new(),
@@ -223,5 +219,5 @@ fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Option<PointMa
     let points = sweep.points.iter().filter(|point| largest(point).is_finite());
     let best = points.min_by(|a, b| largest(a).total_cmp(&largest(b)))?;
     let at = (float(best.values.get(1)?), float(best.values.first()?));
-    Some(PointMark::dot(at, format!("≈ {}", short_number(largest(best)))).of("least on the grid"))
+    Some(PointMark::dot(at, format!("≈ {}", typeset::sensible(largest(best)))).of("least on the grid"))
 }

@@ -1,0 +1,207 @@
+//! How is it told that a sum is zero? By a symmetry, or by the regular polygons that are drawn.
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use super::super::star::{Ray, Star};
+use super::sums::{angle, listed};
+use crate::engine::Engine;
+use crate::exact::Turn;
+use crate::order::Source;
+use crate::page::{Number, Text, phrase};
+use crate::proof::{Polygon, Quantity};
+use crate::verdict::{Verdict, corners, mirror_partners, opposed_partners};
+
+/// A mirror plane across the crankshaft.
+pub(super) fn mirror(engine: &Engine) -> Text {
+    let partners = mirror_partners(engine).unwrap_or_default().into_iter().enumerate();
+    let cylinders: Vec<Source> = (0..engine.cylinders().len()).map(Source::Piston).collect();
+    let pairs = pairs(engine, &cylinders, partners.filter(|(index, partner)| index < partner));
+    phrase!(
+        "By symmetry: the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, \
+         and opposite arms, so their vectors cancel in every order.",
+        Text::joined(pairs, ", ")
+    )
+}
+
+/// Vectors that are equally long and opposite, two by two.
+pub(super) fn opposed(engine: &Engine, verdict: &Verdict) -> Text {
+    let partners = opposed_partners(&verdict.sum).unwrap_or_default();
+    let pairs = pairs(engine, &verdict.sources, partners.into_iter());
+    match (verdict.quantity, pairs.len()) {
+        (Quantity::Moment, 1) => phrase!(
+            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel.",
+            listed(pairs)
+        ),
+        (Quantity::Moment, _) => phrase!(
+            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel pair by pair.",
+            Text::joined(pairs, ", of ")
+        ),
+        (Quantity::Force | Quantity::Torque, 1) => {
+            phrase!("By opposed pairs: the vectors of {} are equally long and opposite, and cancel.", listed(pairs))
+        }
+        (Quantity::Force | Quantity::Torque, _) => phrase!(
+            "By opposed pairs: the vectors of {} are equally long and opposite, and cancel pair by pair.",
+            Text::joined(pairs, ", of ")
+        ),
+    }
+}
+
+/// `1 and 4`, a pair of sources each.
+fn pairs(engine: &Engine, sources: &[Source], indices: impl Iterator<Item = (usize, usize)>) -> Vec<Text> {
+    let name = |index: usize| sources[index].name(engine);
+    indices.map(|(first, second)| phrase!("{} and {}", name(first), name(second))).collect()
+}
+
+/// Each direction with the weights that cancel on it.
+pub(super) fn cancelling(engine: &Engine, verdict: &Verdict) -> Text {
+    let mut directions: Vec<(&Turn, Vec<(Source, &BigRational)>)> = Vec::new();
+    for (source, term) in verdict.sources.iter().zip(verdict.sum.terms()) {
+        let entry = (*source, &term.weight);
+        match directions.iter_mut().find(|(angle, _)| *angle == &term.angle) {
+            Some((_, members)) => members.push(entry),
+            None => directions.push((&term.angle, vec![entry])),
+        }
+    }
+    directions.sort_by_key(|(angle, _)| *angle);
+    directions.retain(|(_, members)| members.iter().any(|(_, weight)| !weight.is_zero()));
+    let one = |(direction, members): &(&Turn, Vec<(Source, &BigRational)>)| {
+        let ray =
+            Ray { angle: (*direction).clone(), members: members.iter().map(|(s, w)| (*s, (*w).clone())).collect() };
+        phrase!("at {} ({}) {} = {}", angle(direction), ray.names(engine), added(members), Text::zero())
+    };
+    phrase!("Like directions cancel: {}.", Text::joined(directions.iter().map(one), "; "))
+}
+
+/// `4.5 − 1.5 − 3`.
+fn added(members: &[(Source, &BigRational)]) -> Text {
+    let mut sum = Text::default();
+    for (_, weight) in members {
+        sum = match (sum.is_empty(), weight.is_negative()) {
+            (true, _) => Number::exact(weight).into(),
+            (false, false) => phrase!("{} + {}", sum, Number::exact(weight)),
+            (false, true) => phrase!("{} − {}", sum, Number::exact(&weight.abs())),
+        };
+    }
+    sum
+}
+
+/// A star that a turn carries into itself, and its polygons.
+pub(super) fn rotation(engine: &Engine, verdict: &Verdict, fold: u32) -> Text {
+    let turn = angle(&Turn::fraction(1, i64::from(fold)));
+    let symmetry = phrase!(
+        "By symmetry: turned by {} the star is the same star, so its sum is the same when turned by {}, and only zero is.",
+        turn.clone(),
+        turn
+    );
+    // A word on turned vectors has to come before the star is spoken of.
+    let sentences = negative_turned(verdict).into_iter().chain([symmetry]).chain(sentences(engine, verdict));
+    Text::joined(sentences, " ")
+}
+
+/// The polygons that the star is made of.
+pub(super) fn polygons(engine: &Engine, verdict: &Verdict) -> Text {
+    Text::joined(negative_turned(verdict).into_iter().chain(sentences(engine, verdict)), " ")
+}
+
+/// What is done with vectors of negative weight, where there are some.
+fn negative_turned(verdict: &Verdict) -> Option<Text> {
+    Star::new(verdict).has_turned.then(|| match verdict.quantity {
+        Quantity::Moment => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
+        Quantity::Force | Quantity::Torque => {
+            "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
+        }
+    })
+}
+
+/// A sentence on all polygons of so many sides; or, where some are taken away, on the polygons that make up the star.
+fn sentences(engine: &Engine, verdict: &Verdict) -> Vec<Text> {
+    let star = Star::new(verdict);
+    if star.polygons.iter().any(|polygon| !is_part(&star, polygon)) {
+        return vec![phrase!(
+            "The star is put together from regular polygons, each of which sums to zero: {}. Where their corners meet, the lengths \
+             are added.",
+            Text::joined(star.polygons.iter().map(added_or_taken), "; ")
+        )];
+    }
+    let mut sides: Vec<u64> = star.polygons.iter().map(|polygon| polygon.sides).collect();
+    sides.sort_unstable();
+    sides.dedup();
+    let of = |sides: u64| {
+        let mut polygons: Vec<&Polygon> = star.polygons.iter().filter(|polygon| polygon.sides == sides).collect();
+        let first =
+            |polygon: &&Polygon| rays(&star, polygon).iter().flat_map(|ray| &ray.members).map(|one| one.0).min();
+        polygons.sort_by_key(first);
+        polygons
+    };
+    sides.into_iter().map(|sides| sentence(engine, &star, sides, &of(sides))).collect()
+}
+
+/// Whether vectors of the star, or parts of them, are the corners.
+fn is_part(star: &Star, polygon: &Polygon) -> bool {
+    polygon.weight.is_positive()
+        && rays(star, polygon).len() as u64 == polygon.sides
+        && rays(star, polygon).iter().all(|ray| ray.total() >= polygon.weight)
+}
+
+/// The rays that point to the corners.
+fn rays<'a>(star: &'a Star, polygon: &Polygon) -> Vec<&'a Ray> {
+    let corners = corners(polygon);
+    corners.terms().iter().filter_map(|corner| star.rays.iter().find(|ray| ray.angle == corner.angle)).collect()
+}
+
+/// A sentence on polygons with the same number of sides.
+fn sentence(engine: &Engine, star: &Star, sides: u64, polygons: &[&Polygon]) -> Text {
+    match (sides, polygons) {
+        (2, [only]) => phrase!("The vectors {} are equally long and opposite, and cancel.", member(engine, star, only)),
+        (2, several) => phrase!(
+            "These vectors are equally long and opposite, two by two, and cancel: {}.",
+            Text::joined(several.iter().map(|polygon| member(engine, star, polygon)), "; ")
+        ),
+        (_, [only]) => {
+            phrase!("The vectors {} are the corners of {} and sum to zero.", member(engine, star, only), name(sides))
+        }
+        (_, several) => phrase!(
+            "Each of these sets of vectors is the corners of {} and sums to zero: {}.",
+            name(sides),
+            Text::joined(several.iter().map(|polygon| member(engine, star, polygon)), "; ")
+        ),
+    }
+}
+
+/// The corners of one polygon: by the names of their vectors, or by their directions where a vector is a part or several.
+fn member(engine: &Engine, star: &Star, polygon: &Polygon) -> Text {
+    let mut corners = rays(star, polygon);
+    let is_whole = corners.iter().all(|ray| ray.total() == polygon.weight);
+    if is_whole && corners.iter().all(|ray| ray.members.len() == 1) {
+        corners.sort_by_key(|ray| ray.members[0].0);
+        return listed(corners.into_iter().map(|ray| ray.names(engine).into()).collect());
+    }
+    let places = corners.into_iter().map(|ray| phrase!("{} ({})", angle(&ray.angle), ray.names(engine)));
+    let places = listed(places.collect());
+    match is_whole {
+        true => phrase!("at {}, {} long each,", places, Number::exact(&polygon.weight)),
+        false => phrase!("at {}, taken {} long each,", places, Number::exact(&polygon.weight)),
+    }
+}
+
+/// What the corners are those of.
+fn name(sides: u64) -> Text {
+    match sides {
+        3 => "a regular triangle".into(),
+        5 => "a regular pentagon".into(),
+        7 => "a regular heptagon".into(),
+        more => phrase!("a regular {}-gon", more.to_string()),
+    }
+}
+
+/// A polygon of a list, by its corners; one of negative weight is taken away.
+fn added_or_taken(polygon: &Polygon) -> Text {
+    let corners = corners(polygon);
+    let at = listed(corners.terms().iter().map(|corner| angle(&corner.angle).into()).collect());
+    let weight = Number::exact(&polygon.weight.abs());
+    match polygon.weight.is_negative() {
+        false => phrase!("vectors of length {} at {}", weight, at),
+        true => phrase!("less vectors of length {} at {}", weight, at),
+    }
+}

@@ -1,0 +1,179 @@
+//! How do the force of one piston and its two vectors belong together? One cylinder of the engine, worked out and drawn.
+
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use super::star::towards;
+use super::{table, typeset};
+use crate::engine::{Cylinder, Engine};
+use crate::exact::Turn;
+use crate::numbers;
+use crate::order::Source;
+use crate::page::{Block, Number, Picture, Text, phrase};
+use crate::proof::Sense;
+use crate::verdict::OrderBalance;
+
+/// What stands before equations (1) and (2): one cylinder of these sums put into them, with a picture.
+pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
+    let Some((cylinder, weight)) = chosen(engine, balance) else { return Vec::new() };
+    let mut blocks =
+        vec![Block::Paragraph(two_vectors(balance.order)), Block::Paragraph(numbers_of(cylinder, weight, balance))];
+    let has_side_part = balance.order == 1 && cylinder.mechanism.as_ref().is_some_and(|one| !one.is_centric());
+    blocks.extend(has_side_part.then(|| Block::Paragraph(OFFSET.into())));
+    blocks.push(picture(cylinder, balance.order).into());
+    blocks.push(Block::Paragraph(ALL_CYLINDERS.into()));
+    blocks
+}
+
+const OFFSET: &str = "The offset of this cylinder adds a part to $c_1$ that belongs to the sine: it lengthens both vectors and turns the direct one by a fixed angle \
+                      and the reverse one by as much the other way. The picture leaves it out.";
+const ALL_CYLINDERS: &str = "Every cylinder has two such vectors. Equation (2) adds up the direct ones of all cylinders, and the reverse \
+                             ones, as they stand at $\\theta = 0$; equation (1) turns both sums and takes half of what they make together.";
+
+/// A cylinder of the sums that has a mass: one whose throw and axis are both turned where there is one.
+fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cylinder, &'a BigRational)> {
+    let direct = &balance.force.direct;
+    let terms = direct.sources.iter().zip(direct.sum.terms());
+    let pistons = terms.filter_map(|(source, term)| match source {
+        Source::Piston(index) => Some((engine.cylinders().get(*index)?, &term.weight)),
+        Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => None,
+    });
+    let is_plain = |angle: &Turn| *angle == Turn::zero();
+    pistons
+        .filter(|(_, weight)| weight.is_positive())
+        .min_by_key(|(cylinder, _)| usize::from(is_plain(&cylinder.throw)) + usize::from(is_plain(&cylinder.bank)))
+}
+
+/// A cosine along a line as the half sum of two vectors that turn.
+fn two_vectors(order: u32) -> Text {
+    match order {
+        1 => "The force of order 1 of one piston acts along the axis of its cylinder and swings as $\\cos(\\theta + \\beta - \\alpha)$ does: \
+              largest at top dead centre. It is half the sum of two vectors of constant length. The **direct** vector turns with the crank, \
+              the **reverse** vector as fast against it; each is the mirror image of the other in the axis of the cylinder, so that across \
+              the axis they cancel at every moment."
+            .into(),
+        k => phrase!(
+            "The force of order {} of one piston acts along the axis of its cylinder and swings {} times in a revolution, as {} does. It \
+             is half the sum of two vectors of constant length. The **direct** vector turns with the crank at {} times its speed, the \
+             **reverse** vector as fast against it; each is the mirror image of the other in the axis of the cylinder, so that across \
+             the axis they cancel at every moment.",
+            k,
+            k,
+            Text::formula(format!("\\cos {k}(\\theta + \\beta - \\alpha)")),
+            k
+        ),
+    }
+}
+
+/// The numbers of the cylinder put into (2).
+fn numbers_of(cylinder: &Cylinder, weight: &BigRational, balance: &OrderBalance) -> Text {
+    let order = balance.order;
+    let formula = |sense| table::phase_formula(i64::from(order), sense, true);
+    phrase!(
+        "Take cylinder {}: its throw stands at β = {}, its axis at α = {}, and its mass counts {}. At θ = 0 its direct vector stands at \
+         {}, here {}, and its reverse vector at {}, here {}; both are {} long.",
+        cylinder.name.clone(),
+        typeset::angle(&cylinder.throw),
+        typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
+        Number::exact(weight),
+        formula(Sense::Direct),
+        table::working(cylinder, order, Sense::Direct),
+        formula(Sense::Reverse),
+        table::working(cylinder, order, Sense::Reverse),
+        Number::exact(weight)
+    )
+}
+
+/// One panel, and the length of the force at its largest, in millimetres.
+const PANEL: (f64, f64) = (74.0, 70.0);
+const CENTRE: Point = Point::new(37.0, 33.0);
+const REACH: f64 = 25.0;
+const CRANK: f64 = 7.0;
+
+fn picture(cylinder: &Cylinder, order: u32) -> Picture {
+    let mut figure = Figure::new(2.0 * PANEL.0, PANEL.1);
+    // At the one the force points outwards, at the other inwards.
+    for (column, wanted) in [50, 130].into_iter().enumerate() {
+        let corner = Point::new(column as f64 * PANEL.0, 0.0);
+        draw(&mut figure, corner, cylinder, order, &crank_angle(cylinder, order, wanted));
+    }
+    let name = cylinder.name.clone();
+    let caption = match order {
+        1 => phrase!(
+            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the \
+             force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by θ from where it \
+             stands at θ = 0, the reverse vector by −θ.",
+            name
+        ),
+        _ => phrase!(
+            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the \
+             force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by {}θ from where it \
+             stands at θ = 0, the reverse vector by −{}θ.",
+            name,
+            order,
+            order
+        ),
+    };
+    Picture { name: "direct-and-reverse".to_owned(), caption, figure }
+}
+
+/// `k(θ + β − α)`: how far the vectors are turned from the axis.
+fn from_axis(cylinder: &Cylinder, order: u32, crank: &Turn) -> Turn {
+    (&(crank + &cylinder.throw) - &cylinder.bank).times(i64::from(order))
+}
+
+/// The crank angle, in tens of degrees, at which the vectors stand nearest to so many degrees from the axis.
+fn crank_angle(cylinder: &Cylinder, order: u32, wanted: i64) -> Turn {
+    let distance = |crank: &Turn| {
+        let degrees = typeset::signed_degrees(&from_axis(cylinder, order, crank)).abs();
+        (degrees - BigRational::from_integer(wanted.into())).abs()
+    };
+    let angles = (1..36).map(|tens| Turn::fraction(tens, 36));
+    angles.min_by_key(distance).unwrap_or_else(Turn::zero)
+}
+
+fn draw(figure: &mut Figure, corner: Point, cylinder: &Cylinder, order: u32, crank: &Turn) {
+    let centre = corner + CENTRE;
+    let axis = towards(&cylinder.bank);
+    let turned = from_axis(cylinder, order, crank);
+    let [direct, reverse] = [&cylinder.bank + &turned, &cylinder.bank - &turned];
+    figure.heading(corner + Point::new(PANEL.0 / 2.0, PANEL.1 - 5.0), format!("θ = {}", typeset::angle(crank)));
+    let guide = Stroke { ink: Ink::Grey, width: 0.25, dash: Dash::Dashed };
+    figure.line(centre - axis * REACH, centre + axis * REACH, guide);
+    figure.circle(centre, CRANK, Stroke::solid(Ink::Light, 0.3), None);
+    let pin = centre + towards(&(crank + &cylinder.throw)) * CRANK;
+    figure.line(centre, pin, Stroke::solid(Ink::Grey, 0.9));
+    figure.circle(pin, 1.1, Stroke::solid(Ink::Grey, 0.3), Some(Ink::Light));
+    let tip = centre + axis * (numbers::direction(&turned).re * REACH);
+    let halves = [(&direct, Ink::Blue, "½ direct"), (&reverse, Ink::Orange, "½ reverse")];
+    for (angle, ..) in &halves {
+        figure.line(
+            centre + towards(angle) * (REACH / 2.0),
+            tip,
+            Stroke { ink: Ink::Grey, width: 0.2, dash: Dash::Dotted },
+        );
+    }
+    figure.arrow(centre, tip, Stroke::solid(Ink::Red, 1.1));
+    for (angle, ink, name) in halves {
+        let along = towards(angle);
+        figure.arrow(centre, centre + along * (REACH / 2.0), Stroke::solid(ink, 0.7));
+        label(figure, centre + along * (REACH / 2.0 + 3.0), along, name);
+    }
+    // Beyond the tip; beside it where the axis would run through the word.
+    let outward = (tip - centre) / (tip - centre).norm().max(1.0);
+    match outward.re.abs() < 0.3 {
+        true => figure.text(tip + outward * 2.5 + Point::new(1.5, 0.0), "force", Anchor::Start),
+        false => label(figure, tip + outward * 3.2, outward, "force"),
+    }
+}
+
+/// A word beyond the tip of an arrow.
+fn label(figure: &mut Figure, at: Point, along: Point, name: &'static str) {
+    let anchor = match along.re / along.norm().max(1e-9) {
+        x if x > 0.3 => Anchor::Start,
+        x if x < -0.3 => Anchor::End,
+        _ => Anchor::Middle,
+    };
+    figure.text(at, name, anchor);
+}

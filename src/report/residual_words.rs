@@ -1,0 +1,228 @@
+//! How is it put in a sentence what is left of an order?
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::residual::{largest, line_bearing, shape_name};
+use crate::page::{Text, phrase};
+use crate::proof::{Quantity, Shape, ShapeEvidence};
+use crate::verdict::{Balance, Outcome, WholeOrder};
+
+/// A sentence on what the two vectors together trace.
+pub(super) fn sentence(balance: &Balance) -> Text {
+    match balance.shape {
+        Shape::Balanced => "Nothing is left: both vectors vanish.".into(),
+        Shape::Rotating => rotating(balance),
+        Shape::CounterRotating => counter_rotating(balance),
+        Shape::Planar => planar(balance),
+        Shape::Elliptical => elliptical(balance),
+        Shape::NotDecided => "Whether the vectors are equally long is not decided.".into(),
+    }
+}
+
+/// What the sums are called: `P` of the force, `C` of the moment, `Q` of the torque.
+fn letter(balance: &Balance) -> &'static str {
+    match balance.direct.quantity {
+        Quantity::Force => "P",
+        Quantity::Moment => "C",
+        Quantity::Torque => "Q",
+    }
+}
+
+/// `½|P_2⁺|`.
+fn half_length(balance: &Balance, sign: &str) -> Text {
+    let (letter, k) = (letter(balance), balance.direct.order);
+    Text::formula(format!("\\tfrac12 \\lvert {letter}_{{{k}}}^{{{sign}}} \\rvert"))
+}
+
+fn rotating(balance: &Balance) -> Text {
+    let (length, size) = (half_length(balance, "+"), largest(balance));
+    match balance.direct.order {
+        1 => phrase!(
+            "What is left is **rotating**: a vector of constant length {}, here {}, that turns with the crank. Counterweights on the \
+             crankshaft remove it.",
+            length,
+            size
+        ),
+        k => phrase!(
+            "What is left is **rotating**: a vector of constant length {}, here {}, that turns the same way as the crank at {} times \
+             its speed. A balancer shaft that turns so removes it.",
+            length,
+            size,
+            k
+        ),
+    }
+}
+
+fn counter_rotating(balance: &Balance) -> Text {
+    let (length, size) = (half_length(balance, "-"), largest(balance));
+    match balance.direct.order {
+        1 => phrase!(
+            "What is left is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at crank \
+             speed. One balancer shaft that turns so removes it.",
+            length,
+            size
+        ),
+        k => phrase!(
+            "What is left is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at {} times \
+             its speed. One balancer shaft that turns so removes it.",
+            length,
+            size,
+            k
+        ),
+    }
+}
+
+/// `|P_2⁺|² − |P_2⁻|²` beside zero.
+fn difference(balance: &Balance, relation: &str) -> Text {
+    let (letter, k) = (letter(balance), balance.direct.order);
+    let square = |sign: &str| format!("\\lvert {letter}_{{{k}}}^{{{sign}}} \\rvert^2");
+    Text::formula(format!("{} - {} {relation} 0", square("+"), square("-")))
+}
+
+fn planar(balance: &Balance) -> Text {
+    let (difference, line, size) = (difference(balance, "="), line_bearing(balance), largest(balance));
+    match balance.direct.quantity {
+        Quantity::Force | Quantity::Torque => phrase!(
+            "What is left is **planar**: both vectors are equally long ({}, proved), so the force swings along the line at {}; its \
+             largest value is {}.",
+            difference,
+            line,
+            size
+        ),
+        Quantity::Moment => phrase!(
+            "What is left is **planar**: both vectors are equally long ({}, proved), so the moment swings along the line at {}; its \
+             largest value is {}.",
+            difference,
+            line,
+            size
+        ),
+    }
+}
+
+fn elliptical(balance: &Balance) -> Text {
+    let (difference, line, size) = (difference(balance, "\\ne"), line_bearing(balance), largest(balance));
+    match balance.direct.quantity {
+        Quantity::Force | Quantity::Torque => phrase!(
+            "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the force runs round an ellipse; \
+             its largest value is {}, along the line at {}.",
+            difference,
+            size,
+            line
+        ),
+        Quantity::Moment => phrase!(
+            "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the moment runs round an ellipse; \
+             its largest value is {}, along the line at {}.",
+            difference,
+            size,
+            line
+        ),
+    }
+}
+
+/// A sentence on a whole order, how it is known whether it vanishes.
+pub(super) fn whole_sentence(name: &'static str, order: u32, whole: &WholeOrder) -> Text {
+    let [direct, reverse] = &whole.outcomes;
+    let outcomes = match direct == reverse {
+        true => vec![both_vectors(direct)],
+        false => vec![direct_vector(direct), reverse_vector(reverse)],
+    };
+    let lead = phrase!("**{} of order {}, all its sums together.**", name, order);
+    Text::joined([lead].into_iter().chain(outcomes).chain(what_is_left(whole)), " ")
+}
+
+fn both_vectors(outcome: &Outcome) -> Text {
+    match outcome {
+        Outcome::Zero => "Both vectors vanish: each of their sums is zero.".into(),
+        Outcome::NotZero => {
+            "Neither vector vanishes: one of its sums alone is left, and what that stands before is not zero.".into()
+        }
+        Outcome::NotZeroByEnclosure { .. } => {
+            "Neither vector vanishes: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
+        }
+        Outcome::NotDecided { below } => phrase!(
+            "Neither vector is decided: only the coefficients could make it vanish, and it is no longer than {}.",
+            rounded_up(below)
+        ),
+        Outcome::Open => "Neither vector is decided: it depends on the rods, of which the layout says nothing.".into(),
+    }
+}
+
+fn direct_vector(outcome: &Outcome) -> Text {
+    match outcome {
+        Outcome::Zero => "The direct vector vanishes: each of its sums is zero.".into(),
+        Outcome::NotZero => {
+            "The direct vector does not vanish: one of its sums alone is left, and what that stands before is not zero.".into()
+        }
+        Outcome::NotZeroByEnclosure { .. } => {
+            "The direct vector does not vanish: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
+        }
+        Outcome::NotDecided { below } => phrase!(
+            "The direct vector is not decided: only the coefficients could make it vanish, and it is no longer than {}.",
+            rounded_up(below)
+        ),
+        Outcome::Open => "The direct vector is not decided: it depends on the rods, of which the layout says nothing.".into(),
+    }
+}
+
+fn reverse_vector(outcome: &Outcome) -> Text {
+    match outcome {
+        Outcome::Zero => "The reverse vector vanishes: each of its sums is zero.".into(),
+        Outcome::NotZero => {
+            "The reverse vector does not vanish: one of its sums alone is left, and what that stands before is not zero.".into()
+        }
+        Outcome::NotZeroByEnclosure { .. } => {
+            "The reverse vector does not vanish: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
+        }
+        Outcome::NotDecided { below } => phrase!(
+            "The reverse vector is not decided: only the coefficients could make it vanish, and it is no longer than {}.",
+            rounded_up(below)
+        ),
+        Outcome::Open => "The reverse vector is not decided: it depends on the rods, of which the layout says nothing.".into(),
+    }
+}
+
+/// Its shape, and how that is known; nothing where it vanishes or is not decided.
+fn what_is_left(whole: &WholeOrder) -> Option<Text> {
+    let shape = match whole.shape {
+        Shape::Balanced | Shape::NotDecided => return None,
+        shape => shape_name(shape),
+    };
+    Some(match &whole.evidence {
+        None => phrase!("What is left is **{}**.", shape),
+        Some(ShapeEvidence::Certificate(_)) => {
+            phrase!("What is left is **{}**: the squares of both lengths are compared exactly.", shape)
+        }
+        Some(ShapeEvidence::Mirror(_)) => phrase!(
+            "What is left is **{}**: each sum of one vector is the mirror image of its partner in the other, so that both are equally \
+             long.",
+            shape
+        ),
+        Some(ShapeEvidence::Bits(_)) => {
+            phrase!("What is left is **{}**: an enclosure shows that the lengths differ.", shape)
+        }
+    })
+}
+
+/// A positive number with two digits that is not smaller: `1.5·10⁻⁵`.
+fn rounded_up(value: &BigRational) -> Text {
+    if !value.is_positive() {
+        return Text::zero();
+    }
+    let ten = BigRational::from_integer(10.into());
+    let (mut exponent, mut digits) = (0_i64, value.clone());
+    while digits >= ten {
+        digits /= &ten;
+        exponent += 1;
+    }
+    while digits < BigRational::one() {
+        digits *= &ten;
+        exponent -= 1;
+    }
+    let tenths = (digits * &ten).ceil() / &ten;
+    let mantissa = super::typeset::number(&tenths);
+    match exponent {
+        0 => Text::formula(mantissa),
+        exponent => Text::formula(format!("{mantissa} \\cdot 10^{{{exponent}}}")),
+    }
+}

@@ -1,0 +1,135 @@
+//! Why does it vanish, or not? The reason that a person would give first.
+
+mod left;
+mod symmetry;
+
+use num_traits::{Signed, Zero};
+
+use super::Verdict;
+use crate::engine::Engine;
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::order::Source;
+use crate::proof::{Certificate, Polygon, Quantity};
+pub use left::{Component, Size};
+pub use symmetry::{mirror_axis, mirror_partners, opposed_partners};
+
+/// The plainest reason for a verdict.
+///
+/// The reasons why a sum is not zero are about the vectors that are left where like and opposite directions are collected
+/// ([`PhasorSum::on_lines`]): all have positive weights, and no two of them lie on one line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// All weights are zero: every arm, or every mass.
+    NoWeight,
+    /// Zero: a mirror plane across the crankshaft pairs cylinders with opposite arms.
+    Mirror,
+    /// Zero: like directions collect to nothing.
+    Cancels,
+    /// Zero: every vector has a partner, equally long and opposite, and the certificate is such pairs.
+    OpposedPairs,
+    /// Zero: the star, negative vectors turned by half a turn, maps to itself when turned by `1/fold` of a turn.
+    Rotation {
+        /// How many such turns make a whole one.
+        fold: u32,
+    },
+    /// Zero: regular polygons, as the certificate lists them.
+    Polygons,
+    /// Not zero: one vector is left.
+    OneVector(Term),
+    /// Not zero: two vectors are left, and they do not lie on one line.
+    TwoVectors([Term; 2]),
+    /// Not zero: of three vectors the first is at least as long as the other two together.
+    OneTooLong([Term; 3]),
+    /// Not zero: three vectors are equally long, and not 120° apart.
+    ThreeAlike([Term; 3]),
+    /// Not zero: all vectors are within less than a quarter of a turn of this direction.
+    OneSide {
+        /// The direction.
+        middle: Turn,
+        /// How far the outermost ones are from it.
+        within: Turn,
+    },
+    /// Not zero: the components along a direction add up to a positive number.
+    Component(Component),
+    /// Not zero: as the certificate shows.
+    Certificate,
+}
+
+/// The plainest reason for a verdict on this engine.
+pub fn reason(engine: &Engine, verdict: &Verdict) -> Reason {
+    let sum = &verdict.sum;
+    match &verdict.certificate {
+        Certificate::Polygons { .. } if sum.terms().iter().all(|term| term.weight.is_zero()) => Reason::NoWeight,
+        Certificate::Polygons { .. } if is_moment_of_pistons(verdict) && mirror_partners(engine).is_some() => {
+            Reason::Mirror
+        }
+        Certificate::Polygons { polygons } if polygons.is_empty() => Reason::Cancels,
+        Certificate::Polygons { polygons } => of_polygons(sum, polygons),
+        Certificate::Residue(_) | Certificate::Splitting { .. } => left::reason(sum),
+    }
+}
+
+/// Whether a mirror plane of the cylinders is one of all that the sum is about.
+fn is_moment_of_pistons(verdict: &Verdict) -> bool {
+    verdict.quantity == Quantity::Moment && verdict.sources.iter().all(|source| matches!(source, Source::Piston(_)))
+}
+
+/// Pairs are named where the certificate is pairs; else a symmetry comes before the polygons.
+fn of_polygons(sum: &PhasorSum, polygons: &[Polygon]) -> Reason {
+    match polygons.iter().all(|polygon| polygon.sides == 2) {
+        true if opposed_partners(sum).is_some() => Reason::OpposedPairs,
+        true => Reason::Polygons,
+        false => match symmetry::fold(&sum.positive().collected()) {
+            Some(fold) => Reason::Rotation { fold },
+            None => Reason::Polygons,
+        },
+    }
+}
+
+/// Polygons that make up the star as it is drawn, the vectors of negative weight turned by half a turn; none where it is not
+/// zero.
+///
+/// They are those of the certificate, and pairs that cancel beside them: a polygon of negative weight with an odd number of
+/// sides is the one of positive weight turned by half a turn.
+pub fn drawn_polygons(verdict: &Verdict) -> Vec<Polygon> {
+    let Certificate::Polygons { polygons } = &verdict.certificate else { return Vec::new() };
+    let drawn = verdict.sum.positive();
+    let mut shown: Vec<Polygon> = Vec::new();
+    // Pairs are counted anew, from what is left.
+    for polygon in polygons.iter().filter(|polygon| polygon.sides != 2) {
+        shown.push(if polygon.weight.is_negative() { turned(polygon) } else { polygon.clone() });
+    }
+    let left = shown.iter().fold(drawn.clone(), |left, polygon| left.minus(&corners(polygon)));
+    // What is left is equal in opposite directions.
+    let half = Turn::fraction(1, 2);
+    let pairs = left.collected().into_iter().filter(|term| term.angle < half);
+    let pair = |term: Term| Polygon { sides: 2, rotation: term.angle.turns().clone(), weight: term.weight };
+    let (positive, negative): (Vec<Polygon>, Vec<Polygon>) =
+        pairs.map(pair).partition(|pair| pair.weight.is_positive());
+    let is_plain = negative.is_empty();
+    shown.extend(positive.into_iter().chain(negative));
+    match drawn.certificate() {
+        Certificate::Polygons { polygons } if !is_plain && polygons.iter().all(|one| one.weight.is_positive()) => {
+            polygons
+        }
+        _ => shown,
+    }
+}
+
+/// A polygon of an odd number of sides with the sign of its weight changed.
+fn turned(polygon: &Polygon) -> Polygon {
+    let step = Turn::new(&polygon.rotation + Turn::fraction(1, 2).turns());
+    // The least of its corners, as in every list of polygons.
+    let sides = num_rational::BigRational::from_integer(polygon.sides.into());
+    let rotation = Turn::new(step.turns() * &sides).turns() / &sides;
+    Polygon { sides: polygon.sides, rotation, weight: -&polygon.weight }
+}
+
+/// The corners of a polygon as a sum.
+pub fn corners(polygon: &Polygon) -> PhasorSum {
+    let corner = |j: u64| {
+        let step = num_rational::BigRational::new(j.into(), polygon.sides.into());
+        Term { angle: Turn::new(&polygon.rotation + step), weight: polygon.weight.clone() }
+    };
+    PhasorSum::new((0..polygon.sides).map(corner).collect())
+}
