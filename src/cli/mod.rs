@@ -19,7 +19,6 @@ mod remedy;
 mod report;
 mod search;
 mod sweep;
-mod terminal;
 mod verify;
 mod write;
 

@@ -101,8 +101,17 @@ impl Pages {
 
     /// Prints the short answer, and writes the page into the folder where one is named.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
-        let written = self.look.write(|| Ok(self.files(&page())))?;
+        let written = self.write(page, Vec::new)?;
         write::to_stdout(&(shown(answer) + &written))
+    }
+
+    /// Writes the page with other files beside it into the folder where one is named; says what was written.
+    pub fn write(
+        &self,
+        page: impl FnOnce() -> Document,
+        beside: impl FnOnce() -> Vec<File>,
+    ) -> Result<String, Failure> {
+        self.look.write(|| Ok(self.files(&page()).into_iter().chain(beside()).collect()))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.

@@ -5,6 +5,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::Turn;
 use crate::numbers::{self, Direction, Form};
+use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 4;
@@ -90,7 +91,7 @@ pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
 pub(crate) fn decimal(value: f64) -> String {
     let text = match value.abs() {
         0.0 => "0".to_owned(),
-        size if !(0.01..1e9).contains(&size) => format!("{value:.3e}"),
+        size if !(0.01..1e9).contains(&size) => scientific(value, 3),
         size if size >= 999.95 => format!("{value:.0}"),
         size if size >= 99.995 => format!("{value:.1}"),
         size if size >= 9.9995 => format!("{value:.2}"),
@@ -128,6 +129,14 @@ impl Number {
             long if is_long(long) => Number::Decimal(long.to_f64().unwrap_or(f64::NAN)),
             short => Number::Exact(short.clone()),
         }
+    }
+}
+
+/// An exact number that is given, not found: its zero is no verdict, and stands as any other number does.
+pub(crate) fn given(value: &BigRational) -> super::Text {
+    match Number::exact(value) {
+        Number::Zero => Number::Exact(value.clone()).into(),
+        other @ (Number::Exact(_) | Number::Closed(..) | Number::Decimal(_)) => other.into(),
     }
 }
 
@@ -235,17 +244,38 @@ pub(crate) fn approximate(value: f64) -> String {
     format!("≈ {}", decimal(value))
 }
 
-/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`.
+/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`, `0.0715`.
 pub fn sensible(value: f64) -> String {
     let size = value.abs();
     let text = match size {
-        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => format!("{value:.2e}"),
+        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => scientific(value, 2),
         _ if size >= 99.95 => format!("{value:.0}"),
         _ if size >= 9.995 => format!("{value:.1}"),
         _ if size >= 0.9995 => format!("{value:.2}"),
+        _ if size >= 0.09995 => format!("{value:.3}"),
+        _ if size >= 0.009995 => format!("{value:.4}"),
+        _ if size != 0.0 => format!("{value:.5}"),
         _ => format!("{value:.3}"),
     };
     text.replace('-', "−")
+}
+
+/// So many places and a power of ten: `4.13·10⁻⁴`.
+fn scientific(value: f64, places: usize) -> String {
+    let text = format!("{value:.places$e}");
+    match text.split_once('e').and_then(|(digits, power)| Some((digits, power.parse().ok()?))) {
+        Some((digits, power)) => format!("{digits}·{}", power_of_ten(power)),
+        // Nothing finite.
+        None => text,
+    }
+}
+
+/// `10⁻⁴`.
+pub(crate) fn power_of_ten(power: i64) -> String {
+    let digits = power.unsigned_abs().to_string();
+    let digits = digits.bytes().filter_map(|digit| SUPERSCRIPTS.get(usize::from(digit.wrapping_sub(b'0'))));
+    let minus = if power < 0 { "⁻" } else { "" };
+    format!("10{minus}{}", digits.collect::<String>())
 }
 
 /// A unit behind its number.

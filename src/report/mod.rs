@@ -1,10 +1,8 @@
-//! How is it shown? Reports in Markdown and LaTeX with their diagrams, and the JSON document.
+//! How is it shown? Each question's answers as a document of blocks with drawings, and as JSON.
 //!
-//! `verdicts → page (finished strings, drawings) → template → files`
+//! `verdicts → words, tables, drawings → page::Document → a writer of the room page`
 
-mod accuracy_document;
-mod accuracy_page;
-mod accuracy_words;
+mod accuracy;
 mod argument;
 mod atlas;
 mod bearings;
@@ -12,18 +10,15 @@ mod calculation;
 mod catalogue;
 mod claims;
 mod compare;
-mod dialect;
 mod document;
 mod engine_cells;
 mod engine_page;
 mod example;
 mod family_page;
 mod firmness;
-mod folder;
 mod loads_document;
 pub mod moving;
 mod multiples;
-mod old;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod poster;
@@ -43,9 +38,10 @@ pub use views::{end_view, side_view};
 
 use crate::page::{figure, number as typeset, plot, svg, tikz};
 
-pub use accuracy_document::{AccuracyDocument, accuracy_document};
-pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
-pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
+pub use accuracy::{
+    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
+    accuracy_section,
+};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
@@ -53,24 +49,18 @@ pub use calculation::{Numbers, loads_answer};
 pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
-pub use dialect::Dialect;
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
 pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
-pub use folder::File;
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
-pub use old::Rows;
 #[cfg(feature = "optimise")]
 pub use optimise::{
-    OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
-    optimise_summary,
+    OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
 pub use poster::poster;
-pub use remedy::{
-    remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
-};
+pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
 pub use search::{search_answer, search_page};
 pub use star::{small_star, star_figure, told, torque_figure};

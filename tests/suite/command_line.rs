@@ -69,9 +69,12 @@ fn output_that_is_no_terminal_has_no_colours() {
 #[test]
 fn remedy_proposes_weights_and_its_json_verifies() {
     let table = succeeds(&["remedy", "V8-crossplane", "--orders", "1,2"]);
-    assert!(table.contains("= √10/3 ≈ 1.0541 m r") && table.contains("= −arctan(1/3) ≈ −18.4349°"), "{table}");
+    assert!(table.contains("√10/3 ≈ 1.054 m r at z = 1.5"), "{table}");
+    for words in ["counterweight", "−arctan(1/3) ≈", "−18.43°"] {
+        assert!(table.contains(words), "no {words} in\n{table}");
+    }
     let pair = succeeds(&["remedy", "I4", "--orders", "2"]);
-    assert!(pair.contains("Lanchester pair") && pair.contains("= 0.5 m r |c_2|"), "{pair}");
+    assert!(pair.contains("Lanchester pair") && pair.contains("0.5 m r |c₂|"), "{pair}");
     let none = succeeds(&["remedy", "I6", "--orders", "1,2"]);
     assert!(none.contains("no weight is needed"), "{none}");
     let file = scratch("remedy").join("i3.json");
@@ -81,11 +84,13 @@ fn remedy_proposes_weights_and_its_json_verifies() {
 }
 
 #[test]
-fn remedy_writes_its_section_into_a_folder() {
+fn remedy_writes_its_page_into_a_folder() {
     let folder = scratch("remedy-section");
     succeeds(&["remedy", "V2-45", "--output", text(&folder)]);
     let section = fs::read_to_string(folder.join("remedy.md")).expect("the section");
-    for words in ["# V2, 45°", "## Remedies", "| counterweight | 1×, with the crank | 0 | = 1 m r |", "| 0.35 | = "] {
+    let title = "# V2, 45°, one crankpin: remedies";
+    let row = "| counterweight | 1×, with the crank | 0 | 1 $`m\\,r`$ | 180° |";
+    for words in [title, "## The weights", row, "## Counterweights alone", "| 0.35 | "] {
         assert!(section.contains(words), "no {words} in\n{section}");
     }
 }

@@ -3,6 +3,7 @@
 use super::super::argument;
 use crate::claim::{Answer, Evidence};
 use crate::page::{Text, phrase};
+use crate::proof::Quantity;
 
 /// The certificates of an answer.
 pub(super) fn evidence(answer: &Answer) -> Vec<Text> {
@@ -13,13 +14,17 @@ fn one(evidence: &Evidence) -> Text {
     let certificate = argument::certificate_of(evidence.sum(), evidence.certificate());
     let about = match evidence {
         Evidence::Verdict(verdict) => {
-            let quantity = super::super::old::capital(verdict.quantity.name());
+            let quantity = match verdict.quantity {
+                Quantity::Force => "Force",
+                Quantity::Moment => "Moment",
+                Quantity::Torque => "Torque",
+            };
             match verdict.sense {
                 Some(sense) => phrase!("{}, order {}, {}", quantity, verdict.order, sense.name()),
                 None => phrase!("{}, order {}", quantity, verdict.order),
             }
         }
-        Evidence::Comparison { about, .. } => super::super::old::capital(about).into(),
+        Evidence::Comparison { about, .. } => (*about).into(),
     };
     match evidence.vanishes() {
         true => phrase!("{}: {}, proved. {}", about, Text::zero(), certificate),

@@ -9,8 +9,9 @@ mod torque;
 pub use answer::engine_answer;
 pub(super) use conventions::{ASSUMED, FIRES, SEEN};
 
-use super::accuracy_words::AccuracyCase;
+use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
+use super::remedy::remedy_section;
 use super::{family_page, firmness, moving, table, theorem};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
@@ -106,14 +107,6 @@ pub fn engine_page(subject: Contents) -> Document {
     page.push(Block::Heading(1, "Layout file".into()));
     page.push(Block::Verbatim("toml", engine.file().clone()));
     page
-}
-
-fn remedy_section(_: &Remedy) -> Vec<Block> {
-    Vec::new()
-}
-
-fn accuracy_section(_: &[AccuracyCase]) -> Vec<Block> {
-    Vec::new()
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.

@@ -32,7 +32,11 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     let symbol = if unknown == PHI { "Bank angle φ in °" } else { "Pin split δ in °" };
     let mut plots = Vec::new();
     for (quantity, curves) in shown(family, orders) {
-        let title = super::super::old::capital(quantity.name());
+        let title = match quantity {
+            Quantity::Force => "Force",
+            Quantity::Moment => "Moment",
+            Quantity::Torque => "Torque",
+        };
         let unit = unit(family, quantity)?;
         // As many plots as needed, with about as many curves in each.
         let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);

@@ -3,9 +3,10 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::accuracy_words::{self, AccuracyCase};
+use super::{AccuracyCase, methods};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
+use crate::proof::Quantity;
 
 /// The methods and their errors as data.
 #[derive(Clone, Debug, Serialize)]
@@ -60,9 +61,18 @@ pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDoc
     AccuracyDocument { title: engine.title().written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
+/// The name of a load in the document.
+fn name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "force",
+        Quantity::Moment => "moment",
+        Quantity::Torque => "inertia torque",
+    }
+}
+
 fn load(engine: &Engine, study: &Study) -> Load {
-    let (unit, multiple) = accuracy_words::unit(engine, study.quantity);
-    let front = accuracy_words::front(study);
+    let (unit, multiple) = methods::unit(engine, study.quantity);
+    let front = methods::front(study);
     let entry = |(place, row): (usize, &Row)| {
         let (method, setting) = match row.method {
             Method::Orders(order) => ("orders", Some(order)),
@@ -84,12 +94,12 @@ fn load(engine: &Engine, study: &Study) -> Load {
         }
     };
     Load {
-        quantity: accuracy_words::quantity(study.quantity),
+        quantity: name(study.quantity),
         unit,
         multiple,
         vanishes: study.rows.is_empty(),
-        peak_low: accuracy_words::decimals(&study.peak.low, false),
-        peak_high: accuracy_words::decimals(&study.peak.high, true),
+        peak_low: methods::decimals(&study.peak.low, false),
+        peak_high: methods::decimals(&study.peak.high, true),
         rounding: study.rounding,
         reference_error: study.doubt,
         methods: study.rows.iter().enumerate().map(entry).collect(),

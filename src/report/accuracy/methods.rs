@@ -4,65 +4,13 @@ use std::time::Duration;
 
 use num_rational::BigRational;
 
-use super::loads_document::units;
-use super::typeset;
+use super::super::loads_document::units;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
+pub(super) use crate::page::number::power_of_ten;
+use crate::page::{Text, Unit, phrase};
 use crate::proof::Quantity;
-use crate::text::SUPERSCRIPTS;
-
-/// An engine at one rod ratio, with its loads by all methods.
-#[derive(Clone, Debug)]
-pub struct AccuracyCase {
-    /// The rod ratio λ; none where the rods differ.
-    pub ratio: Option<BigRational>,
-    /// Its loads.
-    pub studies: Vec<Study>,
-}
-
-impl AccuracyCase {
-    /// The loads of a layout by all methods: force, moment, torque.
-    ///
-    /// # Errors
-    /// What the layout lacks for numbers.
-    pub fn of(engine: &Engine, quantities: &[Quantity], timing: accuracy::Timing) -> Result<Self, loads::Missing> {
-        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timing));
-        let mut rods = engine.rods().map(|rod| &rod.ratio);
-        let first = rods.next().cloned();
-        let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
-        Ok(AccuracyCase { ratio, studies: studies.collect::<Result<_, _>>()? })
-    }
-
-    /// `λ = 0.3`.
-    pub(super) fn label(&self) -> String {
-        let Some(ratio) = &self.ratio else { return "each its own λ".to_owned() };
-        let number = typeset::number(ratio);
-        if number.starts_with('≈') { format!("λ {number}") } else { format!("λ = {number}") }
-    }
-}
-
-/// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
-pub fn accuracy_rows(engine: &Engine, study: &Study) -> Vec<[String; 6]> {
-    let (unit, factor) = unit(engine, study.quantity);
-    let front = front(study);
-    let row = |(place, row): (usize, &Row)| {
-        let spans = row.looked_at.filter(|_| matches!(row.method, Method::Intervals(_)));
-        let spans = spans.map_or_else(String::new, |count| format!(", {count} spans"));
-        [
-            format!("{}{spans}", method(row.method)),
-            format!("{:.9} {unit}", Significant(row.value * factor)),
-            measured(study, row),
-            row.bound.map_or_else(String::new, power),
-            row.time.map_or_else(String::new, time),
-            if front.contains(&place) { "●".to_owned() } else { String::new() },
-        ]
-    };
-    study.rows.iter().enumerate().map(row).collect()
-}
-
-/// Headings of those rows.
-pub const HEADER: [&str; 6] = ["Method", "Peak", "Error", "Guaranteed", "Time", "Front"];
 
 /// Unit of a load, and how many of it are one multiple.
 pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
@@ -74,6 +22,14 @@ pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
         Quantity::Moment => (units.moment, factor(loads::Scale::force)),
         Quantity::Torque => (units.torque, factor(loads::Scale::torque)),
     }
+}
+
+/// What a page counts a load in, and how many of it are one multiple.
+pub(super) fn page_unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
+    let (name, factor) = unit(engine, quantity);
+    // The document has the names of layout files.
+    let name = if name == "N m" { Unit::NEWTON_METRE.name } else { name };
+    (Unit { name, tex: name }, factor)
 }
 
 /// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.
@@ -92,35 +48,73 @@ pub(super) fn shown_error(study: &Study, row: &Row) -> f64 {
 }
 
 /// The name of a method.
-pub(super) fn method(method: Method) -> String {
+pub(super) fn name(method: Method) -> Text {
     match method {
-        Method::Orders(order) => format!("orders up to {order}"),
-        Method::Doubles(steps) => format!("closed form, {steps} angles, 64 bits"),
-        Method::Singles(steps) => format!("closed form, {steps} angles, 32 bits"),
-        Method::Intervals(digits) => format!("intervals to {}", power_of_ten(-i64::from(digits))),
-        Method::Fractions => "intervals of fractions".to_owned(),
+        Method::Orders(order) => phrase!("orders up to {}", order),
+        Method::Doubles(steps) => phrase!("closed form, {} angles, 64 bits", steps),
+        Method::Singles(steps) => phrase!("closed form, {} angles, 32 bits", steps),
+        Method::Intervals(digits) => phrase!("intervals to {}", power_of_ten(-i64::from(digits))),
+        Method::Fractions => "intervals of fractions".into(),
     }
 }
 
-/// The name of a load.
-pub(super) fn quantity(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Force => "force",
-        Quantity::Moment => "moment",
-        Quantity::Torque => "inertia torque",
+/// The same with the number of spans that intervals looked at.
+pub(super) fn name_and_spans(row: &Row) -> Text {
+    match (row.method, row.looked_at) {
+        (Method::Intervals(_), Some(count)) => phrase!("{}, {} spans", name(row.method), count),
+        (Method::Intervals(_) | Method::Orders(_) | Method::Doubles(_) | Method::Singles(_) | Method::Fractions, _) => {
+            name(row.method)
+        }
     }
 }
 
 /// A measured error in two digits; below the roundings of doubles only that it is below them.
-pub(super) fn measured(study: &Study, row: &Row) -> String {
+pub(super) fn measured(study: &Study, row: &Row) -> Text {
+    let plain = || power(row.error).into();
     match row.method {
-        Method::Fractions => String::new(),
-        _ if study.is_below_reference(row) => "below the reference's own error".to_owned(),
-        Method::Singles(_) => power(row.error),
-        _ if study.rounding.is_infinite() => "not known".to_owned(),
-        _ if row.error < study.rounding => format!("below {}", power_of_ten(study.rounding.log10().round() as i64)),
-        _ => power(row.error),
+        Method::Fractions => Text::default(),
+        Method::Orders(_) | Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_)
+            if study.is_below_reference(row) =>
+        {
+            "below the reference's own error".into()
+        }
+        Method::Singles(_) => plain(),
+        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.rounding.is_infinite() => {
+            "not known".into()
+        }
+        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if row.error < study.rounding => {
+            phrase!("below {}", power_of_ten(study.rounding.log10().round() as i64))
+        }
+        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) => plain(),
     }
+}
+
+/// A bound in two digits; one of the fractions only as a power of ten, for their last digits follow the start of a search.
+pub(super) fn guaranteed(row: &Row) -> Text {
+    match (row.method, row.bound) {
+        (_, None) => Text::default(),
+        (Method::Fractions, Some(bound)) if bound > 0.0 => {
+            phrase!("below {}", power_of_ten(bound.log10().ceil() as i64))
+        }
+        (_, Some(bound)) => power(bound).into(),
+    }
+}
+
+/// The part of a peak that a designer may want to be sure of.
+pub(super) const USUAL: f64 = 1e-3;
+
+/// The fewest orders that have the peak within a thousandth, guaranteed.
+pub(super) fn orders_for_a_thousandth(study: &Study) -> Option<u32> {
+    study.rows.iter().find_map(|row| match row.method {
+        Method::Orders(order) => row.bound.filter(|bound| *bound <= USUAL).map(|_| order),
+        Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_) | Method::Fractions => None,
+    })
+}
+
+/// The fastest method that has the peak within a thousandth, where times were measured.
+pub(super) fn fastest_within_a_thousandth(study: &Study) -> Option<(&Row, Duration)> {
+    let near = study.rows.iter().filter(|row| shown_error(study, row) <= USUAL);
+    near.filter_map(|row| Some((row, row.time?))).min_by_key(|(_, time)| *time)
 }
 
 /// Two digits: `0.41`, `4.1·10⁻⁴`.
@@ -137,14 +131,6 @@ pub(super) fn power(value: f64) -> String {
         Ok(power) => format!("{digits}·{}", power_of_ten(power)),
         Err(_) => text,
     }
-}
-
-/// `10⁻⁴`.
-pub(super) fn power_of_ten(power: i64) -> String {
-    let digits = power.unsigned_abs().to_string();
-    let digits = digits.bytes().filter_map(|digit| SUPERSCRIPTS.get(usize::from(digit.wrapping_sub(b'0'))));
-    let minus = if power < 0 { "⁻" } else { "" };
-    format!("10{minus}{}", digits.collect::<String>())
 }
 
 /// Decimal places of the ends of a peak.
@@ -168,7 +154,8 @@ pub(super) fn sure_digits(study: &Study) -> Option<String> {
     (shared > point + 1).then(|| low[..shared.min(point + 21)].to_owned())
 }
 
-fn time(time: Duration) -> String {
+/// `1.23 µs`.
+pub(super) fn time(time: Duration) -> String {
     let seconds = time.as_secs_f64();
     match seconds {
         _ if seconds < 1e-6 => format!("{:.0} ns", seconds * 1e9),
@@ -179,7 +166,7 @@ fn time(time: Duration) -> String {
 }
 
 /// A decimal with as many significant digits as its precision asks for.
-struct Significant(f64);
+pub(super) struct Significant(pub f64);
 
 impl std::fmt::Display for Significant {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

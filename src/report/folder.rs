@@ -1,3 +1,0 @@
-//! Of which files is a page made?
-
-pub use crate::page::File;
