@@ -53,7 +53,7 @@ fn answer(check: &Checked) -> Text {
 /// What is the case.
 pub(super) fn found(found: &Found) -> Text {
     match found {
-        Found::Claim(pair) => claim_finding(&pair.0, &pair.1).into(),
+        Found::Claim(pair) => claim_finding(&pair.0, &pair.1),
         Found::Values { everywhere: true, .. } => "At every angle.".into(),
         Found::Values { at, complete, .. } => match (at.is_empty(), *complete) {
             (true, true) => "At no angle of the range; this is proved.".into(),
