@@ -102,10 +102,11 @@ fn comparison() -> (PathBuf, usize) {
     let compared: Vec<Compared> = few
         .map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders).expect("orders"))
         .collect();
-    for file in page::write(&report::compare_page(&compared), Format::GITHUB, &Options::default()) {
-        fs::write(folder.join(file.name), file.text).expect("a file");
+    let files = page::write(&report::compare_page(&compared), Format::GITHUB, &Options::default());
+    for file in &files {
+        fs::write(folder.join(&file.name), &file.text).expect("a file");
     }
-    (folder, orders.len())
+    (folder, files.len() - 1)
 }
 
 /// Compiles a report and looks for complaints in the log.

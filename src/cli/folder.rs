@@ -7,7 +7,7 @@ use std::fs::{self, File as Handle};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use crankstar::report::File;
+use crankstar::page::File;
 
 use super::failure::Failure;
 use super::layouts::shown;

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use crankstar::file::Template;
-use crankstar::report::{self, File};
+use crankstar::page::File;
+use crankstar::report;
 use crankstar::sweep::{self, Geometry, Parameter};
 
 use super::failure::Failure;

@@ -104,7 +104,6 @@ impl Text {
 }
 
 /// Words of the program with values: `phrase!("vanishes at {} of {}", here, there)`.
-
 macro_rules! phrase {
     ($words:expr $(, $value:expr)* $(,)?) => {
         $crate::page::Text::phrase($words, vec![$($crate::page::Text::from($value)),*])

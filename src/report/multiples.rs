@@ -18,13 +18,14 @@ pub struct Column<'a> {
     pub order: &'a OrderBalance,
 }
 
-/// Columns beside each other; more begin a new band.
+/// Columns beside each other; more begin a new drawing.
 const MOST_COLUMNS: usize = 3;
 
-/// The stars of one order of several engines, a column each, forces to one scale and moments to one: force, then moment.
+/// The stars of one order of several engines, a column each, as many as fit a page in each drawing: force, then moment, all
+/// forces to one scale and all moments to one.
 ///
 /// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
-pub fn multiples(columns: &[Column]) -> Figure {
+pub fn multiples(columns: &[Column]) -> Vec<Figure> {
     let in_line = |engine: &Engine| engine.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
     let senses = if columns.iter().all(|column| in_line(column.engine)) { 1 } else { 2 };
     let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
@@ -37,9 +38,9 @@ pub fn multiples(columns: &[Column]) -> Figure {
     // Bands are as long as each other, as far as they can be.
     let bands = columns.len().div_ceil(MOST_COLUMNS).max(1);
     let in_band = columns.len().div_ceil(bands).max(1);
-    let mut sheet = Sheet::new(in_band);
     let numbered: Vec<usize> = (0..columns.len()).collect();
-    for band in numbered.chunks(in_band) {
+    let draw = |band: &[usize]| {
+        let mut sheet = Sheet::new(in_band);
         sheet.names(&band.iter().map(|index| shortened(&columns[*index].name, WIDTH - 2.0)).collect::<Vec<_>>());
         for row in 0..senses * quantities {
             let panel = |index: &usize| {
@@ -51,8 +52,9 @@ pub fn multiples(columns: &[Column]) -> Figure {
             };
             sheet.row(band.iter().map(panel).collect(), (row + 1) % senses == 0);
         }
-    }
-    sheet.finish()
+        sheet.finish()
+    };
+    numbered.chunks(in_band).map(draw).collect()
 }
 
 /// Direct and reverse stars of all columns share their scale; moments only where they are in one unit.

@@ -100,7 +100,9 @@ fn no_text_of_a_comparison_lies_on_another_or_leaves_the_page() {
         };
         let columns: Vec<Column> = judged.iter().map(|(engine, judged)| column((engine, judged))).collect();
         for count in 1..=columns.len() {
-            assert_clear(&format!("{count} engines"), &report::multiples(&columns[..count]));
+            for figure in report::multiples(&columns[..count]) {
+                assert_clear(&format!("{count} engines"), &figure);
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use crankstar::family;
 use crankstar::file::{self, Layout, Template};
 use crankstar::page::figure::{Anchor, Figure, Ink, Mark, Point};
 use crankstar::page::plot::{Axis, Curve, Map, Plot, Polar};
-use crankstar::page::{Format, svg};
+use crankstar::page::{File, Format, svg};
 use crankstar::report::{self, end_view, side_view};
 use crankstar::report::{amplitudes, amplitudes_caption};
 use crankstar::sweep::{self, Geometry, Parameter};
@@ -166,7 +166,7 @@ fn no_text_of_a_plot_lies_on_another_or_leaves_the_page() {
     }
 }
 
-fn sweep_files(text: &str, parameters: &[&str]) -> Vec<report::File> {
+fn sweep_files(text: &str, parameters: &[&str]) -> Vec<File> {
     let template = Template::new("test.toml", text).expect("it is TOML");
     let parameters: Vec<Parameter> =
         parameters.iter().map(|text| Parameter::parse(text).expect("a parameter")).collect();

@@ -30,7 +30,7 @@ pub fn compare_page(engines: &[Compared]) -> Document {
     page.push(Block::Answer(answer(engines)));
     page.push(Block::Heading(1, "Vector stars".into()));
     for order in orders_of(engines) {
-        page.push(stars(engines, order));
+        page.blocks.extend(stars(engines, order).map(Block::from));
     }
     page.push(Block::Heading(1, "Side by side".into()));
     page.push(rows::table(engines, engines));
@@ -130,16 +130,21 @@ fn largest(engine: &Compared) -> Option<Text> {
     })
 }
 
-fn stars(engines: &[Compared], order: u32) -> Picture {
+/// The stars of an order, in as many pictures as the engines need.
+fn stars(engines: &[Compared], order: u32) -> impl Iterator<Item = Picture> {
     let columns: Vec<Column> = engines.iter().flat_map(|engine| columns(engine, order)).collect();
-    Picture {
-        name: format!("stars-order-{order}"),
+    let picture = move |(index, figure)| Picture {
+        name: match index {
+            0 => format!("stars-order-{order}"),
+            later => format!("stars-order-{order}-{}", later + 1),
+        },
         caption: phrase!(
             "Vector stars of order {}: force above moment, each to one scale where units are the same. Blue, orange and green polygons sum to zero; a red arrow is what is left.",
             order
         ),
-        figure: multiples::multiples(&columns),
-    }
+        figure,
+    };
+    multiples::multiples(&columns).into_iter().enumerate().map(picture)
 }
 
 fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<'a>> {

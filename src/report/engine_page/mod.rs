@@ -116,7 +116,7 @@ fn title_block(engine: &Engine) -> Vec<Block> {
     for (name, written) in &block.rows {
         table.push(vec![(*name).into(), written.into()]);
     }
-    let table = (!table.rows.is_empty()).then(|| Block::Table(table));
+    let table = (!table.rows.is_empty()).then_some(Block::Table(table));
     let objective = block.objective.as_ref().map(|words| Block::Paragraph(phrase!("**Objective.** {}", words)));
     table.into_iter().chain(objective).collect()
 }

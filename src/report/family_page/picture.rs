@@ -42,7 +42,7 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
         let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);
         for chunk in curves.chunks(in_each) {
             let x = Axis::angle(symbol, 0.0, 360.0, 30);
-            let mut plot = Plot::new(heading(&title, chunk), x, Axis::amplitude(format!("{title} in {unit}")));
+            let mut plot = Plot::new(heading(title, chunk), x, Axis::amplitude(format!("{title} in {unit}")));
             for (order, verdicts) in chunk {
                 add(&mut plot, family, unknown, *order, verdicts);
             }
