@@ -5,8 +5,9 @@
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::order::Masses;
+use crankstar::page::{self, Format, Options};
 use crankstar::proof::Quantity;
-use crankstar::report::{self, Dialect};
+use crankstar::report;
 use crankstar::verdict::{self, Judgement};
 use divan::{Bencher, black_box};
 
@@ -37,7 +38,14 @@ fn verdicts_and_report(bencher: Bencher, name: &str) {
     let layout = engine(name);
     bencher.bench_local(|| {
         let judged = Judgement::new(black_box(&layout), layout.orders(), &QUANTITIES).expect("orders");
-        let subject = report::Contents { engine: &layout, judged: &judged, family: None, needed: None, accuracy: None };
-        report::report(subject, Dialect::GithubMarkdown).len()
+        let subject = report::Contents {
+            engine: &layout,
+            judged: &judged,
+            family: None,
+            needed: None,
+            in_motion: false,
+            accuracy: None,
+        };
+        page::write(&report::engine_page(subject), Format::GITHUB, &Options::default()).len()
     });
 }

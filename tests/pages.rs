@@ -1,7 +1,10 @@
 //! Do the reports look right where they are read: in LaTeX, on a Markdown page, in a browser?
 //!
-//! These tests need pdflatex, pandoc 3, node with KaTeX, and Chromium: `.ci/run` installs them and runs
+//! These tests need pdflatex, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
+
+#[path = "pages/moving.rs"]
+mod moving;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,37 +13,66 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crankstar::engine::Engine;
-use crankstar::file;
+use crankstar::family;
+use crankstar::file::{self, Layout};
+use crankstar::page::{self, Document, Format, Math, Options};
 use crankstar::proof::Quantity;
-use crankstar::report::{self, Compared, Dialect};
+use crankstar::report::{self, Compared, Contents};
 use crankstar::text::Untrusted;
 use crankstar::verdict::Judgement;
 use serde_json::Value;
 
-/// A fresh folder with the report of an engine in it.
-fn write_report(name: &str, layout: &Engine, dialect: Dialect) -> PathBuf {
+/// A fresh folder with a page in it.
+fn write_page(name: &str, document: &Document, format: Format) -> PathBuf {
     // Tests run beside each other: each has folders of its own.
     let test = std::thread::current().name().unwrap_or("pages").to_owned();
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{dialect:?}")).join(name);
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}-{format:?}").replace(['(', ')'], "-")).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
-    let judged = Judgement::new(layout, layout.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders");
-    for file in report::report(
-        report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None },
-        dialect,
-    ) {
+    for file in page::write(document, format, &Options::default()) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     folder
 }
 
-/// The catalogue, and layouts that strain the page: masses, long fractions, a title full of special characters.
-fn engines() -> Vec<(String, Engine)> {
+fn report_of(engine: &Engine) -> Document {
+    let judged = Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders");
+    report::engine_page(Contents {
+        engine,
+        judged: &judged,
+        family: None,
+        needed: None,
+        in_motion: false,
+        accuracy: None,
+    })
+}
+
+/// Layouts that strain the page: masses, long fractions, many cylinders, odd angles, a title full of special characters.
+const STRANGE: [(&str, &str); 7] = [
+    ("masses", include_str!("pages/masses.toml")),
+    ("radial", include_str!("pages/radial.toml")),
+    ("w12", include_str!("pages/w12.toml")),
+    ("v20", include_str!("pages/v20.toml")),
+    ("v6-37-3", include_str!("pages/v6-37-3.toml")),
+    ("unequal-rods", include_str!("pages/unequal-rods.toml")),
+    ("two-open-angles", include_str!("pages/two-open-angles.toml")),
+];
+
+/// The reports on the catalogue and on layouts from outside it.
+fn reports() -> Vec<(String, Document)> {
     let catalogue = file::catalogue().expect("the catalogue reads").into_iter();
-    let strange =
-        [("strange-masses", include_str!("pages/masses.toml")), ("strange-radial", include_str!("pages/radial.toml"))];
-    let strange = strange.map(|(name, text)| (name.to_owned(), file::parse(name, text).expect("it reads")));
-    catalogue.map(|(entry, layout)| (entry.name.to_owned(), layout)).chain(strange).collect()
+    let catalogue = catalogue.map(|(entry, engine)| (entry.name.to_owned(), report_of(&engine)));
+    let strange = STRANGE.map(|(name, text)| {
+        let page = match file::parse_layout(name, text).expect("it reads") {
+            Layout::Known(engine, _) => report_of(&engine),
+            Layout::Open(open) => {
+                report::family_page(&open, &family::classify(&open, open.orders()).expect("orders"), false)
+            }
+        };
+        (format!("strange-{name}"), page)
+    });
+    catalogue.chain(strange).collect()
 }
 
 /// The stored reports on families and on examples with numbers, each in a folder of its own.
@@ -60,12 +92,17 @@ fn comparison() -> (PathBuf, usize) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-comparison");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
-    let (orders, engines) = ([1, 2, 4], engines());
+    let orders = [1, 2, 4];
+    let engines = file::catalogue()
+        .expect("the catalogue reads")
+        .into_iter()
+        .map(|(entry, engine)| (entry.name.to_owned(), engine));
+    let engines: Vec<(String, Engine)> = engines.collect();
     let few = engines.iter().filter(|(name, _)| name.starts_with("I5") || name.starts_with("strange"));
     let compared: Vec<Compared> = few
         .map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders).expect("orders"))
         .collect();
-    for file in report::compare_page(&compared) {
+    for file in page::write(&report::compare_page(&compared), Format::GITHUB, &Options::default()) {
         fs::write(folder.join(file.name), file.text).expect("a file");
     }
     (folder, orders.len())
@@ -104,8 +141,8 @@ fn run(folder: &Path, program: &str, arguments: &[&str], input: &str) -> String 
 #[test]
 #[ignore = "needs pdflatex"]
 fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
-    for (name, layout) in engines() {
-        compile(&name, &write_report(&name, &layout, Dialect::Latex));
+    for (name, page) in reports() {
+        compile(&name, &write_page(&name, &page, Format::Latex));
     }
     for family in families() {
         let name = family.file_name().expect("a name").to_string_lossy().into_owned();
@@ -135,18 +172,18 @@ fn formulas(node: &Value, found: &mut Vec<String>) {
 #[test]
 #[ignore = "needs pandoc 3 and node with KaTeX"]
 fn every_formula_is_found_by_pandoc_and_read_by_katex() {
-    let forms = [(Dialect::GithubMarkdown, "gfm"), (Dialect::DollarMarkdown, "markdown")];
+    let forms = [(Math::Github, "gfm"), (Math::Dollars, "markdown")];
     let mut all = BTreeSet::new();
-    for (name, layout) in engines() {
-        for (dialect, format) in forms {
-            let folder = write_report(&name, &layout, dialect);
+    for (name, page) in reports() {
+        for (math, format) in forms {
+            let folder = write_page(&name, &page, Format::Markdown(math));
             let text = fs::read_to_string(folder.join("report.md")).expect("a report");
             let json = run(&folder, "pandoc", &["-f", format, "-t", "json", "report.md"], "");
             let mut found = Vec::new();
             formulas(&serde_json::from_str(&json).expect("JSON"), &mut found);
-            let written = match dialect {
-                Dialect::GithubMarkdown => text.matches("$`").count() + text.matches("```math").count(),
-                _ => text.replace("$$", "$").replace("\\$", "").matches('$').count() / 2,
+            let written = match math {
+                Math::Github => text.matches("$`").count() + text.matches("```math").count(),
+                Math::Dollars => text.replace("$$", "$").replace("\\$", "").matches('$').count() / 2,
             };
             assert_eq!(found.len(), written, "{name} as {format}");
             all.extend(found);
@@ -185,9 +222,13 @@ fn look(name: &str, folder: &Path, page: &str, pictures: usize) {
 #[test]
 #[ignore = "needs pandoc 3 and Chromium"]
 fn every_page_shows_its_pictures_and_fits_a_browser_window() {
-    for (name, layout) in engines() {
-        let folder = write_report(&name, &layout, Dialect::GithubMarkdown);
-        look(&name, &folder, "report.md", 2 + layout.orders().len());
+    for (name, page) in reports() {
+        let folder = write_page(&name, &page, Format::GITHUB);
+        let pictures = fs::read_dir(&folder).expect("the folder").filter(|file| {
+            let name = file.as_ref().expect("a file").file_name();
+            name.to_string_lossy().ends_with(".svg")
+        });
+        look(&name, &folder, "report.md", pictures.count() + usize::from(!name.contains("open")));
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");
     fs::create_dir_all(&folder).expect("a folder");

@@ -13,8 +13,9 @@ use crankstar::claim::{parse_claims, parse_statement};
 use crankstar::engine::{Cycle, Engine, Family};
 use crankstar::family;
 use crankstar::file::{self, Key, Layout, Template};
+use crankstar::page::{self, Format};
 use crankstar::proof::{Quantity, read_document};
-use crankstar::report::{self, Dialect};
+use crankstar::report;
 use crankstar::search::{self, Front, Options, Problem, search};
 use crankstar::sweep::{Geometry, Parameter, Range, sweep};
 use crankstar::verdict::Judgement;
@@ -55,8 +56,18 @@ fn known(layout: &Engine) {
     }
     if layout.cylinders().len() <= MOST_REPORTED {
         let judged = Judgement::new(layout, &orders, &[Quantity::Force, Quantity::Moment]).expect("orders");
-        let subject = report::Contents { engine: layout, judged: &judged, family: None, needed: None, accuracy: None };
-        assert!(!report::report(subject, Dialect::Latex).is_empty());
+        let subject = report::Contents {
+            engine: layout,
+            judged: &judged,
+            family: None,
+            needed: None,
+            in_motion: false,
+            accuracy: None,
+        };
+        let page = report::engine_page(subject);
+        for format in [Format::GITHUB, Format::Latex, Format::Html, Format::PLAIN] {
+            assert!(!page::write(&page, format, &page::Options::default()).is_empty());
+        }
     }
 }
 
@@ -68,7 +79,8 @@ fn open(family: &Family) {
     let verdicts = family::classify(family, &orders).expect("orders");
     assert!(serde_json::to_string(&report::open_document(family, &verdicts)).is_ok());
     if family.cylinders().len() <= MOST_REPORTED {
-        assert!(!report::open_report(family, &verdicts, Dialect::GithubMarkdown).is_empty());
+        let page = report::family_page(family, &verdicts, false);
+        assert!(!page::write(&page, Format::Latex, &page::Options::default()).is_empty());
     }
 }
 

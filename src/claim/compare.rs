@@ -43,7 +43,7 @@ pub(super) fn bearing(angle: &Angle, sum: &PhasorSum, is_line: bool, decimal: f6
         Tolerance::Exact { rounding } => {
             let Some(upright) = upright(&angle.bearing, sum, is_line) else { return (Status::NotDecided, Vec::new()) };
             let across = upright.minus(&upright.conjugate());
-            let evidence = Evidence::comparison("the part across the claimed direction", across);
+            let evidence = Evidence::comparison("The part across the claimed direction", across);
             let equal = evidence.vanishes() && evaluate(&upright).re > 0.0;
             (exact_status(Some(equal), off, rounding.as_ref()), vec![evidence])
         }
@@ -98,7 +98,7 @@ fn equals(
             rest.times(&rest).minus(&a.times(&b).scaled(&four))
         }
     };
-    let evidence = Evidence::comparison("the difference of the squares", difference);
+    let evidence = Evidence::comparison("The difference of the squares", difference);
     let near = (decimal - value.to_float()).abs() < EDGE * (1.0 + decimal.abs());
     (Some(evidence.vanishes() && near), Some(evidence))
 }

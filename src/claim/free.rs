@@ -65,13 +65,13 @@ fn of_one_force(order: &OrderBalance) -> Result<Vec<Evidence>, Vec<Evidence>> {
         }
         let product = moment.sum.times(&force.sum.conjugate());
         let across = product.minus(&product.conjugate());
-        proofs.push(Evidence::comparison("the part of the moment across its force", across));
+        proofs.push(Evidence::comparison("The part of the moment across its force", across));
     }
     let [direct, reverse] =
         vectors.map(|(force, moment)| (moment.sum.times(&force.sum.conjugate()), force.sum.squared_modulus()));
     if !direct.1.vanishes() && !reverse.1.vanishes() {
         let difference = direct.0.times(&reverse.1).minus(&reverse.0.times(&direct.1));
-        proofs.push(Evidence::comparison("the difference of the planes of both forces", difference));
+        proofs.push(Evidence::comparison("The difference of the planes of both forces", difference));
     }
     if proofs.iter().all(Evidence::vanishes) { Ok(proofs) } else { Err(proofs) }
 }

@@ -31,7 +31,7 @@ impl<'a> Vectors<'a> {
                 shape: Some(balance.shape),
                 comparison: balance.comparison.is_some().then(|| {
                     let squares = [&balance.direct, &balance.reverse].map(|verdict| verdict.sum.squared_modulus());
-                    Evidence::comparison("the difference of the squared lengths", squares[0].minus(&squares[1]))
+                    Evidence::comparison("The difference of the squared lengths", squares[0].minus(&squares[1]))
                 }),
             },
         };

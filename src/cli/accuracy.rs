@@ -11,7 +11,8 @@ use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
 
 use super::failure::Failure;
-use super::{folder, layouts, print_json, progress, terminal, write};
+use super::pages::Pages;
+use super::{layouts, print_json, progress};
 
 /// Arguments of `accuracy`.
 #[derive(clap::Args)]
@@ -21,9 +22,8 @@ pub struct Accuracy {
     /// Rod ratios λ, from 0 to below 1, in place of those of the layout
     #[arg(long, value_name = "RATIOS", value_delimiter = ',', value_parser = ratio)]
     rod_ratio: Vec<BigRational>,
-    /// Folder for a page with its plots
-    #[arg(long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pages: Pages,
     /// Print errors and times as JSON
     #[arg(long)]
     json: bool,
@@ -58,12 +58,10 @@ impl Accuracy {
         let cases = cases.collect::<Result<Vec<_>, _>>();
         spinner.finish_and_clear();
         let cases = cases.map_err(Failure::new)?;
-        if let Some(folder) = &self.output {
-            folder::write(folder, &report::accuracy_page(&engine, &cases))?;
-        }
         if self.json {
+            self.pages.write(|| report::accuracy_page(&engine, &cases), Vec::new)?;
             return print_json(&report::accuracy_document(&engine, &cases));
         }
-        write::to_stdout(&terminal::accuracy(&engine, &cases))
+        self.pages.show(&report::accuracy_answer(&engine, &cases), || report::accuracy_page(&engine, &cases))
     }
 }

@@ -1,26 +1,42 @@
 //! `check`: do the claims of a file hold?
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use crankstar::claim::{Claims, parse_claims};
+use crankstar::claim::{Claim, Claims, TableVerdict, parse_claims};
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::report;
-use crankstar::text::{Format, Untrusted};
 
 use super::failure::Failure;
-use super::{layouts, write};
+use super::layouts;
+use super::pages::Pages;
 
-/// Prints each claim with its answer; the exit status is 1 where one does not hold.
-pub fn run(file: &Path) -> Result<ExitCode, Failure> {
-    let name = layouts::shown(file);
-    let text = layouts::read_text(file)?;
-    let folder = file.parent().unwrap_or(Path::new(""));
-    let claims = parse_claims(&name, &text, &|engine| find(folder, engine))?;
-    let (lines, all_hold) = answers(&claims);
-    write::to_stdout(&lines)?;
-    Ok(if all_hold { ExitCode::SUCCESS } else { ExitCode::from(1) })
+/// Arguments of `check`.
+#[derive(clap::Args)]
+pub struct Check {
+    /// The claims file (TOML)
+    file: PathBuf,
+    #[command(flatten)]
+    pages: Pages,
+}
+
+impl Check {
+    /// Prints each claim with its answer, and writes the page into the folder; the exit status is 1 where one does not hold.
+    pub fn run(&self) -> Result<ExitCode, Failure> {
+        let name = layouts::shown(&self.file);
+        let text = layouts::read_text(&self.file)?;
+        let folder = self.file.parent().unwrap_or(Path::new(""));
+        let claims = parse_claims(&name, &text, &|engine| find(folder, engine))?;
+        self.pages.show(&report::claims_answer(&claims), || report::claims_page(&claims))?;
+        Ok(if all_hold(&claims) { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    }
+}
+
+fn all_hold(claims: &Claims) -> bool {
+    let claimed = claims.statements.iter().flat_map(|statement| &statement.claims);
+    let all_true = claimed.map(Claim::answer).all(|answer| answer.status.holds());
+    all_true && claims.judged_tables().iter().all(TableVerdict::holds)
 }
 
 /// An engine of the catalogue, or a layout file beside the claims file.
@@ -31,22 +47,4 @@ fn find(folder: &Path, engine: &str) -> Result<Engine, String> {
     let path = folder.join(engine);
     let text = layouts::read_text(&path).map_err(|failure| failure.message().to_owned())?;
     file::parse(&layouts::shown(&path), &text).map_err(|error| format!("in `{engine}`: {}", error.message()))
-}
-
-fn answers(claims: &Claims) -> (String, bool) {
-    let plain = |text: &Untrusted| text.escaped(Format::Plain);
-    let mut lines = String::new();
-    let mut all_hold = true;
-    for claim in claims.statements.iter().flat_map(|statement| &statement.claims) {
-        let answer = claim.answer();
-        all_hold &= answer.status.holds();
-        let (status, finding) = (report::claim_status(&answer), report::claim_finding(&claim.statement, &answer));
-        lines += &format!("{}: {}\n  {status}. {finding}\n", plain(&claim.engine), plain(&claim.says));
-    }
-    for (table, verdict) in claims.tables.iter().zip(claims.judged_tables()) {
-        all_hold &= verdict.holds();
-        let finding = report::table_finding(table, &verdict);
-        lines += &format!("{}: vector-star table of order {}\n  {finding}\n", plain(&table.engine), table.order);
-    }
-    (lines, all_hold)
 }

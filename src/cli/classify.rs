@@ -9,8 +9,9 @@ use crankstar::verdict;
 
 use super::failure::Failure;
 use super::masses::Masses;
+use super::pages::shown;
 use super::verify::proved;
-use super::{EngineAndOrders, terminal, write};
+use super::{EngineAndOrders, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]
@@ -42,7 +43,7 @@ impl Classify {
         let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
-            return write::to_stdout(&terminal::summary(&engine, &judged));
+            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged)));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
@@ -60,7 +61,7 @@ impl Classify {
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.json {
             true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
-            false => write::to_stdout(&terminal::open_summary(family, &verdicts)),
+            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts))),
         }
     }
 }

@@ -9,8 +9,9 @@ use crankstar::report::{self, CompareDocument, Compared};
 use crankstar::text::Untrusted;
 
 use super::failure::Failure;
+use super::pages::Pages;
 use super::verify::proved_or_without;
-use super::{folder, layouts, terminal, write};
+use super::{layouts, write};
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]
@@ -24,9 +25,8 @@ pub struct Compare {
     /// Print the comparison as JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,
-    /// Folder for the page with its vector stars
-    #[arg(long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pages: Pages,
 }
 
 /// More engines than this do not stand beside each other.
@@ -48,13 +48,7 @@ impl Compare {
             let document = report::compare_document(&compared);
             return write::to_stdout(&proved_or_without(document, CompareDocument::without_evidence)?);
         }
-        let mut text = terminal::compare(&compared);
-        if let Some(folder) = &self.output {
-            let files = report::compare_page(&compared);
-            folder::write(folder, &files)?;
-            text += &format!("\n{}", folder::written(folder, &files));
-        }
-        write::to_stdout(&text)
+        self.pages.show(&report::compare_answer(&compared), || report::compare_page(&compared))
     }
 
     /// The engines with short names; with their arguments where two would have the same.

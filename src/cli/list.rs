@@ -1,18 +1,12 @@
-//! `list`: which engines are known by name?
+//! `list`: which engines are known by name, and what does each leave first?
 
-use crankstar::engine;
 use crankstar::file;
-use crankstar::text::Format;
+use crankstar::report;
 
 use super::failure::Failure;
-use super::write;
+use super::{pages, write};
 
-/// Prints the catalogue, one line per engine: name, number of cylinders, title.
+/// Prints the catalogue, a row per engine.
 pub fn run() -> Result<(), Failure> {
-    let engines = file::catalogue()?;
-    let widest = engines.iter().map(|(entry, _)| entry.name.len()).max().unwrap_or(0);
-    let line = |(entry, engine): &(file::Entry, engine::Engine)| {
-        format!("{:widest$}  {:2}  {}\n", entry.name, engine.cylinders().len(), engine.title().escaped(Format::Plain))
-    };
-    write::to_stdout(&engines.iter().map(line).collect::<String>())
+    write::to_stdout(&pages::shown(&report::catalogue_answer(&file::catalogue()?)))
 }

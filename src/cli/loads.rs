@@ -8,8 +8,9 @@ use crankstar::loads::{self, Needed};
 use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
+use super::pages::shown;
 use super::verify::proved_or_without;
-use super::{EngineAndOrders, terminal, write};
+use super::{EngineAndOrders, write};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -79,7 +80,7 @@ impl Loads {
                 let document = report::loads_document(&engine, &numbers, needed.as_ref());
                 write::to_stdout(&proved_or_without(document, LoadsDocument::without_evidence)?)
             }
-            false => write::to_stdout(&terminal::loads(&engine, &numbers, needed.as_ref())),
+            false => write::to_stdout(&shown(&report::loads_answer(&engine, &numbers, needed.as_ref()))),
         }
     }
 }

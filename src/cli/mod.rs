@@ -19,14 +19,13 @@ mod remedy;
 mod report;
 mod search;
 mod sweep;
-mod terminal;
 mod verify;
 mod write;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
@@ -80,10 +79,7 @@ enum Command {
     /// Check all that the output of `classify --json` or `remedy --json` says
     Verify(verify::Verify),
     /// Check claims about engines: statements of books, homework
-    Check {
-        /// The claims file (TOML)
-        file: PathBuf,
-    },
+    Check(check::Check),
     /// Find the crank stars that balance best
     Search(search::Search),
     /// Compare engines side by side: what each leaves, its remedy, its firing
@@ -124,24 +120,6 @@ impl EngineAndOrders {
     }
 }
 
-/// Which language a report is written in.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// report.md and SVG files
-    Markdown,
-    /// report.tex for pdflatex
-    Latex,
-}
-
-/// How formulas are marked in Markdown.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Math {
-    /// $`…`$, as code-hosting pages read it
-    Github,
-    /// $…$, as pandoc, Quarto and Jupyter read it
-    Dollars,
-}
-
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
@@ -159,7 +137,7 @@ pub fn run() -> ExitCode {
         Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
         Command::Verify(verify) => verify.run().map(done),
-        Command::Check { file } => check::run(&file),
+        Command::Check(check) => check.run(),
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),

@@ -1,9 +1,8 @@
 //! `optimise`: which counterweights are best?
 
-use std::path::PathBuf;
-
 use super::EngineAndOrders;
 use super::failure::Failure;
+use super::pages::Pages;
 
 /// Arguments of `optimise`.
 #[derive(clap::Args)]
@@ -19,16 +18,15 @@ pub struct Optimise {
     /// Print the points as JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,
-    /// Folder for the page with its plot, and for the layout file of each point
-    #[arg(long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pages: Pages,
 }
 
 #[cfg(not(feature = "optimise"))]
 impl Optimise {
     /// Says what the program lacks.
     pub fn run(&self) -> Result<(), Failure> {
-        let Optimise { about: _, couple: _, points: _, json: _, output: _ } = self;
+        let Optimise { about: _, couple: _, points: _, json: _, pages: _ } = self;
         Err(Failure::new("this program was built without its optimiser; build it with --features optimise"))
     }
 }
@@ -40,7 +38,8 @@ mod run {
     use crankstar::report;
     use num_traits::Signed;
 
-    use super::super::{folder, print_json, progress, terminal, write};
+    use super::super::pages::shown;
+    use super::super::{print_json, progress, write};
     use super::{Failure, Optimise};
 
     /// More points than this say nothing more.
@@ -66,13 +65,10 @@ mod run {
             if self.json {
                 return print_json(&report::optimise_document(&engine, &front, &wish.couple));
             }
-            let mut text = terminal::optimise(&engine, &front, &wish.couple);
-            if let Some(folder) = &self.output {
-                let files = report::optimise_files(&engine, &front, &wish.couple);
-                folder::write(folder, &files)?;
-                text += &format!("\n{}", folder::written(folder, &files));
-            }
-            write::to_stdout(&text)
+            let page = || report::optimise_page(&engine, &front, &wish.couple);
+            let written = self.pages.write(page, || report::optimise_layouts(&front))?;
+            let answer = report::optimise_answer(&engine, &front, &wish.couple);
+            write::to_stdout(&(shown(&answer) + &written))
         }
     }
 

@@ -14,6 +14,13 @@ pub struct Pages {
     /// What the page is written in
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
+    #[command(flatten)]
+    look: Look,
+}
+
+/// What a person may say of a page whatever it is written in.
+#[derive(clap::Args)]
+pub struct Look {
     /// How formulas are marked in Markdown
     #[arg(long, value_enum, default_value = "github")]
     math: Math,
@@ -50,9 +57,9 @@ pub enum Math {
     Dollars,
 }
 
-impl Pages {
-    fn format(&self) -> page::Format {
-        match (self.format, self.math) {
+impl Look {
+    fn format(&self, format: Format) -> page::Format {
+        match (format, self.math) {
             (Format::Markdown, Math::Github) => page::Format::Markdown(page::Math::Github),
             (Format::Markdown, Math::Dollars) => page::Format::Markdown(page::Math::Dollars),
             (Format::Latex, _) => page::Format::Latex,
@@ -62,26 +69,55 @@ impl Pages {
     }
 
     /// The files of a page, the main one first.
-    pub fn files(&self, document: &Document) -> Vec<File> {
+    pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
-        page::write(document, self.format(), &Options { fragment: self.fragment, stamp })
+        page::write(document, self.format(format), &Options { fragment: self.fragment, stamp })
+    }
+
+    /// Writes the files into the folder where one is named; says what was written.
+    pub fn write(&self, files: impl FnOnce() -> Result<Vec<File>, Failure>) -> Result<String, Failure> {
+        let Some(folder) = &self.output else { return Ok(String::new()) };
+        let files = files()?;
+        folder::write(folder, &files)?;
+        Ok(format!("\n{}", folder::written(folder, &files)))
+    }
+
+    /// Whether a folder is named.
+    pub fn has_folder(&self) -> bool {
+        self.output.is_some()
+    }
+}
+
+impl Pages {
+    /// Whether the page runs scripts.
+    pub fn runs_scripts(&self) -> bool {
+        self.format == Format::Html
+    }
+
+    /// The files of a page, the main one first.
+    pub fn files(&self, document: &Document) -> Vec<File> {
+        self.look.files(document, self.format)
     }
 
     /// Prints the short answer, and writes the page into the folder where one is named.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
-        let mut text = shown(answer);
-        if let Some(folder) = &self.output {
-            let files = self.files(&page());
-            folder::write(folder, &files)?;
-            text += &format!("\n{}", folder::written(folder, &files));
-        }
-        write::to_stdout(&text)
+        let written = self.write(page, Vec::new)?;
+        write::to_stdout(&(shown(answer) + &written))
+    }
+
+    /// Writes the page with other files beside it into the folder where one is named; says what was written.
+    pub fn write(
+        &self,
+        page: impl FnOnce() -> Document,
+        beside: impl FnOnce() -> Vec<File>,
+    ) -> Result<String, Failure> {
+        self.look.write(|| Ok(self.files(&page()).into_iter().chain(beside()).collect()))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
     pub fn show_page(&self, answer: &Document, page: &Document) -> Result<(), Failure> {
         let files = self.files(page);
-        let Some(folder) = &self.output else { return write::to_stdout(&files[0].text) };
+        let Some(folder) = &self.look.output else { return write::to_stdout(&files[0].text) };
         folder::write(folder, &files)?;
         write::to_stdout(&format!("{}\n{}", shown(answer), folder::written(folder, &files)))
     }

@@ -1,18 +1,17 @@
 //! `remedy`: which counterweights and balancer shafts take away what is left?
 
-use std::path::PathBuf;
-
 use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
 use crankstar::file::{Layout, parse_angle, parse_length, parse_number};
 use crankstar::remedy::{self, Wish};
-use crankstar::report::{self, Dialect};
+use crankstar::report;
 use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::failure::Failure;
+use super::pages::Pages;
 use super::verify::proved;
-use super::{EngineAndOrders, folder, terminal, write};
+use super::{EngineAndOrders, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
@@ -31,13 +30,12 @@ pub struct Remedy {
     /// Print the remedy as JSON with its certificates, for `verify`
     #[arg(long, conflicts_with = "output")]
     json: bool,
-    /// Folder for remedy.md and its drawing
-    #[arg(long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pages: Pages,
 }
 
 impl Remedy {
-    /// Prints the remedy.
+    /// Prints the remedy, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let (layout, orders) = self.about.read()?;
         let Layout::Known(engine, _) = layout else {
@@ -47,11 +45,7 @@ impl Remedy {
         if self.json {
             return write::to_stdout(&proved(&report::remedy_document(&remedy))?);
         }
-        let summary = terminal::remedy(&engine, &remedy);
-        let Some(folder) = &self.output else { return write::to_stdout(&summary) };
-        let files = report::remedy_files(&remedy, Dialect::GithubMarkdown);
-        folder::write(folder, &files)?;
-        write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
+        self.pages.show(&report::remedy_answer(&remedy), || report::remedy_page(&remedy))
     }
 
     fn wish(&self, engine: &Engine, orders: Vec<u32>) -> Result<Wish, Failure> {

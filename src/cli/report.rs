@@ -1,18 +1,17 @@
 //! `report`: where are the proofs written?
 
-use std::path::PathBuf;
-
 use crankstar::accuracy::Timing;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::proof::Quantity;
-use crankstar::report::{self, AccuracyCase, Dialect};
+use crankstar::report::{self, AccuracyCase};
 
 use super::failure::Failure;
 use super::loads::Auto;
 use super::masses::Masses;
-use super::{EngineAndOrders, Format, Math, folder, progress, terminal, write};
+use super::pages::Pages;
+use super::{EngineAndOrders, progress};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -21,15 +20,8 @@ pub struct Report {
     about: EngineAndOrders,
     #[command(flatten)]
     masses: Masses,
-    /// Language of the report
-    #[arg(long, value_enum, default_value = "markdown")]
-    format: Format,
-    /// How formulas are marked in Markdown
-    #[arg(long, value_enum, default_value = "github")]
-    math: Math,
-    /// Folder for the report and its diagrams; without it the text alone goes to standard output
-    #[arg(long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    pages: Pages,
     #[command(flatten)]
     auto: Auto,
     /// Add what the peak loads are by other methods, and how far off those are
@@ -50,12 +42,7 @@ impl Report {
     /// Writes the report into the folder and the summary to the terminal, or the text alone to the terminal.
     pub fn run(&self) -> Result<(), Failure> {
         let (layout, orders) = self.about.read()?;
-        let dialect = match (self.format, self.math) {
-            (Format::Latex, _) => Dialect::Latex,
-            (Format::Markdown, Math::Github) => Dialect::GithubMarkdown,
-            (Format::Markdown, Math::Dollars) => Dialect::DollarMarkdown,
-        };
-        let (files, summary) = match &layout {
+        let (page, answer) = match &layout {
             Layout::Known(engine, family) => {
                 let needed = self.auto.needed(engine)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
@@ -73,9 +60,10 @@ impl Report {
                     judged: &judged,
                     family,
                     needed: needed.as_ref(),
+                    in_motion: self.pages.runs_scripts(),
                     accuracy: accuracy.as_ref(),
                 };
-                (report::report(subject, dialect), terminal::summary(engine, &judged))
+                (report::engine_page(subject), report::engine_answer(engine, &judged))
             }
             Layout::Open(_) if self.masses.are_given() => {
                 return Err(Failure::new("--masses needs an engine without unknowns; give them values below [values]"));
@@ -83,13 +71,12 @@ impl Report {
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders).map_err(Failure::new)?;
-                (report::open_report(family, &verdicts, dialect), terminal::open_summary(family, &verdicts))
+                (
+                    report::family_page(family, &verdicts, self.pages.runs_scripts()),
+                    report::family_answer(family, &verdicts),
+                )
             }
         };
-        let Some(folder) = &self.output else {
-            return write::to_stdout(&files[0].text);
-        };
-        folder::write(folder, &files)?;
-        write::to_stdout(&format!("{summary}\n{}", folder::written(folder, &files)))
+        self.pages.show_page(&answer, &page)
     }
 }

@@ -4,16 +4,16 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use comfy_table::Table;
-use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 
 use crankstar::engine;
 use crankstar::exact::Turn;
 use crankstar::file::parse_angle;
-use crankstar::search::{self, Front, FrontDocument, MomentDocument, Options, Problem, Progress, StarDocument};
+use crankstar::report;
+use crankstar::search::{self, Options, Problem, Progress};
 
 use super::failure::Failure;
-use super::{print_json, progress, write};
+use super::pages::Pages;
+use super::{print_json, progress};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -46,8 +46,10 @@ pub struct Search {
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Print the front as JSON
-    #[arg(long)]
+    #[arg(long, conflicts_with = "output")]
     json: bool,
+    #[command(flatten)]
+    pages: Pages,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -59,7 +61,7 @@ enum Cycle {
 }
 
 impl Search {
-    /// Searches, and prints the front.
+    /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let problem = self.problem()?;
         let bar = progress::bar("pieces");
@@ -74,11 +76,10 @@ impl Search {
         let front = search::search(&problem, &options);
         bar.finish_and_clear();
         let front = front.map_err(Failure::new)?;
-        let document = search::document(&front);
         if self.json {
-            return print_json(&document);
+            return print_json(&search::document(&front));
         }
-        write::to_stdout(&table(&front, &document))
+        self.pages.show(&report::search_answer(&front), || report::search_page(&front))
     }
 
     fn problem(&self) -> Result<Problem, Failure> {
@@ -98,64 +99,3 @@ impl Search {
         Ok(Problem { cylinders: self.cylinders, cycle, bank_angle, directions, grid, orders, neighbours })
     }
 }
-
-fn table(front: &Front, document: &FrontDocument) -> String {
-    let mut table = Table::new();
-    table.load_style(UTF8_HORIZONTAL_ONLY);
-    let with_neighbours = document.neighbours;
-    let mut header = vec!["Firing order".to_owned(), "Throws (°)".to_owned()];
-    header.extend(document.stars.first().into_iter().flat_map(|star| star.moments.iter().map(moment_title)));
-    header.extend(with_neighbours.then(|| "Neighbours".to_owned()));
-    header.push("Stars".to_owned());
-    table.set_header(header);
-    for (star, found) in document.stars.iter().zip(&front.stars) {
-        table.add_row(row(star, found, with_neighbours));
-    }
-    let spread = match document.stars.is_empty() {
-        true => "No star has balanced first-order force.\n".to_owned(),
-        false => {
-            let of_vees = if front.problem.bank_angle.is_some() { LEGEND_OF_VEES } else { "" };
-            format!("{table}\n{LEGEND}\n{of_vees}")
-        }
-    };
-    let Front { all, judged, cut, .. } = front;
-    format!(
-        "{}, {}: the best of {all} stars by the moments of orders {}\n{spread}Judged one by one: {judged}; starts left out by the bound: {cut}.\n",
-        document.engine,
-        document.cycle,
-        document.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", "),
-    )
-}
-
-const LEGEND: &str = "\
-Moments about the mid-plane, in m r ω² c_k times the spacing; = exact, ≈ decimal. No other star is as good in all and better in one.
-Stars: how many share these values, up to rotation, mirror and reversal.";
-
-const LEGEND_OF_VEES: &str = "C⁺ and C⁻ are the direct and the reverse vector: the largest moment is half their sum.\n";
-
-fn moment_title(moment: &MomentDocument) -> String {
-    let order = moment.order;
-    match moment.sense {
-        None => format!("M{order}"),
-        Some(crankstar::proof::Sense::Direct) => format!("C{order}⁺"),
-        Some(crankstar::proof::Sense::Reverse) => format!("C{order}⁻"),
-    }
-}
-
-fn row(star: &StarDocument, found: &search::FoundStar, with_neighbours: bool) -> Vec<String> {
-    let throws: Vec<String> = found.throws.iter().map(|throw| throw.degrees().to_string()).collect();
-    let order = star.firing_order.clone().unwrap_or_else(|| "uneven".to_owned());
-    let moment = |moment: &MomentDocument| match moment.exact.as_deref() {
-        Some(exact) if exact.parse::<i64>().is_ok() => format!("= {exact}"),
-        Some(exact) if exact.chars().count() <= LONGEST_FORM => format!("= {exact} ≈ {:.4}", moment.decimal),
-        _ => format!("≈ {:.4}", moment.decimal),
-    };
-    let mut row = vec![order, throws.join(" ")];
-    row.extend(star.moments.iter().map(moment));
-    row.extend(with_neighbours.then(|| star.neighbours.map_or_else(String::new, |count| count.to_string())));
-    row.push(star.classes.to_string());
-    row
-}
-
-/// Longer closed forms are left to the JSON.
-const LONGEST_FORM: usize = 24;

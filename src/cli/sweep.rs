@@ -9,7 +9,8 @@ use crankstar::report::{self, File};
 use crankstar::sweep::{self, Geometry, Parameter};
 
 use super::failure::Failure;
-use super::{folder, layouts, progress, write};
+use super::pages::{self, Look};
+use super::{layouts, progress, write};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args)]
@@ -40,12 +41,11 @@ pub struct Sweep {
     /// The orders to judge [default: those of the layout file, else 1,2,4,6]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
-    /// What is printed
-    #[arg(long, value_enum, default_value = "markdown")]
-    format: Format,
-    /// Folder for sweep.md with its plots, sweep.csv and sweep.json
-    #[arg(long, value_name = "DIR", conflicts_with = "format")]
-    output: Option<PathBuf>,
+    /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    #[command(flatten)]
+    look: Look,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -54,8 +54,14 @@ enum Format {
     Csv,
     /// The points, and the exact zeros
     Json,
-    /// The page, without its plots
+    /// Markdown with SVG files beside it
     Markdown,
+    /// LaTeX for pdflatex
+    Latex,
+    /// One file for a browser
+    Html,
+    /// Plain text without pictures
+    Text,
 }
 
 impl Sweep {
@@ -71,19 +77,33 @@ impl Sweep {
         let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
         spinner.finish_and_clear();
         let sweep = sweep.map_err(Failure::new)?;
-        let json = || super::json(&report::sweep_document(&sweep));
-        let Some(folder) = &self.output else {
-            return write::to_stdout(&match self.format {
-                Format::Csv => report::sweep_csv(&sweep).text,
-                Format::Json => json()?,
-                Format::Markdown => report::sweep_page(&sweep).swap_remove(0).text,
-            });
+        match self.format {
+            Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
+            format => {
+                let written = self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Markdown)))?;
+                write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep)) + &written))
+            }
+        }
+    }
+
+    /// The files of a format; beside a page stand the table and the data.
+    fn files(&self, sweep: &sweep::Sweep, format: Format) -> Result<Vec<File>, Failure> {
+        let csv = || report::sweep_csv(sweep);
+        let json =
+            || Ok::<_, Failure>(File { name: "sweep.json".into(), text: super::json(&report::sweep_document(sweep))? });
+        let page = |format: pages::Format| {
+            let mut files = self.look.files(&report::sweep_page(sweep), format);
+            files.extend([csv(), json()?]);
+            Ok(files)
         };
-        let mut files = report::sweep_page(&sweep);
-        files.push(report::sweep_csv(&sweep));
-        files.push(File { name: "sweep.json".into(), text: json()? });
-        folder::write(folder, &files)?;
-        write::to_stdout(&folder::written(folder, &files))
+        match format {
+            Format::Csv => Ok(vec![csv()]),
+            Format::Json => Ok(vec![json()?]),
+            Format::Markdown => page(pages::Format::Markdown),
+            Format::Latex => page(pages::Format::Latex),
+            Format::Html => page(pages::Format::Html),
+            Format::Text => page(pages::Format::Text),
+        }
     }
 
     fn parameters(&self, template: &Template) -> Result<Vec<Parameter>, Failure> {

@@ -19,7 +19,7 @@ pub use solve::{Alternative, Angles, Condition, Never, When};
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 use crate::engine::{Cylinder, DELTA, Family, Linear, NotAnOrder, PHI, are_orders};
 use crate::exact::{PhasorSum, Term, Turn};
@@ -84,15 +84,28 @@ impl OpenVerdict {
     /// The angles φ in (0°, 360°) at which it vanishes for all lengths; `None` where it always does, where δ enters,
     /// or where some sum is not solved.
     pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
+        self.angles_of(PHI)
+    }
+
+    /// The same of an unknown, φ or δ: `None` where the other one enters.
+    pub fn angles_of(&self, unknown: &str) -> Option<BTreeSet<Turn>> {
+        let (none, one) = (BigRational::zero(), BigRational::one());
+        let values = self.values(unknown, [&none, &one])?;
+        Some(values.into_iter().filter(|value| *value != none && *value != one).map(Turn::new).collect())
+    }
+
+    /// The values of one unknown, φ or δ, in a range at which it vanishes for all lengths, in turns and with the ends of the
+    /// range; `None` where it always does, where the other one enters, or where some sum is not solved.
+    pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
         if self.never() {
             return Some(BTreeSet::new());
         }
         let open = self.sums.iter().filter(|sum| !matches!(sum.when, When::Always));
         let sets = open.map(|sum| match &sum.when {
-            When::Where(angles) => angles.bank_angles(),
-            _ => None,
+            When::Where(angles) => angles.values(unknown, range),
+            When::Always | When::Never(_) | When::Irrational { .. } | When::NotSolved(_) => None,
         });
-        let sets = sets.collect::<Option<Vec<BTreeSet<Turn>>>>()?;
+        let sets = sets.collect::<Option<Vec<_>>>()?;
         sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())
     }
 }

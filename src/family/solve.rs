@@ -10,6 +10,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::Part;
+use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::proof::Certificate;
@@ -77,37 +78,35 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// The angles φ in (0°, 360°); `None` where δ enters.
-    fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
-        if !self.delta.is_zero() || self.phi.is_zero() {
+    /// The values of one unknown in a range, its ends among them, in turns; `None` where the other one enters.
+    fn values(&self, unknown: &str, [low, high]: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
+        let (own, other) = if unknown == PHI { (&self.phi, &self.delta) } else { (&self.delta, &self.phi) };
+        if !other.is_zero() || own.is_zero() {
             return None;
         }
-        // pφ = t + m with 0 < φ < 1: m runs over the whole numbers between −t and p − t.
-        let (low, high) = if self.phi.is_positive() {
-            (BigRational::zero(), self.phi.clone())
-        } else {
-            (self.phi.clone(), BigRational::zero())
+        // px = t + m with low ≤ x ≤ high: m runs over the whole numbers between p low − t and p high − t.
+        let ends = [own * low - self.turn.turns(), own * high - self.turn.turns()];
+        let (mut m, last) = match own.is_positive() {
+            true => (ends[0].ceil().to_integer(), ends[1].floor().to_integer()),
+            false => (ends[1].ceil().to_integer(), ends[0].floor().to_integer()),
         };
-        let mut m = (low - self.turn.turns()).floor().to_integer();
-        let last = (high - self.turn.turns()).ceil().to_integer();
-        let mut angles = BTreeSet::new();
+        let mut values = BTreeSet::new();
         while m <= last {
-            let phi = (self.turn.turns() + BigRational::from_integer(m.clone())) / &self.phi;
-            if phi.is_positive() && phi < BigRational::from_integer(1.into()) {
-                angles.insert(Turn::new(phi));
-            }
+            values.insert((self.turn.turns() + BigRational::from_integer(m.clone())) / own);
             m += BigInt::from(1);
         }
-        Some(angles)
+        Some(values)
     }
 }
 
 impl Angles {
-    /// The angles φ in (0°, 360°) at which a condition holds; `None` where δ enters.
-    pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
+    /// The values of one unknown, φ or δ, in a range at which a condition holds, in turns and with the ends of the range;
+    /// `None` where the other one enters.
+    pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
         let mut all = BTreeSet::new();
         for alternative in &self.alternatives {
-            let sets = alternative.conditions.iter().map(Condition::bank_angles).collect::<Option<Vec<_>>>()?;
+            let of = |condition: &Condition| condition.values(unknown, range);
+            let sets = alternative.conditions.iter().map(of).collect::<Option<Vec<_>>>()?;
             all.extend(sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())?);
         }
         Some(all)

@@ -50,8 +50,21 @@ pub enum Block {
     Folded(Fold),
     /// A small remark.
     Note(Text),
+    /// What only a browser shows.
+    Live(Live),
     /// A person's file as it stands, in a language.
     Verbatim(&'static str, Untrusted),
+}
+
+/// A part in HTML that moves by a script; formats without scripts leave it out.
+#[derive(Clone, Debug)]
+pub struct Live {
+    /// The part itself, finished.
+    pub body: String,
+    /// What it looks like: once on a page.
+    pub style: &'static str,
+    /// What moves it: once on a page.
+    pub script: &'static str,
 }
 
 /// What is folded, and what stands on the fold.

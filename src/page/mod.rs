@@ -17,7 +17,7 @@ mod tikz;
 mod unit;
 mod write;
 
-pub use block::{Block, Document, Fold, Picture, Table};
+pub use block::{Block, Document, Fold, Live, Picture, Table};
 pub use number::Number;
 pub use svg::svg;
 pub(crate) use text::phrase;

@@ -5,15 +5,18 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::Turn;
 use crate::numbers::{self, Direction, Form};
+use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 4;
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
+/// The longest fraction that is shown as one.
+const LONGEST_FRACTION: usize = 7;
 /// Longer closed forms than this tell a reader nothing; their decimals do.
-const LONGEST_FORM: usize = 90;
+const LONGEST_FORM: usize = 48;
 /// Digits of the longest number in a closed form that is shown.
-const MOST_DIGITS: usize = 6;
+const MOST_DIGITS: usize = 4;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(crate) fn number(value: &BigRational) -> String {
@@ -24,14 +27,20 @@ pub(crate) fn number(value: &BigRational) -> String {
     if value.is_negative() { format!("−{text}") } else { text }
 }
 
+/// Whether an exact number is shown in decimals, for it is too long.
+pub(crate) fn is_rounded(value: &BigRational) -> bool {
+    exact_text(value).len() > MOST_LETTERS
+}
+
 /// The modulus, exactly.
 fn exact_text(value: &BigRational) -> String {
     terminating(value).unwrap_or_else(|| value.abs().to_string())
 }
 
-/// Whether an exact number is too long to be read.
+/// Whether an exact number is too long to be read: a fraction of large numbers tells less than its decimals.
 fn is_long(value: &BigRational) -> bool {
-    exact_text(value).len() > MOST_LETTERS
+    let text = exact_text(value);
+    text.len() > if text.contains('/') { LONGEST_FRACTION } else { MOST_LETTERS }
 }
 
 /// The decimal form of a modulus, where it ends after a few places.
@@ -81,7 +90,8 @@ pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
 /// A decimal of four digits; whole numbers whole.
 pub(crate) fn decimal(value: f64) -> String {
     let text = match value.abs() {
-        size if size != 0.0 && !(0.01..1e9).contains(&size) => format!("{value:.3e}"),
+        0.0 => "0".to_owned(),
+        size if !(0.01..1e9).contains(&size) => scientific(value, 3),
         size if size >= 999.95 => format!("{value:.0}"),
         size if size >= 99.995 => format!("{value:.1}"),
         size if size >= 9.9995 => format!("{value:.2}"),
@@ -119,6 +129,14 @@ impl Number {
             long if is_long(long) => Number::Decimal(long.to_f64().unwrap_or(f64::NAN)),
             short => Number::Exact(short.clone()),
         }
+    }
+}
+
+/// An exact number that is given, not found: its zero is no verdict, and stands as any other number does.
+pub(crate) fn given(value: &BigRational) -> super::Text {
+    match Number::exact(value) {
+        Number::Zero => Number::Exact(value.clone()).into(),
+        other @ (Number::Exact(_) | Number::Closed(..) | Number::Decimal(_)) => other.into(),
     }
 }
 
@@ -226,17 +244,38 @@ pub(crate) fn approximate(value: f64) -> String {
     format!("≈ {}", decimal(value))
 }
 
-/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`.
+/// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`, `0.0715`.
 pub fn sensible(value: f64) -> String {
     let size = value.abs();
     let text = match size {
-        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => format!("{value:.2e}"),
+        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => scientific(value, 2),
         _ if size >= 99.95 => format!("{value:.0}"),
         _ if size >= 9.995 => format!("{value:.1}"),
         _ if size >= 0.9995 => format!("{value:.2}"),
+        _ if size >= 0.09995 => format!("{value:.3}"),
+        _ if size >= 0.009995 => format!("{value:.4}"),
+        _ if size != 0.0 => format!("{value:.5}"),
         _ => format!("{value:.3}"),
     };
     text.replace('-', "−")
+}
+
+/// So many places and a power of ten: `4.13·10⁻⁴`.
+fn scientific(value: f64, places: usize) -> String {
+    let text = format!("{value:.places$e}");
+    match text.split_once('e').and_then(|(digits, power)| Some((digits, power.parse().ok()?))) {
+        Some((digits, power)) => format!("{digits}·{}", power_of_ten(power)),
+        // Nothing finite.
+        None => text,
+    }
+}
+
+/// `10⁻⁴`.
+pub(crate) fn power_of_ten(power: i64) -> String {
+    let digits = power.unsigned_abs().to_string();
+    let digits = digits.bytes().filter_map(|digit| SUPERSCRIPTS.get(usize::from(digit.wrapping_sub(b'0'))));
+    let minus = if power < 0 { "⁻" } else { "" };
+    format!("10{minus}{}", digits.collect::<String>())
 }
 
 /// A unit behind its number.

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use super::Unit;
 use super::number::{Amount, Bearing, Number};
+use crate::numbers::Form;
 use crate::text::Untrusted;
 
 /// What a paragraph, a cell or a caption holds.
@@ -23,6 +24,8 @@ pub enum Piece {
     Person(Untrusted),
     /// A number.
     Number(Number),
+    /// An exact number alone, without decimals.
+    Form(Form),
     /// A direction.
     Bearing(Bearing),
     /// A decimal with its unit, to sensible figures: a unit says that it is one.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, coordinate};
+use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head, coordinate};
 use super::markup::{Mark as Sign, marks};
 use crate::text::latex;
 
@@ -14,7 +14,9 @@ const POINTS_A_LINE: usize = 12;
 
 /// The drawing as a `tikzpicture`; the colours are defined in the template.
 pub fn tikz(figure: &Figure) -> String {
-    let mut out = String::from("\\begin{tikzpicture}[x=1mm,y=1mm,font=\\footnotesize]\n");
+    let (letters, line) = (coordinate(figure.letters), coordinate(1.2 * figure.letters));
+    let mut out =
+        format!("\\begin{{tikzpicture}}[x=1mm,y=1mm,font=\\fontsize{{{letters}mm}}{{{line}mm}}\\selectfont]\n");
     let corner = point(&Point::new(figure.width, figure.height));
     let _ = writeln!(out, "\\useasboundingbox (0,0) rectangle {corner};");
     for mark in &figure.marks {
@@ -27,7 +29,10 @@ pub fn tikz(figure: &Figure) -> String {
 fn command(mark: &Mark) -> String {
     match mark {
         Mark::Line { from, to, stroke, arrow } => {
-            let head = if *arrow { ",-Stealth" } else { "" };
+            let head = arrow.then(|| arrow_head(*from, *to, stroke)).flatten();
+            let head = head.map_or(String::new(), |(length, half)| {
+                format!(",-{{Stealth[length={}mm,width={}mm,inset=0mm]}}", coordinate(length), coordinate(2.0 * half))
+            });
             format!("\\draw[{}{head}] {} -- {};", outline(stroke), point(from), point(to))
         }
         Mark::Circle { centre, radius, stroke, fill } => {
@@ -48,15 +53,24 @@ fn command(mark: &Mark) -> String {
             fills.collect::<Vec<_>>().join("\n")
         }
         Mark::Text { at, text, prose, anchor, bold } => {
-            let anchor = match anchor {
-                Anchor::Start => "west",
-                Anchor::Middle => "center",
-                Anchor::End => "east",
-            };
+            let anchor = hanging(*anchor);
             let text = prose.as_ref().map_or_else(|| latex(text), |prose| prose_in_tex(prose));
             let text = if *bold { format!("\\textbf{{{text}}}") } else { text };
             format!("\\node[anchor={anchor},inner sep=0pt] at {} {{{text}}};", point(at))
         }
+        Mark::Title { at, text, letters, anchor } => {
+            let (anchor, size) = (hanging(*anchor), coordinate(*letters));
+            let font = format!("\\fontsize{{{size}mm}}{{{size}mm}}\\selectfont\\bfseries");
+            format!("\\node[anchor={anchor},inner sep=0pt,font={font}] at {} {{{}}};", point(at), latex(text))
+        }
+    }
+}
+
+fn hanging(anchor: Anchor) -> &'static str {
+    match anchor {
+        Anchor::Start => "west",
+        Anchor::Middle => "center",
+        Anchor::End => "east",
     }
 }
 

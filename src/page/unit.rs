@@ -18,8 +18,12 @@ impl Unit {
     pub const KILOGRAM: Unit = Unit { name: "kg", tex: "kg" };
     /// Kilogram metres, of a mass at a radius.
     pub const KILOGRAM_METRE: Unit = Unit { name: "kg·m", tex: "kg\\,m" };
+    /// Kilogram millimetres, of a mass at a radius.
+    pub const KILOGRAM_MILLIMETRE: Unit = Unit { name: "kg·mm", tex: "kg\\,mm" };
     /// Metres.
     pub const METRE: Unit = Unit { name: "m", tex: "m" };
+    /// Millimetres.
+    pub const MILLIMETRE: Unit = Unit { name: "mm", tex: "mm" };
     /// Degrees of crank angle.
     pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
     /// Parts of a hundred.

@@ -6,7 +6,7 @@
 //! `P⁻ = 2 m r cos V`: the peak is `(|1 − 2f| + |cos V|) m r ω²`.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term};
@@ -30,7 +30,9 @@ pub struct Ellipse {
     pub peak: Option<Form>,
     /// The same in decimals.
     pub peak_decimal: f64,
-    /// The shorter semi-axis in decimals: 0 where the force swings along a line.
+    /// The shorter semi-axis; in closed form where one is found: 0 where the force swings along a line.
+    pub least: Option<Form>,
+    /// The same in decimals.
     pub least_decimal: f64,
 }
 
@@ -75,7 +77,17 @@ impl Partial {
         let (direct, reverse) = (self.direct.scaled(&left), &self.reverse);
         let lengths = numbers::modulus(&direct).zip(numbers::modulus(reverse));
         let [long, short] = [numbers::evaluate(&direct).norm(), numbers::evaluate(reverse).norm()];
+        let shorter = |(direct, reverse): &(Form, Form)| {
+            let difference = direct.plus(&reverse.scaled(&-BigRational::one()));
+            let half = if long < short { -half.clone() } else { half.clone() };
+            difference.scaled(&half)
+        };
+        let least = match direct.is_as_long_as(reverse) {
+            true => Some(Form::rational(BigRational::zero())),
+            false => lengths.as_ref().map(shorter),
+        };
         Ellipse {
+            least,
             peak: lengths.map(|(direct, reverse)| direct.plus(&reverse).scaled(&half)),
             peak_decimal: (long + short) / 2.0,
             least_decimal: (long - short).abs() / 2.0,

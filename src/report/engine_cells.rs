@@ -2,7 +2,8 @@
 
 use super::residual;
 use super::typeset;
-use crate::engine::{DOES_NOT_EXIST, Firing};
+use crate::engine::Firing;
+use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem};
@@ -11,86 +12,84 @@ use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem}
 const MOST_INTERVALS: usize = 4;
 
 /// `even, 180°`, `uneven: 405°, 315°`; `not given` where the layout does not say.
-pub(super) fn firing(firing: Option<&Firing>) -> String {
-    let Some(firing) = firing else { return "not given".to_owned() };
+pub(super) fn firing(firing: Option<&Firing>) -> Text {
+    let Some(firing) = firing else { return "not given".into() };
     let intervals = firing.intervals();
+    let turns = |turns| Text::from(typeset::turns(turns));
     match intervals.as_slice() {
-        [first, ..] if firing.is_even() => format!("even, {}", typeset::turns(first)),
+        [first, ..] if firing.is_even() => phrase!("even, {}", turns(first)),
         uneven if uneven.len() <= MOST_INTERVALS => {
-            format!("uneven: {}", uneven.iter().map(typeset::turns).collect::<Vec<_>>().join(", "))
+            phrase!("uneven: {}", Text::joined(uneven.iter().map(turns), ", "))
         }
         uneven => match (uneven.iter().min(), uneven.iter().max()) {
-            (Some(least), Some(largest)) => {
-                format!("uneven: {} to {}", typeset::turns(least), typeset::turns(largest))
-            }
-            _ => String::new(),
+            (Some(least), Some(largest)) => phrase!("uneven: {} to {}", turns(least), turns(largest)),
+            _ => Text::default(),
         },
     }
 }
 
 /// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.
-pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [String; 2] {
+pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [Text; 2] {
     let one = |every: &EveryOrder| match &every.first {
-        Some(first) => format!("{}, {}", first.direct.order, residual::shape_name(first.shape)),
-        None => "none".to_owned(),
+        Some(first) => phrase!("{}, {}", first.direct.order, residual::shape_name(first.shape)),
+        None => "none".into(),
     };
-    match theorem {
-        Ok(theorem) => [one(&theorem.force), one(&theorem.moment)],
-        Err(NoTheorem::PeriodTooLong(_)) => ["not stated: long period", "not stated: long period"].map(str::to_owned),
-        Err(NoTheorem::Offset) => ["not stated: pin offset", "not stated: pin offset"].map(str::to_owned),
-        Err(NoTheorem::Shaft(_)) => ["not stated: balancer shafts", "not stated: balancer shafts"].map(str::to_owned),
-        Err(NoTheorem::RodsDiffer) => ["not stated: rods differ", "not stated: rods differ"].map(str::to_owned),
-    }
+    let not_stated: &'static str = match theorem {
+        Ok(theorem) => return [one(&theorem.force), one(&theorem.moment)],
+        Err(NoTheorem::PeriodTooLong(_)) => "not stated: long period",
+        Err(NoTheorem::Offset) => "not stated: pin offset",
+        Err(NoTheorem::Shaft(_)) => "not stated: balancer shafts",
+        Err(NoTheorem::RodsDiffer) => "not stated: rods differ",
+    };
+    [not_stated.into(), not_stated.into()]
 }
 
 /// A cell of an order: the whole, and what each of its sums leaves where there are several.
-pub(super) fn cell(order: &OrderVerdict, quantity: Quantity) -> String {
-    let [force, moment] = residual::whole_summary(order);
+pub(super) fn cell(order: &OrderVerdict, quantity: Quantity) -> Text {
+    let [force, moment] = residual::whole(order);
     let is_force = quantity == Quantity::Force;
     let whole = if is_force { force } else { moment };
-    let words = if is_force { residual::force_summary } else { residual::moment_summary };
+    let words = if is_force { residual::force } else { residual::moment };
     let part = |part: &OrderBalance| {
         let class = part.class.as_ref()?;
-        Some(format!("{}: {}", residual::class_sources(class), words(part)))
+        Some(phrase!("{}: {}", residual::class_sources(class), words(part)))
     };
-    let parts: Vec<String> = order.parts.iter().filter_map(part).collect();
+    let parts: Vec<Text> = order.parts.iter().filter_map(part).collect();
     // What every sum has is said once: that it is 0, or that the order does not exist.
-    match parts.is_empty() || whole == "0" || whole == DOES_NOT_EXIST {
+    match parts.is_empty() || whole.is_zero() || !order.exists() {
         true => whole,
-        false => format!("{whole} ({})", parts.join("; ")),
+        false => phrase!("{} ({})", whole, Text::joined(parts, "; ")),
     }
 }
 
 /// `2 counterweights (couple); shaft −1 (couple); Lanchester pair ±2`, or `none needed`.
-pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> String {
+pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
     let remedy = match remedy {
         Ok(remedy) => remedy,
-        Err(reason) => return format!("not stated: {}", missing(reason)),
+        Err(RemedyError::Missing(_)) => return "not stated: masses cannot be compared".into(),
+        Err(_) => return "not stated: the planes or weights do not fit".into(),
     };
-    let mut words: Vec<String> = remedy.crankshaft.iter().map(counterweights).collect();
+    let mut words: Vec<Text> = remedy.crankshaft.iter().map(counterweights).collect();
     let mut shafts = remedy.shafts.iter().peekable();
     while let Some(shaft) = shafts.next() {
         let partner = shafts.next_if(|next| next.order == shaft.order);
+        let order = shaft.order;
         words.push(match partner {
-            Some(_) if shaft.lanchester => format!("Lanchester pair ±{}", shaft.order),
-            Some(other) if other.kind == shaft.kind => format!("shafts ±{} ({} each)", shaft.order, kind(shaft)),
-            Some(other) => format!("shafts +{0} ({1}) and −{0} ({2})", shaft.order, kind(shaft), kind(other)),
-            None => format!("shaft {}{} ({})", sign(shaft.sense), shaft.order, kind(shaft)),
+            Some(_) if shaft.lanchester => phrase!("Lanchester pair ±{}", order),
+            Some(other) if other.kind == shaft.kind => phrase!("shafts ±{} ({} each)", order, kind(shaft)),
+            Some(other) => phrase!("shafts +{} ({}) and −{} ({})", order, kind(shaft), order, kind(other)),
+            None if shaft.sense == Sense::Direct => phrase!("shaft +{} ({})", order, kind(shaft)),
+            None => phrase!("shaft −{} ({})", order, kind(shaft)),
         });
     }
-    if words.is_empty() { "none needed".to_owned() } else { words.join("; ") }
+    if words.is_empty() { "none needed".into() } else { Text::joined(words, "; ") }
 }
 
-fn missing(reason: &RemedyError) -> &'static str {
-    match reason {
-        RemedyError::Missing(_) => "masses cannot be compared",
-        _ => "the planes or weights do not fit",
+fn counterweights(shaft: &Shaft) -> Text {
+    match shaft.weights.len() {
+        1 => phrase!("1 counterweight ({})", kind(shaft)),
+        count => phrase!("{} counterweights ({})", count, kind(shaft)),
     }
-}
-
-fn counterweights(shaft: &Shaft) -> String {
-    let count = shaft.weights.len();
-    format!("{count} counterweight{} ({})", if count == 1 { "" } else { "s" }, kind(shaft))
 }
 
 fn kind(shaft: &Shaft) -> &'static str {
@@ -99,10 +98,6 @@ fn kind(shaft: &Shaft) -> &'static str {
         Kind::Couple => "couple",
         Kind::ForceAndMoment => "force and moment",
     }
-}
-
-fn sign(sense: Sense) -> &'static str {
-    if sense == Sense::Direct { "+" } else { "−" }
 }
 
 /// How remedies are read.

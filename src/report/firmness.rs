@@ -2,19 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde::Serialize;
-
-use super::dialect::Dialect;
-use super::table::Table;
 use crate::engine::Engine;
-use crate::verdict::{Balance, Disturbance, Firmness, FirmnessOutcome, OrderBalance, OrderVerdict, firmness};
-
-/// The section on how firm the zeros are.
-#[derive(Clone, Debug, Serialize)]
-pub(super) struct Section {
-    table: Table,
-    meanings: Vec<String>,
-}
+use crate::page::{Block, Table, Text, phrase};
+use crate::verdict::{Disturbance, Firmness, FirmnessOutcome, OrderBalance, OrderVerdict, firmness};
 
 /// What is changed, as the heading of a column, and what that means.
 fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
@@ -42,51 +32,60 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
     }
 }
 
-impl Section {
-    /// One row a zero; `None` where nothing vanishes.
-    pub fn new(dialect: Dialect, engine: &Engine, orders: &[OrderVerdict]) -> Option<Self> {
-        let mut header = vec!["Zero"];
-        header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
-        header.push("Verdict");
-        let parts = orders.iter().flat_map(|order| &order.parts);
-        let balances = parts.flat_map(|order| [("force", &order.force), ("moment", &order.moment)]);
-        let rows: Vec<Vec<String>> =
-            balances.filter_map(|(name, balance)| Some(row(name, balance, &firmness(engine, balance)?))).collect();
-        let meaning = |disturbance| {
-            let (heading, meaning) = words(disturbance);
-            dialect.prose(&format!("**{heading}:** {meaning}"))
-        };
-        (!rows.is_empty()).then(|| Section {
-            table: Table::new(dialect, &header, rows),
-            meanings: Disturbance::ALL.into_iter().map(meaning).collect(),
-        })
+/// One row per zero, with what each disturbance means; nothing where nothing vanishes.
+pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
+    let mut header = vec!["Zero"];
+    header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
+    header.push("Verdict");
+    let mut table = Table::new(header);
+    for order in orders.iter().flat_map(|order| &order.parts) {
+        let force = firmness(engine, &order.force).map(|firmness| (phrase!("force, order {}", order.order), firmness));
+        let moment =
+            firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
+        table.rows.extend([force, moment].into_iter().flatten().map(|(name, firmness)| row(name, &firmness)));
     }
+    if table.rows.is_empty() {
+        return Vec::new();
+    }
+    let meaning = |disturbance| {
+        let (heading, meaning) = words(disturbance);
+        phrase!("**{}:** {}", heading, meaning)
+    };
+    vec![
+        Block::Heading(1, "How firm the zeros are".into()),
+        Block::Paragraph(INTRODUCTION.into()),
+        table.into(),
+        Block::List(Disturbance::ALL.map(meaning).into()),
+    ]
 }
 
-fn row(name: &str, balance: &Balance, firmness: &Firmness) -> Vec<String> {
+const INTRODUCTION: &str = "Does the zero stay, whatever the disturbance? Yes or no is decided exactly; – where there is nothing to disturb. A zero is \
+                            firm if only masses that differ from cylinder to cylinder can break it, else accidental: the table of results says what it needs.";
+
+fn row(name: Text, firmness: &Firmness) -> Vec<Text> {
     let cell = |disturbance| match firmness.outcome(disturbance) {
         FirmnessOutcome::Survives => "yes",
         FirmnessOutcome::Breaks => "no",
         FirmnessOutcome::DoesNotApply => "–",
     };
-    let mut cells = vec![format!("{name}, order {}", balance.direct.order)];
-    cells.extend(Disturbance::ALL.map(|disturbance| cell(disturbance).to_owned()));
-    cells.push(if firmness.is_firm() { "firm" } else { "accidental" }.to_owned());
+    let mut cells = vec![name];
+    cells.extend(Disturbance::ALL.map(|disturbance| cell(disturbance).into()));
+    cells.push(if firmness.is_firm() { "firm" } else { "accidental" }.into());
     cells
 }
 
 /// How firm the zeros of one order are, in a few words: `force firm; moment needs symmetric spacing`.
-pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> String {
-    let part = |name: &str, balance| {
-        let firmness = firmness(engine, balance)?;
-        Some(match firmness.is_firm() {
-            true => format!("{name} firm"),
-            false => format!("{name} needs {}", needs(engine, &firmness).join(", ")),
-        })
+pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> Text {
+    let words = |firmness: Firmness, firm: &'static str, needed: &'static str| match firmness.is_firm() {
+        true => Text::from(firm),
+        false => phrase!(needed, Text::joined(needs(engine, &firmness).into_iter().map(Text::from), ", ")),
     };
-    let parts: Vec<String> =
-        [part("force", &order.force), part("moment", &order.moment)].into_iter().flatten().collect();
-    if parts.is_empty() { "–".to_owned() } else { parts.join("; ") }
+    let force = firmness(engine, &order.force).map(|firmness| words(firmness, "force firm", "force needs {}"));
+    let moment = firmness(engine, &order.moment).map(|firmness| words(firmness, "moment firm", "moment needs {}"));
+    match [force, moment] {
+        [None, None] => "–".into(),
+        both => Text::joined(both.into_iter().flatten(), "; "),
+    }
 }
 
 /// What has to stay as it is.

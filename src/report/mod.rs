@@ -2,35 +2,30 @@
 //!
 //! `verdicts → page (finished strings, drawings) → template → files`
 
-mod accuracy_document;
-mod accuracy_page;
-mod accuracy_words;
+mod accuracy;
 mod argument;
 mod atlas;
 mod bearings;
 mod calculation;
-mod claim_page;
-mod claim_words;
+mod catalogue;
+mod claims;
 mod compare;
-mod dialect;
 mod document;
 mod engine_cells;
+mod engine_page;
 mod example;
+mod family_page;
 mod firmness;
-mod folder;
 mod loads_document;
+pub mod moving;
 mod multiples;
-mod open_document;
-mod open_page;
-mod open_table;
-mod open_words;
 #[cfg(feature = "optimise")]
 mod optimise;
-mod page;
+mod poster;
 mod remedy;
-mod render;
 mod residual;
 mod residual_words;
+mod search;
 mod star;
 mod sweep;
 mod table;
@@ -38,36 +33,35 @@ mod theorem;
 mod theorem_words;
 mod views;
 
-use crate::page::{figure, number as typeset, plot, svg, tikz};
+pub use views::{end_view, side_view};
 
-pub use accuracy_document::{AccuracyDocument, accuracy_document};
-pub use accuracy_page::{AccuracySection, accuracy_errors_page, accuracy_heading, accuracy_page, accuracy_section};
-pub use accuracy_words::{AccuracyCase, HEADER as ACCURACY_HEADER, accuracy_rows};
+use crate::page::{figure, number as typeset, plot};
+
+pub use crate::page::File;
+pub use accuracy::{
+    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
+    accuracy_section,
+};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
-pub use calculation::{Numbers, Rows, loads_lines, loads_rows};
-pub use claim_page::claims_page;
-pub use claim_words::{claim_finding, claim_status, table_finding};
-pub use compare::{CompareDocument, Compared, compare_document, compare_lines, compare_page, compare_rows};
-pub use dialect::Dialect;
+pub use calculation::{Numbers, loads_answer};
+pub use catalogue::{catalogue_answer, catalogue_page};
+pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use document::document;
+pub use engine_page::{Contents, engine_answer, engine_page};
 pub use example::worked as worked_example;
-pub use folder::{File, index, open_report, report};
+pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use loads_document::{LoadsDocument, loads_document};
-pub use open_document::open_document;
-pub use open_words::{even_firing_words, open_summary};
+pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
 pub use optimise::{
-    OptimiseDocument, optimise_compared, optimise_document, optimise_files, optimise_lines, optimise_rows,
-    optimise_summary,
+    OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
-pub use page::Contents;
-pub use remedy::{
-    remedy_document, remedy_engine, remedy_figure, remedy_files, remedy_lines, remedy_rows, remedy_section,
-};
-pub use residual::{
-    AS_BUILT, LEGEND, PISTONS_ALONE, force_summary, moment_summary, order_name, torque_summary, turning_unit,
-    whole_summary, whose_masses, why_not,
-};
-pub use sweep::{SweepDocument, study_page, sweep_csv, sweep_document, sweep_page};
+pub use poster::poster;
+pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
+pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
+pub use search::{search_answer, search_page};
+pub use star::{small_star, star_figure, told, torque_figure};
+pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};

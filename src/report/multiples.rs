@@ -2,13 +2,14 @@
 
 use num_traits::Zero;
 
-use super::figure::{Figure, Point};
-use super::star::{PANEL, RESULTANT, Star, draw_star, scale};
+use super::figure::Figure;
+use super::star::{Panel, Scale, Sheet, Star, WIDTH, shortened};
 use crate::engine::Engine;
+use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
 
 /// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
-pub(super) struct Column<'a> {
+pub struct Column<'a> {
     /// What stands above it.
     pub name: String,
     /// The engine.
@@ -18,63 +19,48 @@ pub(super) struct Column<'a> {
 }
 
 /// Columns beside each other; more begin a new band.
-const MOST_COLUMNS: usize = 4;
-/// Resultants below this length, in millimetres, are drawn thinner.
-const SHORT: f64 = 8.0;
-/// Height of the names above a band.
-const NAMES: f64 = 7.0;
+const MOST_COLUMNS: usize = 3;
 
-/// The stars of one order of several engines, a column each, every row drawn to one scale: force, then moment.
+/// The stars of one order of several engines, a column each, forces to one scale and moments to one: force, then moment.
 ///
 /// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
-pub(super) fn multiples(columns: &[Column]) -> Figure {
+pub fn multiples(columns: &[Column]) -> Figure {
     let in_line = |engine: &Engine| engine.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
     let senses = if columns.iter().all(|column| in_line(column.engine)) { 1 } else { 2 };
     let has_arm = |column: &Column| column.order.moment.direct.sum.terms().iter().any(|term| !term.weight.is_zero());
     let quantities = if columns.iter().any(has_arm) { 2 } else { 1 };
-    let stars = |column: &Column| -> Vec<Star> {
+    let rows_of = |column: &Column| -> Vec<Star> {
         let balances = [&column.order.force, &column.order.moment].into_iter().take(quantities);
         balances.flat_map(|balance| balance.verdicts().into_iter().take(senses)).map(Star::new).collect()
     };
-    let stars: Vec<Vec<Star>> = columns.iter().map(stars).collect();
-    let rows = senses * quantities;
-    // Direct and reverse stars share their scale; moments only where they are in one unit.
-    let scale_of = |column: &Column, quantity: usize| {
-        let alike = |other: &Column| quantity == 0 || other.engine.length_unit() == column.engine.length_unit();
-        let of_quantity =
-            |stars: &Vec<Star>| stars[quantity * senses..][..senses].iter().map(Star::reach).fold(0.0, f64::max);
-        let reaches = columns.iter().zip(&stars).filter(|(other, _)| alike(other)).map(|(_, stars)| of_quantity(stars));
-        scale(reaches.fold(0.0, f64::max))
-    };
-    let band = rows as f64 * PANEL.1 + NAMES;
-    let bands = columns.len().div_ceil(MOST_COLUMNS);
-    let mut figure = Figure::new(columns.len().min(MOST_COLUMNS) as f64 * PANEL.0, bands as f64 * band);
-    for (index, (column, stars)) in columns.iter().zip(&stars).enumerate() {
-        let left = (index % MOST_COLUMNS) as f64 * PANEL.0;
-        let bottom = (bands - 1 - index / MOST_COLUMNS) as f64 * band;
-        figure.heading(Point::new(left + PANEL.0 / 2.0, bottom + band - NAMES / 2.0), shortened(&column.name));
-        let verdicts = [&column.order.force, &column.order.moment]
-            .into_iter()
-            .take(quantities)
-            .flat_map(|balance| balance.verdicts().into_iter().take(senses));
-        for (row, (verdict, star)) in verdicts.zip(stars).enumerate() {
-            let corner = Point::new(left, bottom + (rows - 1 - row) as f64 * PANEL.1);
-            let scale = scale_of(column, row / senses);
-            // A short resultant is drawn thinner, so that its head does not hide it.
-            let length = star.resultant.map_or(0.0, |sum| sum.norm() * scale);
-            let width = RESULTANT * (length / SHORT).clamp(0.2, 1.0);
-            draw_star(&mut figure, corner, column.engine, verdict, star, (scale, width));
+    let stars: Vec<Vec<Star>> = columns.iter().map(rows_of).collect();
+    // Bands are as long as each other, as far as they can be.
+    let bands = columns.len().div_ceil(MOST_COLUMNS).max(1);
+    let in_band = columns.len().div_ceil(bands).max(1);
+    let mut sheet = Sheet::new(in_band);
+    let numbered: Vec<usize> = (0..columns.len()).collect();
+    for band in numbered.chunks(in_band) {
+        sheet.names(&band.iter().map(|index| shortened(&columns[*index].name, WIDTH - 2.0)).collect::<Vec<_>>());
+        for row in 0..senses * quantities {
+            let panel = |index: &usize| {
+                let column = &columns[*index];
+                let balance = if row < senses { &column.order.force } else { &column.order.moment };
+                let verdict = balance.verdicts()[row % senses];
+                let scale = scale(columns, &stars, column, verdict.quantity, senses);
+                Panel::new(column.engine, verdict, &stars[*index][row], scale)
+            };
+            sheet.row(band.iter().map(panel).collect(), (row + 1) % senses == 0);
         }
     }
-    figure
+    sheet.finish()
 }
 
-/// Letters of a name that a panel has room for.
-const LONGEST_NAME: usize = 38;
-
-fn shortened(name: &str) -> String {
-    match name.chars().count() {
-        0..=LONGEST_NAME => name.to_owned(),
-        _ => name.chars().take(LONGEST_NAME - 1).chain(['…']).collect(),
-    }
+/// Direct and reverse stars of all columns share their scale; moments only where they are in one unit.
+fn scale(columns: &[Column], stars: &[Vec<Star>], of: &Column, quantity: Quantity, senses: usize) -> Scale {
+    let (alike, rows): (&dyn Fn(&Column) -> bool, _) = match quantity {
+        Quantity::Force | Quantity::Torque => (&|_| true, 0..senses),
+        Quantity::Moment => (&|column| column.engine.length_unit() == of.engine.length_unit(), senses..2 * senses),
+    };
+    let alike = columns.iter().zip(stars).filter(|(column, _)| alike(column));
+    Scale::of(alike.flat_map(|(_, stars)| &stars[rows.clone()]), quantity, of.engine)
 }

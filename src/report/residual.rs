@@ -156,19 +156,29 @@ pub fn torque_summary(of: &TorqueVerdict) -> String {
 }
 
 /// What the summaries are counted in.
-pub const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
+pub(super) const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
                           times the unit of the positions; exact but after ≈.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
-pub fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<String> {
+pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {
     if let Some(why) = judged.not_as_built {
-        return Some(format!("Verdicts on the reciprocating masses alone: {why}."));
+        return Some(phrase!("Verdicts on the reciprocating masses alone: {}.", why.to_string()));
     }
     let groups = order::groups_of(engine);
     (groups.len() > 1).then(|| match judged.masses {
-        Masses::All => format!("As built: {}.", groups.into_iter().map(group_words).collect::<Vec<_>>().join(", ")),
-        masses => format!("Verdicts on {} alone.", masses_words(masses)),
+        Masses::All => {
+            phrase!("As built: {}.", Text::joined(groups.into_iter().map(|group| group_words(group).into()), ", "))
+        }
+        masses => phrase!("Verdicts on {} alone.", masses_words(masses)),
     })
+}
+
+/// `order 2`, `orders 2, 6`.
+pub(super) fn orders_in_words(orders: &[String]) -> Text {
+    match orders {
+        [only] => phrase!("order {}", only.clone()),
+        several => phrase!("orders {}", several.join(", ")),
+    }
 }
 
 /// What a group of masses is called.
@@ -193,7 +203,7 @@ pub(super) fn masses_words(masses: Masses) -> &'static str {
 }
 
 /// Why an order does not exist, of the masses that verdicts are about.
-pub fn why_not(masses: Masses) -> &'static str {
+pub(super) fn why_not(masses: Masses) -> &'static str {
     match masses {
         Masses::Reciprocating | Masses::All => WHY_NOT,
         Masses::Rotating | Masses::Counterweights => "What turns with the crank has order 1 and no other.",
@@ -201,17 +211,12 @@ pub fn why_not(masses: Masses) -> &'static str {
 }
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
-pub fn turning_unit(judged: &Judgement) -> Option<&'static str> {
+pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     let parts = judged.orders.iter().flat_map(|order| &order.parts);
     let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
     let mut apart = parts.filter(|part| is_apart(part));
     apart.next().map(|_| "A sum of masses that turn is in m r ω², without c_k.")
 }
-
-/// What a table of verdicts is headed by, where there are two.
-pub const AS_BUILT: &str = "As built";
-/// The same of the other one.
-pub const PISTONS_ALONE: &str = "The pistons alone";
 
 fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {
     let size = || Text::from(largest(balance));

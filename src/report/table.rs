@@ -1,90 +1,58 @@
-//! Which tables does a report hold? Cells are finished strings of the dialect.
+//! Which tables does the report of an engine hold?
 
 use num_rational::BigRational;
-use serde::Serialize;
 
-use super::dialect::Dialect;
 use super::firmness;
 use super::residual;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit};
+use crate::exact::Turn;
 use crate::order::{self, Source, TurningMass};
-use crate::page::Text;
+use crate::page::{Number, Table, Text, phrase};
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
 
-/// A table: every row has as many cells as the header.
-#[derive(Clone, Debug, Serialize)]
-pub struct Table {
-    /// Headings of the columns.
-    pub header: Vec<String>,
-    /// The cells.
-    pub rows: Vec<Vec<String>>,
-    /// Size of the letters in LaTeX, so that the widest row fits the page.
-    pub size: &'static str,
-}
-
-impl Table {
-    /// Sets a table; the cells are prose.
-    pub(super) fn new(dialect: Dialect, header: &[&str], rows: Vec<Vec<String>>) -> Self {
-        let set = |cells: Vec<String>| cells.iter().map(|cell| dialect.prose(cell)).collect();
-        Table {
-            header: header.iter().map(|cell| dialect.prose(cell)).collect(),
-            size: size(width(header, &rows)),
-            rows: rows.into_iter().map(set).collect(),
-        }
-    }
-}
-
-/// Letters of a cell as it is set: bold marks, braces and dollars are not, a TeX command is about one letter.
-pub(super) fn letters(cell: &str) -> usize {
-    let mut count = 0;
-    let mut in_command = false;
-    for letter in cell.chars() {
-        in_command = letter == '\\' || in_command && letter.is_ascii_alphabetic();
-        count += usize::from(letter == '\\' || !in_command && !"{}$*".contains(letter));
-    }
-    count
-}
-
-/// Letters that the widest cells of all columns take beside each other, with the space between columns.
-fn width(header: &[&str], rows: &[Vec<String>]) -> usize {
-    let widest = |column: usize| rows.iter().map(|row| letters(&row[column])).chain([letters(header[column])]).max();
-    (0..header.len()).filter_map(widest).map(|width| width + 3).sum()
-}
-
-/// The widest table that fits the page in the smallest letters used.
-const WIDEST: usize = 108;
-
-fn size(width: usize) -> &'static str {
-    match width {
-        0..=84 => "\\small",
-        85..=94 => "\\footnotesize",
-        _ => "\\scriptsize",
-    }
-}
-
-/// Orders × (force, moment): what is left, whether the moment is a couple, how firm the zeros of the pistons are.
+/// Orders × (force, moment): what is left, exactly, whether the moment is a couple, how firm the zeros of the pistons are.
 ///
 /// An order of several sums has a row for the whole, and one for each.
-pub(super) fn summary(dialect: Dialect, engine: &Engine, orders: &[OrderVerdict], with_firmness: Firmness) -> Table {
-    let bold = |text: String| if text == "0" { "**0**".to_owned() } else { text };
-    let row = |name: String, [force, moment]: [String; 2], firm: String| {
-        let firm = (with_firmness == Firmness::Shown).then_some(firm);
-        [name, bold(force), bold(moment)].into_iter().chain(firm).collect::<Vec<_>>()
-    };
-    let part = |part: &OrderBalance| {
-        let firm = if part.class.is_none() { firmness::summary(engine, part) } else { "–".to_owned() };
-        row(residual::order_name(part), [residual::force_summary(part), residual::moment_summary(part)], firm)
-    };
-    let rows = orders.iter().flat_map(|order| {
-        let whole = || row(order.order.to_string(), residual::whole_summary(order), "–".to_owned());
-        let whole = (order.parts.len() > 1).then(whole);
-        whole.into_iter().chain(order.parts.iter().map(part))
-    });
+pub(super) fn summary(engine: &Engine, orders: &[OrderVerdict], with_firmness: Firmness) -> Table {
     let mut header = vec!["Order", "Force", "Moment"];
     header.extend((with_firmness == Firmness::Shown).then_some("How firm"));
-    Table::new(dialect, &header, rows.collect())
+    let mut table = Table::new(header);
+    let mut row = |name: Text, [force, moment]: [Text; 2], firm: Text| {
+        let firm = (with_firmness == Firmness::Shown).then_some(firm);
+        table.push([name, force, moment].into_iter().chain(firm).collect());
+    };
+    for order in orders {
+        if order.parts.len() > 1 {
+            row(order.order.into(), residual::whole(order), "–".into());
+        }
+        for part in &order.parts {
+            let firm = if part.class.is_none() { firmness::summary(engine, part) } else { "–".into() };
+            row(residual::order_name(part).into(), [residual::force(part), residual::moment(part)], firm);
+        }
+    }
+    table
+}
+
+/// Orders × (force, moment, torque): what is left, exactly.
+pub(super) fn verdicts(orders: &[OrderVerdict]) -> Table {
+    let with_torque = orders.iter().any(|order| order.torque.is_some());
+    let mut header = vec!["Order", "Force", "Moment"];
+    header.extend(with_torque.then_some("Torque"));
+    let mut table = Table::new(header);
+    for order in orders {
+        let mut cells: Vec<Text> = [order.order.into()].into_iter().chain(residual::whole(order)).collect();
+        cells.extend(with_torque.then(|| order.torque.as_ref().map_or_else(Text::default, residual::torque)));
+        table.push(cells);
+        for part in order.parts.iter().filter(|part| part.class.is_some()) {
+            let mut cells: Vec<Text> =
+                vec![residual::order_name(part).into(), residual::force(part), residual::moment(part)];
+            cells.extend(with_torque.then(Text::default));
+            table.push(cells);
+        }
+    }
+    table
 }
 
 /// Whether a summary says how firm the zeros are.
@@ -97,145 +65,149 @@ pub(super) enum Firmness {
 }
 
 /// One row per cylinder: throw, bank, position, and mass where they differ from 1.
-pub(super) fn cylinders(dialect: Dialect, engine: &Engine) -> Table {
-    let unit = position_unit(engine);
-    let mut header = vec!["Cylinder".to_owned(), "Throw β".into(), "Bank α".into(), format!("Position z{unit}")];
-    if !engine.has_unit_masses() {
-        header.push("Reciprocating mass".into());
-    }
-    let row = |cylinder: &Cylinder| {
-        let mut cells = vec![
-            cylinder.name.clone(),
-            typeset::angle(&cylinder.throw),
-            typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
-            typeset::number(&cylinder.position),
+pub(super) fn cylinders(engine: &Engine) -> Table {
+    let mut header = vec!["Cylinder".into(), "Throw β".into(), "Bank α".into(), position_heading(engine)];
+    header.extend((!engine.has_unit_masses()).then(|| "Reciprocating mass".into()));
+    let mut table = Table::new(header);
+    for cylinder in engine.cylinders() {
+        let mut cells: Vec<Text> = vec![
+            cylinder.name.clone().into(),
+            typeset::angle(&cylinder.throw).into(),
+            typeset::degrees(&typeset::signed_degrees(&cylinder.bank)).into(),
+            position(engine, &cylinder.position),
         ];
-        if !engine.has_unit_masses() {
-            cells.push(typeset::number(&cylinder.reciprocating_mass));
-        }
-        cells
-    };
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    Table::new(dialect, &header, engine.cylinders().iter().map(row).collect())
+        cells.extend((!engine.has_unit_masses()).then(|| Number::exact(&cylinder.reciprocating_mass).into()));
+        table.push(cells);
+    }
+    table
+}
+
+/// A position along the crankshaft: in millimetres, or in multiples of the spacing.
+pub(super) fn position(engine: &Engine, value: &BigRational) -> Text {
+    Text::label(match engine.length_unit() {
+        LengthUnit::Metre => typeset::number(&(value * BigRational::from_integer(1000.into()))),
+        LengthUnit::Spacing => typeset::number(value),
+    })
+}
+
+/// The same with its unit.
+pub(super) fn place(engine: &Engine, value: &BigRational) -> Text {
+    match engine.length_unit() {
+        LengthUnit::Metre => phrase!("{} mm", position(engine, value)),
+        LengthUnit::Spacing => position(engine, value),
+    }
 }
 
 /// What stands over positions along the crankshaft.
 pub(super) fn position_heading(engine: &Engine) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => "Position (m)".into(),
-        LengthUnit::Spacing => "Position".into(),
+        LengthUnit::Metre => "Position z (mm)".into(),
+        LengthUnit::Spacing => "Position z".into(),
     }
 }
 
 /// What stands over the positions of loads.
 pub(super) fn load_heading(engine: &Engine) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => "Load at (m)".into(),
+        LengthUnit::Metre => "Load at (mm)".into(),
         LengthUnit::Spacing => "Load at".into(),
     }
 }
 
-/// ` (m)`, or nothing where positions are multiples of the spacing.
-pub(super) fn position_unit(engine: &Engine) -> &'static str {
+fn arm_heading(engine: &Engine) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => " (m)",
-        LengthUnit::Spacing => "",
+        LengthUnit::Metre => "Arm z (mm)".into(),
+        LengthUnit::Spacing => "Arm z".into(),
     }
 }
 
-/// One period of orders: 0 or not 0, direct and reverse.
-pub(super) fn period(dialect: Dialect, theorem: &Theorem) -> Table {
-    let header = ["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"];
+/// One period of orders: zero or not, direct and reverse.
+pub(super) fn period(theorem: &Theorem) -> Table {
+    let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
     let columns = [&theorem.force, &theorem.moment].map(|every| [&every.direct, &every.reverse]);
-    let cell = |verdict: &Verdict| if verdict.vanishes() { "**0**".to_owned() } else { "not 0".to_owned() };
-    let row = |index: usize| {
-        let order = theorem.force.direct[index].order;
+    let cell = |verdict: &Verdict| if verdict.vanishes() { Text::zero() } else { "not 0".into() };
+    for (index, verdict) in theorem.force.direct.iter().enumerate() {
+        let order = verdict.order;
         let orders = if order == 1 { "1".to_owned() } else { format!("{order}, {}, …", order + theorem.period) };
-        std::iter::once(orders).chain(columns.iter().flatten().map(|verdicts| cell(&verdicts[index]))).collect()
-    };
-    Table::new(dialect, &header, (0..theorem.force.direct.len()).map(row).collect())
-}
-
-/// The vector-star table of order k: how each phase comes about, where there is room for it, and the sums.
-pub(super) fn vector_star(dialect: Dialect, engine: &Engine, order: &OrderBalance) -> Table {
-    let (header, rows) = star_cells(engine, order, phase);
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    if width(&header, &rows) <= WIDEST {
-        return Table::new(dialect, &header, rows);
+        let cells = columns.iter().flatten().map(|verdicts| cell(&verdicts[index]));
+        table.push([Text::label(orders)].into_iter().chain(cells).collect());
     }
-    Table::new(dialect, &header, star_cells(engine, order, reduced_phase).1)
+    table
 }
 
 /// Multiples of an angle in degrees whose sum is a phase.
 type Parts<'a> = [(i64, &'a BigRational); 2];
 
-fn star_cells(engine: &Engine, order: &OrderBalance, phase: fn(&Parts) -> String) -> (Vec<String>, Vec<Vec<String>>) {
+/// The vector-star table of order k: how each phase comes about, and the sums.
+pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     let k = i64::from(order.order);
-    let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != crate::exact::Turn::zero());
+    let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
     let pistons_alone = order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(is_piston));
     let with_mass = !(engine.has_unit_masses() && pistons_alone);
-    let arm = format!("Arm z{}", position_unit(engine));
-    let first = if pistons_alone { "Cylinder" } else { "Source" };
-    let mut header = vec![first.to_owned(), "Throw β".into()];
+    let mut header: Vec<Text> = vec![if pistons_alone { "Cylinder" } else { "Source" }.into(), "Throw β".into()];
     header.extend(has_banks.then(|| "Bank α".into()));
-    header.push(arm);
+    header.push(arm_heading(engine));
     header.extend(with_mass.then(|| "Weight m r".into()));
-    header.push(format!("Direct phase {}", phase_formula(k, Sense::Direct, has_banks)));
-    header.push(format!("Reverse phase {}", phase_formula(k, Sense::Reverse, has_banks)));
+    header.push(phrase!("Direct phase {}", phase_formula(k, Sense::Direct, has_banks)));
+    header.push(phrase!("Reverse phase {}", phase_formula(k, Sense::Reverse, has_banks)));
+    let mut table = Table::new(header);
     let row = |cylinder: &Cylinder| {
         let bank = typeset::signed_degrees(&cylinder.bank);
-        let mut cells = vec![cylinder.name.clone(), typeset::angle(&cylinder.throw)];
-        cells.extend(has_banks.then(|| typeset::degrees(&bank)));
-        cells.push(typeset::number(&engine.arm(cylinder)));
-        cells.extend(with_mass.then(|| typeset::number(&order::mass_radius(engine, cylinder))));
+        let mut cells: Vec<Text> = vec![cylinder.name.clone().into(), typeset::angle(&cylinder.throw).into()];
+        cells.extend(has_banks.then(|| typeset::degrees(&bank).into()));
+        cells.push(position(engine, &engine.arm(cylinder)));
+        cells.extend(with_mass.then(|| Number::exact(&order::mass_radius(engine, cylinder)).into()));
         let throw = cylinder.throw.degrees();
-        cells.extend([Sense::Direct, Sense::Reverse].map(|sense| phase(&parts(order.order, sense, &throw, &bank))));
+        let phases = [Sense::Direct, Sense::Reverse].map(|sense| phase(&parts(order.order, sense, &throw, &bank)));
+        cells.extend(phases.map(Text::label));
         cells
     };
     // What turns adds to one of the two sums, at the angle of its weight.
     let turning = |mass: &TurningMass| {
         let angle = |sense| if mass.sense == sense { typeset::angle(&mass.angle) } else { "–".to_owned() };
-        let mut cells = vec![mass.source.label(engine), String::new()];
-        cells.extend(has_banks.then(String::new));
-        cells.push(typeset::number(&(&mass.position - engine.reference_plane())));
-        cells.extend(with_mass.then(|| typeset::number(&mass.weight())));
-        cells.extend([Sense::Direct, Sense::Reverse].map(angle));
+        let mut cells: Vec<Text> = vec![mass.source.label(engine).into(), Text::default()];
+        cells.extend(has_banks.then(Text::default));
+        cells.push(position(engine, &(&mass.position - engine.reference_plane())));
+        cells.extend(with_mass.then(|| Number::exact(&mass.weight()).into()));
+        cells.extend([Sense::Direct, Sense::Reverse].map(|sense| Text::label(angle(sense))));
         cells
     };
-    let mut sources: Vec<Source> =
-        [&order.force.direct, &order.force.reverse].map(|verdict| verdict.sources.clone()).concat();
-    sources.sort_unstable();
-    sources.dedup();
     let masses = order::turning_masses(engine);
-    let cells = |source: &Source| match source {
-        Source::Piston(index) => Some(row(&engine.cylinders()[*index])),
-        other => masses.iter().find(|mass| mass.source == *other).map(turning),
-    };
-    let mut rows: Vec<Vec<String>> = sources.iter().filter_map(cells).collect();
-    let blank = header.len() - 3;
-    for (name, balance) in [("Σ force", &order.force), ("Σ moment", &order.moment)] {
-        let mut add = |name: &str, cell: fn(&Verdict) -> String| {
+    for source in sources(order) {
+        match source {
+            Source::Piston(index) => table.push(row(&engine.cylinders()[index])),
+            other => masses.iter().filter(|mass| mass.source == other).for_each(|mass| table.push(turning(mass))),
+        }
+    }
+    let blank = table.header.len() - 3;
+    for (name, balance) in [("**Σ force**", &order.force), ("**Σ moment**", &order.moment)] {
+        let mut add = |name: &'static str, cell: fn(&Verdict) -> Text| {
             let cells = balance.verdicts().map(cell);
-            rows.push([name.to_owned()].into_iter().chain(vec![String::new(); blank]).chain(cells).collect());
+            table.push([Text::from(name)].into_iter().chain(vec![Text::default(); blank]).chain(cells).collect());
         };
-        add(&format!("**{name}**"), length_cell);
+        add(name, |verdict| residual::modulus(verdict).into());
         if !balance.is_balanced() {
             add("angle", angle_cell);
         }
     }
-    (header, rows)
+    table
+}
+
+/// All sources of the sums of an order, each once.
+fn sources(order: &OrderBalance) -> Vec<Source> {
+    let mut sources: Vec<Source> =
+        [&order.force.direct, &order.force.reverse].map(|verdict| verdict.sources.clone()).concat();
+    sources.sort_unstable();
+    sources.dedup();
+    sources
 }
 
 fn is_piston(source: &Source) -> bool {
     matches!(source, Source::Piston(_))
 }
 
-fn length_cell(verdict: &Verdict) -> String {
-    if verdict.vanishes() { "**0**".to_owned() } else { residual::modulus(verdict).prose() }
-}
-
-fn angle_cell(verdict: &Verdict) -> String {
-    if verdict.vanishes() { String::new() } else { residual::bearing(&verdict.sum).prose() }
+fn angle_cell(verdict: &Verdict) -> Text {
+    if verdict.vanishes() { Text::default() } else { residual::bearing(&verdict.sum).into() }
 }
 
 /// `2β − α`, `−2β + 3α`; without the bank where all banks are at 0.
@@ -266,7 +238,7 @@ fn parts<'a>(order: u32, sense: Sense, throw: &'a BigRational, bank: &'a BigRati
     [(of_throw, throw), (of_bank, bank)]
 }
 
-/// A phase worked out: `2·270° + 45° = 585° ≡ 225°`.
+/// A phase worked out: `2·270° + 45° = 585° ≡ 225°`; the phase alone where its angles are too long to be read.
 fn phase(parts: &Parts) -> String {
     let mut text = String::new();
     for (negative, product) in parts.iter().filter_map(|(factor, degrees)| typeset::multiple(*factor, degrees)) {
@@ -280,12 +252,11 @@ fn phase(parts: &Parts) -> String {
     }
     let sum = phase_sum(parts);
     let (value, reduced) = (typeset::degrees(&sum), reduced_phase(parts));
-    let steps = [text, value, reduced.clone()];
-    if steps.iter().any(|step| step.contains('≈')) || steps[0].is_empty() {
+    if text.is_empty() || parts.iter().any(|(_, degrees)| typeset::is_rounded(degrees)) || typeset::is_rounded(&sum) {
         return reduced;
     }
-    let working = if steps[0] == steps[1] { steps[0].clone() } else { format!("{} = {}", steps[0], steps[1]) };
-    if steps[1] == steps[2] { working } else { format!("{working} ≡ {reduced}") }
+    let working = if text == value { text } else { format!("{text} = {value}") };
+    if value == reduced { working } else { format!("{working} ≡ {reduced}") }
 }
 
 /// A phase in `[0°, 360°)`, without its working.

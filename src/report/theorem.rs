@@ -1,38 +1,27 @@
-//! How is a statement on every order put into words?
+//! What does a report say of every order?
 
-use serde::Serialize;
-
-use super::dialect::Dialect;
-use super::table::{self, Table};
-pub(super) use super::theorem_words::{first_survivors, no_theorem, statements, why};
+use super::table;
+pub(super) use super::theorem_words::{no_theorem, statements, why};
 use crate::engine::Engine;
+use crate::page::{Block, Fold};
 use crate::verdict::{NoTheorem, Theorem};
 
 /// Longer tables of one period are left out.
 const MOST_ROWS: usize = 24;
 
 /// The section on every order: the statements, why one period proves them, and the period.
-#[derive(Clone, Debug, Serialize)]
-pub(super) struct Section {
-    statements: Vec<String>,
-    why: String,
-    table: Option<Table>,
-}
-
-impl Section {
-    /// Sets the section in a dialect.
-    pub fn new(engine: &Engine, theorem: &Result<Theorem, NoTheorem>, dialect: Dialect) -> Self {
-        let theorem = match theorem {
-            Ok(theorem) => theorem,
-            Err(reason) => {
-                return Section { statements: Vec::new(), why: dialect.text(&no_theorem(reason)), table: None };
+pub(super) fn section(engine: &Engine, theorem: &Result<Theorem, NoTheorem>) -> Vec<Block> {
+    let mut blocks = vec![Block::Heading(1, "Every order".into())];
+    match theorem {
+        Err(reason) => blocks.push(Block::Paragraph(no_theorem(reason))),
+        Ok(theorem) => {
+            blocks.push(Block::List(statements(engine, theorem)));
+            blocks.push(Block::Paragraph(why(engine, theorem)));
+            if theorem.force.direct.len() <= MOST_ROWS {
+                let summary = "One period of orders".into();
+                blocks.push(Block::Folded(Fold { summary, blocks: vec![table::period(theorem).into()] }));
             }
-        };
-        let rows = theorem.force.direct.len();
-        Section {
-            statements: statements(engine, theorem).iter().map(|statement| dialect.text(statement)).collect(),
-            why: dialect.text(&why(engine, theorem)),
-            table: (rows <= MOST_ROWS).then(|| table::period(dialect, theorem)),
         }
     }
+    blocks
 }

@@ -1,11 +1,10 @@
 //! In which sentences is a statement on every order put, and why does it hold?
 
 use super::argument::listed;
-use super::residual;
 use crate::engine::Engine;
 use crate::order::{self, Masses};
 use crate::page::{Number, Text, phrase};
-use crate::proof::{Shape, Survivors};
+use crate::proof::Survivors;
 use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
 
 /// Up to so many classes of orders are named one by one, as `18j − 8`.
@@ -211,28 +210,4 @@ fn class(lowest: u32, modulus: u32) -> Text {
         less => format!("{modulus}j - {less}"),
     };
     phrase!("{}, {}, … = {}", lowest, lowest + modulus, Text::formula(formula))
-}
-
-/// `The first order that is left: force 6, planar; no moment at any order.`
-pub(super) fn first_survivors(theorem: &Theorem) -> Text {
-    let first = |every: &EveryOrder| -> Option<(u32, Shape)> {
-        every.first.as_ref().map(|first| (first.direct.order, first.shape))
-    };
-    let name = residual::shape_name;
-    match (first(&theorem.force), first(&theorem.moment)) {
-        (None, None) => "No order is left: neither force nor moment, at any order.".into(),
-        (Some((force, shape)), None) => {
-            phrase!("The first order that is left: force {}, {}; no moment at any order.", force, name(shape))
-        }
-        (None, Some((moment, shape))) => {
-            phrase!("The first order that is left: no force at any order; moment {}, {}.", moment, name(shape))
-        }
-        (Some((force, shape)), Some((moment, other))) => phrase!(
-            "The first order that is left: force {}, {}; moment {}, {}.",
-            force,
-            name(shape),
-            moment,
-            name(other)
-        ),
-    }
 }

@@ -39,22 +39,6 @@ impl Default for Geometry {
     }
 }
 
-impl Geometry {
-    /// The assumptions in words, one line each.
-    pub fn words(&self) -> Vec<String> {
-        let Geometry { bore, rod_ratio, half_width, above_pin, crankcase, spacing, ends } = self;
-        vec![
-            format!("bore D = {bore} r, r the crank radius; rod ratio {rod_ratio} where the layout names none"),
-            format!(
-                "seen from the end a bank is a rectangle about its axis, {} D wide, from the shaft to {above_pin} D above the piston pin at top dead centre, which stands r + l above the shaft; the crankcase is a circle of radius {crankcase} r about the shaft",
-                2.0 * half_width
-            ),
-            "breadth and height are those of the upright rectangle round all banks and the crankcase, the bisector upright".to_owned(),
-            format!("length: from the first to the last cylinder axis, and {ends} D; neighbours of a bank stand {spacing} D apart where the layout gives no length"),
-        ]
-    }
-}
-
 /// What an engine fits into, in multiples of the crank radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Envelope {

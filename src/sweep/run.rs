@@ -11,7 +11,8 @@ use super::envelope::Geometry;
 use super::parameter::Parameter;
 use super::range::MOST_POINTS;
 use super::swept_engine::{Motions, SweptEngine, judge_with};
-use super::{SweepError, ZeroSet, zeros};
+use super::zeros::{is_angle, zeros};
+use super::{SweepError, ZeroSet};
 use crate::engine::Engine;
 use crate::file::{Key, Layout, Template};
 use crate::loads::{self, Arm};
@@ -29,6 +30,8 @@ pub struct Sweep {
     pub title: Untrusted,
     /// The parameters; the last one runs fastest.
     pub parameters: Vec<Parameter>,
+    /// Whether each parameter is an angle of the engine.
+    pub angles: Vec<bool>,
     /// The orders, rising.
     pub orders: Vec<u32>,
     /// The points, in order.
@@ -43,6 +46,13 @@ pub struct Sweep {
     pub rods_known: bool,
     /// The assumptions behind the envelope.
     pub geometry: Geometry,
+}
+
+impl Sweep {
+    /// The parameters, and whether each is an angle of the engine.
+    pub fn axes(&self) -> impl Iterator<Item = (&Parameter, bool)> {
+        self.parameters.iter().zip(self.angles.iter().copied())
+    }
 }
 
 /// Computes a sweep over one or two parameters at these orders; at those of the file where none are given.
@@ -107,6 +117,7 @@ pub fn sweep(
     Ok(Sweep {
         title: first.title().clone(),
         parameters: parameters.to_vec(),
+        angles: parameters.iter().map(|parameter| is_angle(template, parameter)).collect(),
         orders: orders.to_vec(),
         points,
         curve,

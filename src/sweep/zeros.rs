@@ -64,15 +64,23 @@ impl ZeroSet {
     }
 }
 
-/// Where the vectors of these orders vanish; `None` where the parameter is no angle.
-pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Option<Vec<ZeroSet>> {
+/// The family whose unknown is the parameter, and how many turns its unit is; `None` where the parameter is no angle.
+fn opened(template: &Template, parameter: &Parameter) -> Option<(Family, BigRational)> {
     let per_unit = file::turns_per_unit(parameter.range.unit())?;
     let open =
         template.without(&["firing_order", "firing_angles", "bearings", "crankshaft", "counterweight", "balancer"]);
     let Ok(Layout::Open(open)) = open.layout(&[(&parameter.key, PHI)]) else { return None };
-    if !open.unknowns().into_iter().eq([PHI]) {
-        return None;
-    }
+    open.unknowns().into_iter().eq([PHI]).then_some((*open, per_unit))
+}
+
+/// Whether a parameter is an angle of the engine.
+pub(super) fn is_angle(template: &Template, parameter: &Parameter) -> bool {
+    opened(template, parameter).is_some()
+}
+
+/// Where the vectors of these orders vanish; `None` where the parameter is no angle.
+pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Option<Vec<ZeroSet>> {
+    let (open, per_unit) = opened(template, parameter)?;
     let parameters = [parameter.clone()];
     let reader = Reader::new(template, &parameters);
     let engine = reader.engine(&reader.values(0)).ok()?;

@@ -8,6 +8,7 @@ mod csv;
 mod json;
 mod latex;
 mod markdown;
+mod script;
 mod terminal;
 mod xml;
 
@@ -15,6 +16,7 @@ pub use csv::field;
 pub use json::json;
 pub use latex::{SUPERSCRIPTS, latex};
 pub use markdown::markdown;
+pub use script::json_in_script;
 pub use terminal::{harmless, harmless_but_colours, harmless_lines, of_equal_length};
 pub use xml::xml;
 

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
+use crankstar::page::{self, Format, Options};
+
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
 }
@@ -35,11 +37,23 @@ fn text(path: &std::path::Path) -> &str {
 }
 
 #[test]
-fn list_prints_a_line_an_engine() {
+fn list_prints_a_row_an_engine_in_eighty_columns_with_what_it_leaves_first() {
     let list = succeeds(&["list"]);
+    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     let engines = crankstar::file::catalogue().expect("the catalogue reads");
-    assert_eq!(list.lines().count(), engines.len());
-    assert!(engines.iter().all(|(entry, layout)| list.contains(entry.name) && list.contains(layout.title().written())));
+    let document = crankstar::report::catalogue_answer(&engines);
+    let wide = Format::Terminal { width: 120, colour: false };
+    let wide = page::write(&document, wide, &Options::default()).remove(0).text;
+    for (entry, layout) in &engines {
+        let starts = |line: &&str| line.starts_with(&format!(" {} ", entry.name));
+        assert_eq!(list.lines().filter(starts).count(), 1, "{}", entry.name);
+        assert!(wide.lines().find(starts).is_some_and(|line| line.contains(layout.title().written())), "{wide}");
+    }
+    for (name, cells) in [("I4", ["even, 180°", "2", "none"]), ("V8-crossplane", ["even, 90°", "4", "1"])] {
+        let line = wide.lines().find(|line| line.starts_with(&format!(" {name} "))).expect("a row");
+        let told: Vec<&str> = line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+        assert_eq!(told[2..], cells, "{line}");
+    }
 }
 
 #[test]
@@ -55,9 +69,12 @@ fn output_that_is_no_terminal_has_no_colours() {
 #[test]
 fn remedy_proposes_weights_and_its_json_verifies() {
     let table = succeeds(&["remedy", "V8-crossplane", "--orders", "1,2"]);
-    assert!(table.contains("= √10/3 ≈ 1.0541 m r") && table.contains("= −arctan(1/3) ≈ −18.4349°"), "{table}");
+    assert!(table.contains("√10/3 ≈ 1.054 m r at z = 1.5"), "{table}");
+    for words in ["counterweight", "−arctan(1/3) ≈", "−18.43°"] {
+        assert!(table.contains(words), "no {words} in\n{table}");
+    }
     let pair = succeeds(&["remedy", "I4", "--orders", "2"]);
-    assert!(pair.contains("Lanchester pair") && pair.contains("= 0.5 m r |c_2|"), "{pair}");
+    assert!(pair.contains("Lanchester pair") && pair.contains("0.5 m r |c₂|"), "{pair}");
     let none = succeeds(&["remedy", "I6", "--orders", "1,2"]);
     assert!(none.contains("no weight is needed"), "{none}");
     let file = scratch("remedy").join("i3.json");
@@ -67,11 +84,13 @@ fn remedy_proposes_weights_and_its_json_verifies() {
 }
 
 #[test]
-fn remedy_writes_its_section_into_a_folder() {
+fn remedy_writes_its_page_into_a_folder() {
     let folder = scratch("remedy-section");
     succeeds(&["remedy", "V2-45", "--output", text(&folder)]);
     let section = fs::read_to_string(folder.join("remedy.md")).expect("the section");
-    for words in ["# V2, 45°", "## Remedies", "| counterweight | 1×, with the crank | 0 | = 1 m r |", "| 0.35 | = "] {
+    let title = "# V2, 45°, one crankpin: remedies";
+    let row = "| counterweight | 1×, with the crank | 0 | 1 $`m\\,r`$ | 180° |";
+    for words in [title, "## The weights", row, "## Counterweights alone", "| 0.35 | "] {
         assert!(section.contains(words), "no {words} in\n{section}");
     }
 }

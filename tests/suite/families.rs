@@ -2,14 +2,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crankstar::engine::{DELTA, Family, PHI};
 use crankstar::exact::Turn;
 use crankstar::family::{self, Left, NotComparable, OpenVerdict, When};
-use crankstar::engine::{DELTA, Family, PHI};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
+use crankstar::page::Format;
 use crankstar::proof::Quantity;
 use crankstar::{order, report};
 use num_rational::BigRational;
+
+use crate::support::pages;
 
 const V_TWIN: &str = "vee = { bank_angle = 'phi', throws = [0] }";
 const V4: &str = "vee = { bank_angle = 'phi', throws = [0, 180] }";
@@ -38,7 +41,7 @@ fn at(values: &[(&str, BigRational)]) -> BTreeMap<String, BigRational> {
 
 /// Whether the verdict's sum vanishes when the unknowns have these values.
 fn vanishes_at(family: &Family, verdict: &OpenVerdict, values: &BTreeMap<String, BigRational>) -> bool {
-    let engine = family.with(values).only().expect("nothing else is open");
+    let engine = family.with(values).expect("it is built").only().expect("nothing else is open").expect("it is built");
     order::star(&engine, verdict.quantity, verdict.order, Some(verdict.sense)).vanishes()
 }
 
@@ -126,11 +129,16 @@ fn even_firing_is_found_wherever_a_grid_finds_it() {
         let family = open(&format!("cycle = '{cycle}'\nvee = {{ bank_angle = 'phi', throws = [{throws}] }}"));
         let listed = family::even_firing(&family).expect("the cycle is given");
         for phi in (1..720).map(|half_degrees| Turn::fraction(half_degrees, 720)) {
-            let engine = family.with(&at(&[(PHI, phi.turns().clone())])).only().expect("known");
-            let count = engine.cylinders.len() as i64;
+            let engine = family
+                .with(&at(&[(PHI, phi.turns().clone())]))
+                .expect("it is built")
+                .only()
+                .expect("known")
+                .expect("it is built");
+            let count = engine.cylinders().len() as i64;
             let turns = if cycle == "four-stroke" { 2 } else { 1 };
-            let first = engine.cylinders[0].top_dead_centre();
-            let mut centres: Vec<Turn> = engine.cylinders.iter().map(|c| &c.top_dead_centre() - &first).collect();
+            let first = engine.cylinders()[0].top_dead_centre();
+            let mut centres: Vec<Turn> = engine.cylinders().iter().map(|c| &c.top_dead_centre() - &first).collect();
             let mut even: Vec<Turn> = (0..count).map(|j| Turn::fraction(j * turns, count)).collect();
             centres.sort();
             even.sort();
@@ -179,7 +187,7 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
         for verdict in verdicts(&family).iter().filter(|verdict| verdict.quantity == Quantity::Moment) {
             let values =
                 at(&[("a", fraction(7, 3)), ("b", fraction(2, 5)), ("c", fraction(11, 7)), ("d", fraction(13, 9))]);
-            let engine = family.with(&values).only().expect("known");
+            let engine = family.with(&values).expect("it is built").only().expect("known").expect("it is built");
             let sum = order::star(&engine, Quantity::Moment, verdict.order, Some(verdict.sense));
             match family::left(verdict) {
                 Left::Nothing => assert!(sum.vanishes() && verdict.always()),
@@ -199,12 +207,10 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
 fn values_close_a_family_and_keep_it_beside() {
     let text = "values = { a = '22 mm', b = '16 mm', c = '30 mm' }\n\
                 vee = { bank_angle = 90, throws = [0, 180, 180, 0], spacing = '2a + b + 2c', bank_offset = 'b' }";
-    let Layout::Known(engine, Some(family)) = file::parse_layout("v8", text).expect("it reads") else {
-        panic!("open")
-    };
-    assert_eq!(engine.cylinders[0].position.to_string(), "47/250");
+    let Layout::Known(engine, Some(family)) = file::parse_layout("v8", text).expect("it reads") else { panic!("open") };
+    assert_eq!(engine.cylinders()[0].position.to_string(), "47/250");
     assert_eq!(family.unknowns().into_iter().collect::<Vec<_>>(), ["a", "b", "c"]);
-    assert_eq!(file::parse("v8", text).expect("it is known").cylinders, engine.cylinders);
+    assert_eq!(file::parse("v8", text).expect("it is known").cylinders(), engine.cylinders());
 }
 
 #[test]
@@ -224,15 +230,14 @@ fn mistakes_about_unknowns_are_told() {
 }
 
 #[test]
-fn reports_on_families_are_written_in_every_dialect() {
+fn reports_on_families_are_written_in_every_format() {
     for text in [V_TWIN, V6_SPLIT, W, UNEQUAL] {
         let family = open(text);
-        let orders = family::classify(&family, &family.orders).expect("orders");
-        for dialect in [report::Dialect::GithubMarkdown, report::Dialect::DollarMarkdown, report::Dialect::Latex] {
-            let files = report::open_report(&family, &orders, dialect);
-            assert!(
-                files[0].text.contains("Summary") && files[0].text.contains("opposite") || text == UNEQUAL || text == W
-            );
+        let orders = family::classify(&family, family.orders()).expect("orders");
+        let page = report::family_page(&family, &orders, false);
+        for format in [Format::GITHUB, pages::DOLLARS, Format::Latex, Format::Html, Format::PLAIN] {
+            let written = pages::text(&page, format);
+            assert!(written.contains("Left open") && written.contains("opposite") || text == UNEQUAL || text == W);
         }
     }
 }

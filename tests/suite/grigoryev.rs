@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use std::{env, fs};
 
 use crankstar::claim::{Found, Provenance, Quote, Study, study};
-use crankstar::report;
+use crankstar::{page, report};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/grigoryev")
@@ -23,7 +23,8 @@ fn read() -> &'static Study {
 
 #[test]
 fn the_study_is_as_stored() {
-    let files = report::study_page(read());
+    let mut files = page::write(&report::study_page(read()), page::Format::GITHUB, &page::Options::default());
+    files.extend(report::study_tables(read()));
     let entries = fs::read_dir(folder()).expect("the folder").map(|entry| entry.expect("an entry").file_name());
     let names = entries.map(|name| name.to_string_lossy().into_owned());
     let stale = names.filter(|name| !name.ends_with(".toml") && files.iter().all(|file| file.name != *name));

@@ -7,6 +7,7 @@ use crankstar::engine::{Engine, NotAnOrder};
 use crankstar::file::{self, Layout};
 use crankstar::loads::{Missing, loads, needed_orders, usual_orders, vanishes_at_every_order};
 use crankstar::order::Masses;
+use crankstar::page::Format;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Numbers};
 use crankstar::verdict;
@@ -14,6 +15,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
+use crate::support::pages;
 use crate::support::verdicts::pistons;
 
 fn engine(text: &str) -> Engine {
@@ -176,7 +178,7 @@ proptest! {
             let off = (kept.value - value).abs();
             prop_assert!(!needed.reached || off <= 1.01 * accuracy * value + error + 1e-10, "{quantity:?} {off} {needed:?}\n{text}");
         }
-        let lines = report::loads_lines(&layout, &numbers, Some(&needed)).join("\n");
+        let lines = pages::text(&report::loads_answer(&layout, &numbers, Some(&needed)), Format::PLAIN);
         prop_assert!(!lines.contains("inf") && !lines.contains("NaN"), "{lines}");
         prop_assert_eq!(lines.contains("It is reached."), needed.reached);
     }
@@ -236,6 +238,11 @@ fn a_force_that_begins_at_a_high_order_is_found_and_is_not_zero() {
     assert_eq!(largest(&layout, Quantity::Moment).expect("numbers"), Largest::Zero);
 }
 
+fn loads_table(engine: &Engine, orders: &[u32]) -> Vec<Vec<String>> {
+    let numbers = Numbers::new(engine, orders, None).expect("numbers");
+    pages::tables(&report::loads_answer(engine, &numbers, None)).remove(0)
+}
+
 #[test]
 fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() {
     let text =
@@ -255,7 +262,7 @@ fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() 
         [report::force_summary(&judged[0]), report::moment_summary(&judged[0])],
         ["does not exist", "does not exist"]
     );
-    let rows = report::loads_rows(&centric, &loads(&centric, &[3]).expect("numbers")).rows;
+    let rows = loads_table(&centric, &[3]);
     assert_eq!(rows[0][1..], ["does not exist", "does not exist"]);
     for (says, holds) in [
         ("third-order force vanishes", true),
@@ -277,7 +284,7 @@ fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
     assert_eq!(verdict::torque(&layout, &[1001]).err(), Some(NotAnOrder(1001)));
     assert_eq!(loads(&layout, &[0]).err(), Some(Missing::Order(NotAnOrder(0))));
     assert_eq!(loads(&layout, &[1001]).err(), Some(Missing::Order(NotAnOrder(1001))));
-    let rows = report::loads_rows(&layout, &loads(&layout, &[1]).expect("numbers")).rows;
+    let rows = loads_table(&layout, &[1]);
     assert!(rows.iter().flatten().all(|cell| !cell.is_empty()), "{rows:?}");
     assert!(
         rows.iter().any(|row| row[1] == "not judged") && rows.iter().any(|row| row[1] == "does not exist"),

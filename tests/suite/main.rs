@@ -22,6 +22,8 @@ mod document_limits;
 mod document_mutations;
 mod documents_verify;
 mod examples;
+mod families;
+mod figures;
 mod firmness;
 mod fuzzed;
 mod grigoryev;
@@ -35,6 +37,7 @@ mod layout_random;
 mod loads;
 mod mechanism_files;
 mod motion;
+mod moving;
 mod odd_surroundings;
 mod open_certificate_cheats;
 #[cfg(feature = "optimise")]
@@ -52,6 +55,7 @@ mod sweep;
 mod theorems;
 mod theory;
 mod thesis;
+mod views;
 mod whole_cheats;
 
 mod support {
@@ -63,6 +67,7 @@ mod support {
     pub mod hard;
     pub mod imports;
     pub mod oracle;
+    pub mod pages;
     pub mod piston;
     pub mod plain_search;
     pub mod program;

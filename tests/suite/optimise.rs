@@ -17,7 +17,7 @@ use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, 
 use crankstar::optimise::{
     Couple, Front, OptimiseError, Optimum, Place, Residual, Uniform, Wish, front, measure, places, uniform,
 };
-use crankstar::report;
+use crankstar::{page, report};
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -107,6 +107,13 @@ fn all(front: &Front) -> impl Iterator<Item = &Optimum> {
     front.points.iter().chain(front.uniform.iter().flat_map(|uniform| uniform.best.iter().chain(&uniform.lightest)))
 }
 
+/// The page, its drawing, and the layout files beside it.
+fn files(layout: &Engine, front: &Front) -> Vec<page::File> {
+    let document = report::optimise_page(layout, front, &Couple::Zero);
+    let written = page::write(&document, page::Format::GITHUB, &page::Options::default());
+    written.into_iter().chain(report::optimise_layouts(front)).collect()
+}
+
 /// Solves anew, compares with the stored points, and the stored page with what their files measure.
 fn compare(engine: &str) {
     let layout = read(engine, "layout.toml");
@@ -118,7 +125,7 @@ fn compare(engine: &str) {
         assert_eq!((point.design.force, point.design.couple), (Residual::Zero, Residual::Zero));
     }
     if renews() {
-        for file in report::optimise_files(&layout, &found, &Couple::Zero) {
+        for file in files(&layout, &found) {
             fs::write(folder(engine).join(file.name), file.text).expect("a file");
         }
     }
@@ -130,7 +137,7 @@ fn compare(engine: &str) {
         assert_close(float(&kept.design.mass), float(&found.design.mass), 1e-4, "mass");
         kept.least = found.least;
     }
-    for file in report::optimise_files(&layout, &kept, &Couple::Zero) {
+    for file in files(&layout, &kept) {
         let text = fs::read_to_string(folder(engine).join(&file.name)).expect("a stored file");
         assert!(text == file.text, "{engine}/{} is not as stored", file.name);
     }
@@ -151,32 +158,40 @@ fn the_front_of_the_cross_plane_v8_is_as_stored_and_within_their_bounds() {
     compare("thesis-v8-crossplane");
 }
 
-const INTRODUCTION: &str = "# The best crankshafts of the thesis
-
-The thesis of [L. Stabile](../examples) (Politecnico di Torino, 2019) ends with a wish: an optimisation that weighs balance, bearing loads and the mass of the
-crankshaft. `crankstar optimise` is that. For its in-line three and its two 90° V8s, with two counterweights a throw in the planes of the webs, these pages show
-the least load of the main bearings for each mass of the crankshaft, beside one balance factor for all throws (0, 0.65 and 1, as in the thesis).
-Every best crankshaft is without first-order force and couple that turn with the crank, exactly; one balance factor below 1 leaves a couple in the three and
-in the cross-plane V8. Loads are those of orders 1, 2, 4 and 6 with exact coefficients at 6000 revolutions a minute, on a continuous beam; the thesis has orders 1
-and 2 with λ for c_2, which changes the worst bearing a little.
-";
+const INTRODUCTION: &str = "The thesis of {} (Politecnico di Torino, 2019) ends with a wish: an optimisation that weighs balance, bearing loads and the mass of the \
+    crankshaft. {} is that. For its in-line three and its two 90° V8s, with two counterweights per throw in the planes of the webs, these pages show \
+    the least load of the main bearings for each mass of the crankshaft, beside one balance factor for all throws (0, 0.65 and 1, as in the thesis). \
+    Every best crankshaft is without first-order force and couple that turn with the crank, exactly; one balance factor below 1 leaves a couple in the three and \
+    in the cross-plane V8. Loads are those of orders 1, 2, 4 and 6 with exact coefficients at 6000 revolutions a minute, on a continuous beam; the thesis has orders 1 \
+    and 2 with λ for $c_2$, which changes the worst bearing a little.";
 
 #[test]
 fn the_summary_of_all_three_is_as_stored() {
-    let section = |engine: &&str| {
+    let mut summary = page::Document::new("README", "The best crankshafts of the thesis");
+    let thesis = page::Text::link("L. Stabile", "../examples");
+    let introduction = page::Text::phrase(INTRODUCTION, vec![thesis, page::Text::code("crankstar optimise")]);
+    summary.push(page::Block::Paragraph(introduction));
+    for engine in ENGINES {
         let layout = read(engine, "layout.toml");
-        let summary = report::optimise_summary(&layout, &stored(engine), &Couple::Zero, &format!("{engine}/"));
-        format!(
-            "\n## {}\n\n{summary}\n[The front, its counterweights, and how they are found]({engine}/optimise.md)\n",
-            layout.title().written()
-        )
-    };
-    let text = format!("{INTRODUCTION}{}", ENGINES.iter().map(section).collect::<String>());
+        summary.push(page::Block::Heading(1, layout.title().into()));
+        summary.blocks.extend(report::optimise_summary(&layout, &stored(engine), &Couple::Zero, &format!("{engine}/")));
+        let more =
+            page::Text::link("The front, its counterweights, and how they are found", format!("{engine}/optimise.md"));
+        summary.push(page::Block::Paragraph(more));
+    }
+    let written = page::write(&summary, page::Format::GITHUB, &page::Options::default());
+    for drawing in &written[1..] {
+        let stored = fs::read_to_string(folder(&drawing.name)).expect("a drawing beside the page of its engine");
+        assert!(renews() || stored == drawing.text, "reports/optimise/{} is not as stored", drawing.name);
+    }
     let path = folder("README.md");
     if renews() {
-        fs::write(&path, &text).expect("the page");
+        fs::write(&path, &written[0].text).expect("the page");
     }
-    assert!(fs::read_to_string(path).expect("the page") == text, "reports/optimise/README.md is not as stored");
+    assert!(
+        fs::read_to_string(path).expect("the page") == written[0].text,
+        "reports/optimise/README.md is not as stored"
+    );
 }
 
 #[test]
@@ -495,7 +510,9 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
     let expected = [&beside[..], &heavy, &["front.svg", "optimise.md", "point-1.toml", "point-2.toml"]].concat();
     assert_eq!(names, expected);
     let text = String::from_utf8(run.stdout).expect("UTF-8");
-    assert!(text.contains("Largest bearing load in N") && text.contains("0 is exact and proved"), "{text}");
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("N; the one with the least load weighs"), "{text}");
+    assert!(words.contains("0 is exact and proved"), "{text}");
     for command in ["classify", "loads", "bearings"] {
         let run = crankstar(&[command, out.join("point-2.toml").to_str().expect("UTF-8")]);
         assert!(run.status.success(), "{command}: {}", String::from_utf8_lossy(&run.stderr));

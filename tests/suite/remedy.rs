@@ -11,7 +11,7 @@ use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_r
 use crankstar::remedy::{
     ComparableEngine, Kind, Partial, Remedy, RemedyError, Wish, corrected, pair_height, remedy, with_counterweights,
 };
-use crankstar::report::{self, Dialect};
+use crankstar::{page, report};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -397,8 +397,11 @@ fn answered(text: &str) -> Result<(), TestCaseError> {
     let factors = vec![ratio(1, 2)];
     let Ok(found) = remedy(&layout, &Wish { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
     prop_assert!(found.holds());
-    prop_assert!(!report::remedy_section(&found, Dialect::Latex).contains("NaN"));
-    prop_assert!(!report::remedy_lines(&found).is_empty());
+    for document in [report::remedy_answer(&found), report::remedy_page(&found)] {
+        let written = page::write(&document, page::Format::Latex, &page::Options::default());
+        prop_assert!(!written[0].text.contains("NaN"));
+    }
+    prop_assert!(!report::remedy_section(&found).is_empty() && !report::remedy_cures(&found).is_empty());
     let json = serde_json::to_string(&report::remedy_document(&found)).expect("JSON");
     let document: RemedyDocument = serde_json::from_str(&json).expect("the document reads");
     prop_assert_eq!(check_remedy_document(&document).map(|_| ()), Ok(()));

@@ -8,35 +8,24 @@ use std::{env, fs};
 
 use crankstar::engine::Engine;
 use crankstar::family;
-use crankstar::file::{self, Entry, Layout};
-use crankstar::proof::Quantity;
-use crankstar::report::{self, Dialect};
-use crankstar::verdict::{Judgement, OrderVerdict};
+use crankstar::file::{self, Layout};
+use crankstar::page::{Document, Format};
+use crankstar::report::{self, Contents};
 
-use crate::support::verdicts;
+use crate::support::pages;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
 }
 
-fn judged(entry: Entry, layout: Engine) -> (Entry, Engine, Vec<OrderVerdict>) {
-    let orders = verdicts::judged(&layout, layout.orders(), false);
-    (entry, layout, orders)
-}
-
-fn judgement(engine: &Engine) -> Judgement {
-    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders")
-}
-
 /// The files of an engine's folder, by name.
 fn written(layout: &Engine) -> BTreeMap<String, String> {
-    let dialects = [Dialect::GithubMarkdown, Dialect::Latex];
-    let files = dialects.into_iter().flat_map(|dialect| {
-        report::report(
-            report::Contents { engine: layout, judged: &judgement(layout), family: None, needed: None, accuracy: None },
-            dialect,
-        )
-    });
+    in_all_formats(&pages::document(layout))
+}
+
+/// What is stored of a page: Markdown with its pictures, LaTeX.
+fn in_all_formats(document: &Document) -> BTreeMap<String, String> {
+    let files = [Format::GITHUB, Format::Latex].into_iter().flat_map(|format| pages::files(document, format));
     files.map(|file| (file.name, file.text)).collect()
 }
 
@@ -121,23 +110,26 @@ fn compare_layouts(below: &str) {
     for folder in folders {
         let layout = fs::read_to_string(folder.join("layout.toml")).expect("a layout file");
         let mut files = BTreeMap::from([("layout.toml".to_owned(), layout.clone())]);
-        for dialect in [Dialect::GithubMarkdown, Dialect::Latex] {
-            let written = match file::parse_layout("layout.toml", &layout).expect("it reads") {
-                Layout::Known(engine, open) => {
-                    let open = open.map(|open| (family::classify(&open, engine.orders()).expect("orders"), open));
-                    let judged = judgement(&engine);
-                    let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
-                    report::report(
-                        report::Contents { engine: &engine, judged: &judged, family, needed: None, accuracy: None },
-                        dialect,
-                    )
-                }
-                Layout::Open(open) => {
-                    report::open_report(&open, &family::classify(&open, open.orders()).expect("orders"), dialect)
-                }
-            };
-            files.extend(written.into_iter().map(|file| (file.name, file.text)));
-        }
+        let page = match file::parse_layout("layout.toml", &layout).expect("it reads") {
+            Layout::Known(engine, open) => {
+                let open = open.map(|open| (family::classify(&open, engine.orders()).expect("orders"), open));
+                let judged = pages::judgement(&engine);
+                let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
+                let engine = &engine;
+                report::engine_page(Contents {
+                    engine,
+                    judged: &judged,
+                    family,
+                    needed: None,
+                    in_motion: false,
+                    accuracy: None,
+                })
+            }
+            Layout::Open(open) => {
+                report::family_page(&open, &family::classify(&open, open.orders()).expect("orders"), false)
+            }
+        };
+        files.extend(in_all_formats(&page));
         compare(&folder, &files);
     }
 }
@@ -154,9 +146,9 @@ fn reports_on_examples_with_numbers_are_as_stored() {
 
 #[test]
 fn the_index_is_as_stored_and_every_folder_is_an_engine() {
-    let engines: Vec<_> = file::catalogue().expect("reads").into_iter().map(|(e, l)| judged(e, l)).collect();
-    let index = report::index(&engines);
-    compare(&folder(), &BTreeMap::from([(index.name, index.text)]));
+    let index = report::catalogue_page(&file::catalogue().expect("reads"));
+    let files = pages::files(&index, Format::GITHUB);
+    compare(&folder(), &files.into_iter().map(|file| (file.name, file.text)).collect());
     let folders = fs::read_dir(folder()).expect("reports").map(|entry| entry.expect("an entry").path());
     for path in folders.filter(|path| path.is_dir()) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();

@@ -14,6 +14,7 @@ use crankstar::file;
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::search::{FoundStar, Front, Options, Problem, Standing, document, every_value, search};
+use crankstar::{page, report};
 use plain_search::{Star, all_stars, of_even_throws};
 
 const CYCLES: [Cycle; 2] = [Cycle::TwoStroke, Cycle::FourStroke];
@@ -469,10 +470,25 @@ fn impossible_questions_are_answered_with_words() {
 }
 
 #[test]
+fn the_page_of_a_search_draws_its_first_stars_and_gives_them_as_layout_files() {
+    let front = found(&Problem::inline(6, Cycle::TwoStroke, &[1, 2]));
+    let page = report::search_page(&front);
+    let files = page::write(&page, page::Format::GITHUB, &page::Options::default());
+    let drawn = front.stars.len().min(3);
+    assert_eq!(files.iter().filter(|file| file.name.ends_with(".svg")).count(), 2 * drawn);
+    // The first star leaves nothing of order 1, and is drawn at order 2.
+    assert!(files.iter().any(|file| file.name == "star-1-order-2.svg"));
+    for star in front.stars.iter().take(drawn) {
+        assert!(files[0].text.contains(&star.layout_file(&front.problem)));
+    }
+    assert_eq!(files[0].text.matches("\n| ").count(), front.stars.len() + 2, "a row a star");
+}
+
+#[test]
 fn the_program_prints_a_table_or_json_and_nothing_on_standard_error() {
     let (code, out, err) = crankstar("--cylinders 6 --cycle two-stroke");
     assert_eq!((code, err.as_str()), (Some(0), ""));
-    assert!(out.contains("1-5-3-4-2-6") && out.contains("= 2√3 ≈ 3.4641"), "{out}");
+    assert!(out.contains("1-5-3-4-2-6") && out.contains("2√3 ≈ 3.464"), "{out}");
     let (_, out, _) = crankstar("--cylinders 6 --cycle two-stroke --json --orders 2,1,2");
     let document: serde_json::Value = serde_json::from_str(&out).expect("JSON");
     assert_eq!(document["stars"][0]["moments"][1]["exact"], "2√3");

@@ -9,8 +9,8 @@ use crankstar::loads;
 use crankstar::numbers::Form;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::remedy::{ComparableEngine, two_planes};
-use crankstar::report;
 use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Range, Sweep, SweptEngine, Zeros};
+use crankstar::{page, report};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -365,7 +365,7 @@ fn any_key_is_swept_in_its_unit_and_two_make_a_map() {
     let map = good(V6, &["vee.bank_angle=60..120:30", "vee.pin_split=-30..0:10"], &[1]);
     assert_eq!(map.points.len(), 12);
     assert_eq!(map.points[5].values, [ratio(90, 1), ratio(-20, 1)]);
-    let files = report::sweep_page(&map);
+    let files = page::write(&report::sweep_page(&map), page::Format::GITHUB, &page::Options::default());
     assert!(
         files.iter().any(|file| file.name == "moment-1.svg") && files[0].text.contains("pin\\_split")
             || files[0].text.contains("pin split")
@@ -399,6 +399,39 @@ fn the_table_has_a_row_a_point_and_zero_only_where_it_is_proved() {
     assert_eq!(document["zeros"][7]["quantity"], "moment");
 }
 
+fn in_plain_text(document: &page::Document) -> String {
+    let mut files = page::write(document, page::Format::PLAIN, &page::Options::default());
+    files.swap_remove(0).text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn the_answer_names_the_exact_zeros_and_what_vanishes_everywhere() {
+    let sweep = good(V6, &["vee.bank_angle=10..170:40"], &[1, 2]);
+    let answer = in_plain_text(&report::sweep_answer(&sweep));
+    for words in ["Moment of order 1: nowhere 0; from", "Exactly zero at every value: the force of these orders: 1, 2."]
+    {
+        assert!(answer.contains(words), "{words}: {answer}");
+    }
+    // 180° lies between the points.
+    let to_the_end = good(V6, &["vee.bank_angle=50..190:70"], &[2]);
+    let answer = in_plain_text(&report::sweep_answer(&to_the_end));
+    assert!(answer.contains("Moment of order 2: exactly 0 at 180° and nowhere else in the range"), "{answer}");
+}
+
+#[test]
+fn a_page_counts_in_newtons_where_the_file_gives_all_that_they_need() {
+    let text = format!("speed = 3000\n{V6}{MASSES}");
+    let sweep = good(&text, &["speed=1000..3000:1000"], &[1]);
+    let newtons = |point: &SweptEngine| point.newtons.expect("masses and speed") * point.orders[0].moment.largest.value;
+    let greatest = page::text_in(&page::Number::Decimal(newtons(&sweep.points[2])).into(), page::Format::PLAIN);
+    for document in [report::sweep_page(&sweep), report::sweep_answer(&sweep)] {
+        let text = in_plain_text(&document);
+        assert!(text.contains(&greatest) && !text.contains("m r ω²"), "{greatest}: {text}");
+    }
+    let without = in_plain_text(&report::sweep_page(&good(V6, &["vee.bank_angle=60..90:30"], &[1])));
+    assert!(without.contains("m r ω² c_k a"), "{without}");
+}
+
 #[test]
 fn the_command_writes_its_folder_and_ends_with_1_where_it_is_refused() {
     let program = || Command::new(env!("CARGO_BIN_EXE_crankstar"));
@@ -415,6 +448,17 @@ fn the_command_writes_its_folder_and_ends_with_1_where_it_is_refused() {
     }
     let page = std::fs::read_to_string(folder.join("sweep.md")).expect("the page");
     assert!(page.contains("| 2 | moment | 180° | 60°, 180° | 180° | 90°, 180° | 0°, 180° |"), "{page}");
+    let table = folder.with_file_name("sweep-v6-table");
+    let _ = std::fs::remove_dir_all(&table);
+    let of_table = ["sweep", "V6-60-shared", "--bank-angle", "0..180:30", "--format", "csv", "--output"];
+    let status = program().args(of_table).arg(&table).status().expect("it starts");
+    assert_eq!(status.code(), Some(0));
+    assert!(table.join("sweep.csv").is_file() && !table.join("sweep.md").exists());
+    for (format, begin) in [("html", "<!DOCTYPE html>"), ("latex", "\\documentclass"), ("text", "V6"), ("json", "{")] {
+        let of_format = ["sweep", "V6-60-shared", "--bank-angle", "0..180:30", "--format", format];
+        let printed = program().args(of_format).output().expect("it starts").stdout;
+        assert!(String::from_utf8_lossy(&printed).starts_with(begin), "{format}");
+    }
     for arguments in [
         &["sweep", "V6-60-shared", "--bank-angle", "0..1000000000:1"][..],
         &["sweep", "V6-60-shared", "--bank-angle", "0..180:0"],

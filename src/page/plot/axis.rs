@@ -22,6 +22,8 @@ pub struct Axis {
     pub range: Option<(f64, f64)>,
     /// Where ticks stand; at 1, 2 or 5 times a power of ten where none are given.
     pub ticks: Option<Vec<f64>>,
+    /// Whether the range of a linear axis reaches zero where it follows the data: amplitudes are seen from there.
+    pub from_zero: bool,
 }
 
 /// A value that is marked on an axis.
@@ -59,7 +61,12 @@ const MANY_DECADES: i32 = 3;
 impl Axis {
     /// A linear axis that covers the data.
     pub fn linear(label: impl Into<String>) -> Self {
-        Axis { label: label.into(), scale: Scale::Linear, range: None, ticks: None }
+        Axis { label: label.into(), scale: Scale::Linear, range: None, ticks: None, from_zero: false }
+    }
+
+    /// A linear axis that covers zero and the data.
+    pub fn amplitude(label: impl Into<String>) -> Self {
+        Axis { from_zero: true, ..Axis::linear(label) }
     }
 
     /// A logarithmic axis that covers the data.
@@ -73,6 +80,15 @@ impl Axis {
         let first = (from / step).ceil();
         let ticks = (0..=64).map(|index| (first + f64::from(index)) * step).take_while(|tick| *tick <= to);
         Axis { range: Some((from, to)), ticks: Some(ticks.collect()), ..Axis::linear(label) }
+    }
+
+    /// A linear axis from one angle to another in degrees, with ticks at parts of a turn that have room.
+    pub fn degrees(label: impl Into<String>, from: f64, to: f64) -> Self {
+        let (low, high) = (from.min(to), from.max(to));
+        match [1, 2, 5, 10, 15, 30, 45, 60, 90, 180].into_iter().find(|step| high - low <= f64::from(*step) * 8.0) {
+            Some(step) if high - low >= 4.0 => Axis::angle(label, low, high, step),
+            _ => Axis::linear(label).within(low, high),
+        }
     }
 
     /// The same axis from one value to another.
@@ -89,9 +105,11 @@ impl Axis {
         let mut own: Vec<f64> = self.ticks.iter().flatten().copied().filter(usable).collect();
         own.sort_by(f64::total_cmp);
         own.dedup();
+        let zero = (self.from_zero && self.scale == Scale::Linear).then_some(0.0);
         let given = self.range.map(|(a, b)| (a.min(b), a.max(b)));
         let given = given.filter(|(low, high)| usable(low) && usable(high) && !same(*low, *high));
-        let range = given.unwrap_or_else(|| self.cover(values.into_iter().filter(usable).chain(own.iter().copied())));
+        let range = given
+            .unwrap_or_else(|| self.cover(values.into_iter().filter(usable).chain(own.iter().copied()).chain(zero)));
         let (ticks, small) = match self.scale {
             _ if !own.is_empty() => (own, Vec::new()),
             Scale::Linear => (linear_ticks(range, steps), Vec::new()),

@@ -46,7 +46,7 @@ impl Curve {
 
 /// A rectangle of the page.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Area {
+pub(crate) struct Area {
     pub low: Point,
     pub high: Point,
 }

@@ -7,7 +7,9 @@ use super::labels::LINE;
 use super::number::text_width;
 
 /// Width of a plot in millimetres.
-pub(super) const WIDTH: f64 = 150.0;
+///
+/// A line of text is readable where it is shown 390 pixels wide.
+pub(super) const WIDTH: f64 = 112.0;
 /// Air at the edges of the page.
 pub(super) const EDGE: f64 = 2.0;
 /// From the frame down to the numbers of its axis, and to its label.

@@ -17,8 +17,8 @@ pub(super) enum Key<'a> {
 
 impl<'a> Key<'a> {
     /// The named curves, and the named series of points, each once.
-    pub fn all(curves: &'a [Curve], marks: &'a [PointMark]) -> Vec<Key<'a>> {
-        let mut keys: Vec<Key> = curves.iter().filter(|curve| !curve.name.is_empty()).map(Key::Line).collect();
+    pub fn all(curves: impl IntoIterator<Item = &'a Curve>, marks: &'a [PointMark]) -> Vec<Key<'a>> {
+        let mut keys: Vec<Key> = curves.into_iter().filter(|curve| !curve.name.is_empty()).map(Key::Line).collect();
         for (index, mark) in marks.iter().enumerate() {
             let is_new = marks[..index].iter().all(|other| other.series != mark.series);
             if !mark.series.is_empty() && is_new {

@@ -5,26 +5,41 @@ use super::curve::Area;
 use super::number::text_width;
 
 /// Height of a line of text in millimetres.
-pub(super) const LINE: f64 = 3.6;
+pub(crate) const LINE: f64 = 3.6;
 /// Curves are felt at points this far apart.
 const FEELER: f64 = 0.8;
 /// A label on another is as bad as one on so many points of curves.
 const COLLISION: usize = 1000;
+/// A point of a curve under a name, against what else speaks against a place.
+const LINE_COST: usize = 25;
 
 /// A place where a label may stand.
-pub(super) type Place = (Point, Anchor);
+pub(crate) type Place = (Point, Anchor);
 
 /// What is on the page already, and has to be seen.
-pub(super) struct Labels {
+pub(crate) struct Labels {
     bounds: Area,
     taken: Vec<Area>,
     felt: Vec<Point>,
+    /// Whether a text on a line hides it.
+    hides: bool,
 }
 
 impl Labels {
     /// Labels go inside these bounds, and beside what the figure shows in them.
     pub fn new(bounds: Area) -> Self {
-        Labels { bounds, taken: Vec::new(), felt: Vec::new() }
+        Labels { bounds, taken: Vec::new(), felt: Vec::new(), hides: false }
+    }
+
+    /// Labels go anywhere, and stand on white where they must lie on a line.
+    pub fn anywhere() -> Self {
+        let far = Point::new(1e4, 1e4);
+        Labels { hides: true, ..Labels::new(Area { low: -far, high: far }) }
+    }
+
+    /// A rectangle that has to be seen.
+    pub fn avoid_area(&mut self, area: Area) {
+        self.taken.push(area);
     }
 
     /// A curve that should be seen.
@@ -51,12 +66,26 @@ impl Labels {
             Mark::Rectangles { corners, .. } => corners.iter().any(|&(low, high)| area.meets(&Area { low, high })),
             _ => false,
         };
-        if figure.marks.iter().any(covers) {
+        let hides = self.hides && self.felt.iter().any(|point| area.holds(*point));
+        if hides || figure.marks.iter().any(covers) {
             figure.rectangles(vec![(area.low, area.high)], Ink::Shade(0));
         }
         figure.text(best.0, text, best.1);
         self.taken.push(area);
         Some(best)
+    }
+
+    /// The best of places that have costs of their own, with its cost in all; the first of equals.
+    pub fn best(&self, text: &str, places: impl Iterator<Item = (Place, usize)>) -> Option<(usize, usize)> {
+        let costs = places.map(|(place, own)| own + LINE_COST * self.cost(&area(text, &place)));
+        costs.enumerate().min_by_key(|(_, cost)| *cost)
+    }
+
+    /// Writes a text at the best of these places, unless each lies on another text or sign or leaves the bounds.
+    pub fn write_if_free(&mut self, figure: &mut Figure, text: &str, places: &[Place]) -> Option<Place> {
+        let is_free = |place: &&Place| self.cost(&area(text, place)) < COLLISION;
+        let free: Vec<Place> = places.iter().filter(is_free).copied().collect();
+        self.write(figure, text, &free)
     }
 
     /// Writes texts that belong together, such as the numbers of an axis: each at its place of the best row of places.
@@ -71,7 +100,8 @@ impl Labels {
         }
     }
 
-    /// Writes the name of a point beside it, farther off with a thin line to it where there is no room nearer.
+    /// Writes the name of a point beside it, farther off with a thin line to it where there is no room nearer, and not
+    /// at all where there is none.
     pub fn name_point(&mut self, figure: &mut Figure, text: &str, at: Point) {
         let ring = |far: f64| {
             let (slant, up) = (far * 0.75, far.max(2.6));
@@ -87,8 +117,8 @@ impl Labels {
             ]
             .map(|(right, up, anchor)| (at + Point::new(right, up), anchor))
         };
-        let places: Vec<Place> = [1.8, 5.0, 8.0].into_iter().flat_map(ring).collect();
-        let Some((end, _)) = self.write(figure, text, &places) else { return };
+        let places: Vec<Place> = [1.8, 3.4, 5.0, 8.0, 11.0].into_iter().flat_map(ring).collect();
+        let Some((end, _)) = self.write_if_free(figure, text, &places) else { return };
         let way = end - at;
         if way.norm() > 4.5 {
             let along = way / way.norm();
@@ -106,7 +136,7 @@ impl Labels {
 }
 
 /// What a text covers, with a little air.
-fn area(text: &str, (at, anchor): &Place) -> Area {
+pub(crate) fn area(text: &str, (at, anchor): &Place) -> Area {
     let width = text_width(text);
     let left = match anchor {
         Anchor::Start => 0.0,

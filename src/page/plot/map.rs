@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use super::axis::{Axis, Ruler};
+use super::contour::contour;
 use super::curve::{Area, Curve, pieces};
 use super::frame::{BELOW, Frame, LABEL_ABOVE, LABEL_UP, WIDTH};
 use super::head::{Head, Key};
@@ -36,13 +37,19 @@ const LEVELS: f64 = 40.0;
 /// The bar of the scale.
 const BAR: f64 = 5.0;
 const BAR_GAP: f64 = 4.0;
+/// Contour lines that stay within this are points.
+const SHORTEST: f64 = 0.1;
+/// Shorter contour lines than this have no name; the scale tells their values too.
+const LONG_ENOUGH: f64 = 35.0;
+/// Places along a contour line that are tried for its value.
+const NAME_PLACES: usize = 12;
 /// Cells reach this far under the next, so that no seam shows between them.
 const OVERLAP: f64 = 0.06;
 /// More columns or rows than this are not drawn; their number is the caller's to choose.
 const MOST_CELLS: usize = 400;
 
 impl Map {
-    /// The drawing, 150 mm wide and about 80 mm high.
+    /// The drawing, 112 mm wide and about 70 mm high, with a contour line at each tick of the scale.
     pub fn figure(&self) -> Figure {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0).min(MOST_CELLS);
         let rows = self.rows.len().min(MOST_CELLS);
@@ -62,6 +69,7 @@ impl Map {
         head.draw(&mut figure);
         self.draw_cells(&mut figure, &frame.area, &value, (columns, rows));
         let mut labels = Labels::new(frame.area);
+        let contours = self.draw_contours(&mut figure, &frame.area, &value, (columns, rows), &mut labels);
         for curve in &self.curves {
             let run = pieces(curve.points.iter().map(|point| frame.at(*point)), &frame.area);
             draw_pieces(&mut figure, run, curve, &mut labels);
@@ -71,7 +79,46 @@ impl Map {
         let end = Point::new(WIDTH - 2.0, frame.area.high.im + LABEL_UP);
         figure.text(end, self.value.label.clone(), Anchor::End);
         draw_marks(&mut figure, &self.marks, &frame, &mut labels);
+        for (name, line) in contours {
+            let stride = (line.len() / NAME_PLACES).max(1);
+            let inner = line.iter().skip(stride / 2).step_by(stride);
+            let places: Vec<_> = inner.map(|at| (*at, Anchor::Middle)).collect();
+            labels.write_if_free(&mut figure, &name, &places);
+        }
         figure
+    }
+
+    /// Draws the line of each value of the scale, black on white so that it is seen on every shade; gives names and lines.
+    fn draw_contours(
+        &self,
+        figure: &mut Figure,
+        area: &Area,
+        value: &Ruler,
+        (columns, rows): (usize, usize),
+        labels: &mut Labels,
+    ) -> Vec<(String, Vec<Point>)> {
+        let size = area.high - area.low;
+        let cell = Point::new(size.re / columns.max(1) as f64, size.im / rows.max(1) as f64);
+        let values: Vec<Vec<f64>> =
+            self.rows.iter().take(rows).map(|row| row.iter().take(columns).copied().collect()).collect();
+        let mut named = Vec::new();
+        for tick in &value.ticks {
+            for line in contour(&values, tick.value) {
+                let on_page =
+                    |at: &Point| Some(area.low + Point::new((at.re + 0.5) * cell.re, (at.im + 0.5) * cell.im));
+                // Where a value of the grid is that of the line, there is a line of no length.
+                let long = |run: &Vec<Point>| run.iter().any(|at| (at - run[0]).norm() > SHORTEST);
+                for run in pieces(line.iter().map(on_page), area).into_iter().filter(long) {
+                    figure.path(run.clone(), Stroke::solid(Ink::Shade(0), 0.5));
+                    figure.path(run.clone(), Stroke::solid(Ink::Black, 0.2));
+                    labels.avoid_path(&run);
+                    if run.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>() > LONG_ENOUGH {
+                        named.push((tick.label.clone(), run));
+                    }
+                }
+            }
+        }
+        named
     }
 
     /// Neighbours of one shade in a row are one rectangle, and all of one shade are one mark.

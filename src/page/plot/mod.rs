@@ -14,18 +14,22 @@
 //! ```
 
 mod axis;
-mod curve;
+mod contour;
+pub(crate) mod curve;
 mod frame;
 mod head;
-mod labels;
+pub(crate) mod labels;
 mod map;
-mod number;
+mod names;
+pub(crate) mod number;
 mod polar;
+pub(crate) mod stack;
 
 pub use axis::{Axis, Ruler, Scale, Tick};
 pub use curve::Curve;
 pub use map::Map;
 pub use polar::Polar;
+pub(crate) use stack::stacked;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use curve::pieces;
@@ -34,16 +38,16 @@ use head::{Head, Key};
 use labels::Labels;
 
 /// Height of the frame in millimetres.
-const HEIGHT: f64 = 58.0;
+const HEIGHT: f64 = 54.0;
 /// About so many steps between ticks.
-const STEPS: (usize, usize) = (9, 6);
+const STEPS: (usize, usize) = (7, 6);
 
 /// A point that is marked, in the units of the axes.
 #[derive(Clone, Debug)]
 pub struct PointMark {
     /// Where.
     pub at: (f64, f64),
-    /// What is written beside it, in plain text; nothing where it is empty.
+    /// What is written beside it, in plain text; nothing where it is empty or has no room.
     pub label: String,
     /// The name of its kind in the legend; none where it is empty.
     pub series: String,
@@ -109,7 +113,8 @@ impl Plot {
         Plot { title: title.into(), x, y, curves: Vec::new(), marks: Vec::new(), rules: Vec::new() }
     }
 
-    /// The drawing, 150 mm wide and about 80 mm high: the legend stands above the frame.
+    /// The drawing, 112 mm wide and about 70 mm high: curves are named where they run, and in a legend above the frame
+    /// where there is no room for that.
     pub fn figure(&self) -> Figure {
         let points = || {
             let of_curves = self.curves.iter().flat_map(|curve| &curve.points).copied();
@@ -118,11 +123,8 @@ impl Plot {
         let rules = |upright: bool| self.rules.iter().filter(move |rule| rule.upright == upright).map(|rule| rule.at);
         let x = self.x.ruler(points().map(|point| point.0).chain(rules(true)), STEPS.0);
         let y = self.y.ruler(points().map(|point| point.1).chain(rules(false)), STEPS.1);
-        let keys = Key::all(&self.curves, &self.marks);
-        let head = Head::new(&self.title, &keys, WIDTH);
         let frame = Frame::new(x, y, HEIGHT, 0.0);
-        let mut figure = Figure::new(WIDTH, BELOW + HEIGHT + LABEL_ABOVE + head.height());
-        head.draw(&mut figure);
+        let mut figure = Figure::new(WIDTH, BELOW + HEIGHT + LABEL_ABOVE);
         frame.grid(&mut figure);
         let mut labels = Labels::new(frame.area);
         let drawn = self.rules.iter().filter_map(|rule| Some((rule, frame.across(rule.at, rule.upright)?)));
@@ -131,15 +133,21 @@ impl Plot {
             figure.line(*from, *to, Stroke { ink: Ink::Black, width: 0.25, dash: Dash::Dashed });
             labels.avoid_path(&[*from, *to]);
         }
-        for curve in &self.curves {
-            let run = pieces(curve.points.iter().map(|point| frame.at(*point)), &frame.area);
-            draw_pieces(&mut figure, run, curve, &mut labels);
+        let on_page = |curve: &Curve| pieces(curve.points.iter().map(|point| frame.at(*point)), &frame.area);
+        let lines: Vec<Vec<Vec<Point>>> = self.curves.iter().map(on_page).collect();
+        for (curve, run) in self.curves.iter().zip(&lines) {
+            draw_pieces(&mut figure, run.clone(), curve, &mut labels);
         }
         frame.axes(&mut figure, &self.x.label, &self.y.label);
         draw_marks(&mut figure, &self.marks, &frame, &mut labels);
         for (rule, ends) in drawn.iter().filter(|(rule, _)| !rule.label.is_empty()) {
             labels.write(&mut figure, &rule.label, &beside(rule, *ends));
         }
+        let homeless = names::name_curves(&mut figure, &mut labels, (&self.curves, &lines), &frame);
+        let keys = Key::all(homeless, &self.marks);
+        let head = Head::new(&self.title, &keys, WIDTH);
+        figure.height += head.height();
+        head.draw(&mut figure);
         figure
     }
 }

@@ -1,5 +1,6 @@
 //! How are the numbers of an axis written? Grouped in thousands, or with a power of ten.
 
+use super::super::figure;
 use crate::text::SUPERSCRIPTS;
 
 /// A thin space that does not break.
@@ -71,15 +72,10 @@ fn in_powers(value: f64, power: i32) -> String {
     }
 }
 
-/// About the width of a text on the page in millimetres, in the widest face that stands in for Helvetica.
-pub(super) fn text_width(text: &str) -> f64 {
-    let width = |letter: char| match letter {
-        THIN => 0.6,
-        'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | '.' | ',' | ';' | ':' | '·' | '\'' | '(' | ')' | ' ' | '/' => 1.05,
-        'm' | 'w' | 'M' | 'W' | '−' | '+' | '=' | '≈' => 2.6,
-        'A'..='Z' => 2.1,
-        letter if letter == '⁻' || SUPERSCRIPTS.contains(&letter) => 1.2,
-        _ => 1.88,
-    };
-    text.chars().map(width).sum()
+/// No text is taken to be narrower than this for each of its letters.
+const NARROWEST: f64 = 1.65;
+
+/// About the width of a text on the page in millimetres.
+pub(crate) fn text_width(text: &str) -> f64 {
+    figure::text_width(text, figure::LETTERS).max(NARROWEST * text.chars().count() as f64)
 }

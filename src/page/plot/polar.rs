@@ -36,6 +36,24 @@ impl Polar {
         Polar { title: title.into(), label: label.into(), curves, marks: Vec::new(), directions: directions.into() }
     }
 
+    /// Marks the crank angles 0°, 90°, 180° and 270° along a curve through equal steps of a revolution; those at one place
+    /// share a mark. Nothing where the curve never leaves the centre.
+    pub fn mark_quarters(&mut self, tips: &[(f64, f64)], steps: usize) {
+        let farthest = tips.iter().map(|(right, up)| right.hypot(*up)).fold(0.0, f64::max);
+        let mut marks: Vec<((f64, f64), Vec<String>)> = Vec::new();
+        for quarter in 0..4 {
+            let Some(&tip) = tips.get(quarter * steps / 4) else { continue };
+            let near = |at: &(f64, f64)| (at.0 - tip.0).hypot(at.1 - tip.1) < farthest / RADIUS;
+            let name = format!("{}°", 90 * quarter);
+            match marks.iter_mut().find(|(at, _)| near(at)) {
+                Some((_, names)) => names.push(name),
+                None => marks.push((tip, vec![name])),
+            }
+        }
+        let mark = |(at, names): ((f64, f64), Vec<String>)| PointMark::ring(at, format!("θ = {}", names.join(", ")));
+        self.marks.extend(marks.into_iter().filter(|_| farthest > 0.0).map(mark));
+    }
+
     /// The drawing, 110 mm wide and about as high.
     pub fn figure(&self) -> Figure {
         let keys = Key::all(&self.curves, &self.marks);

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::super::block::{Block, Document, Fold, Picture, Table};
+use super::super::block::{Block, Document, Fold, Live, Picture, Table};
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
@@ -20,6 +20,9 @@ pub(super) struct Composer<'a> {
     folds: Vec<Folded>,
     /// Headings so far.
     headings: Vec<Heading>,
+    /// What parts that move look like, and what moves them, each once.
+    styles: Vec<&'static str>,
+    scripts: Vec<&'static str>,
 }
 
 #[derive(Clone, Serialize)]
@@ -28,6 +31,7 @@ struct Heading {
     text: String,
     /// The name that links lead to.
     id: String,
+    number: usize,
 }
 
 #[derive(Serialize)]
@@ -47,6 +51,8 @@ struct Whole<'a> {
     folds: &'a [Folded],
     stamp: Option<String>,
     fragment: bool,
+    styles: &'a [&'static str],
+    scripts: &'a [&'static str],
 }
 
 #[derive(Serialize)]
@@ -57,7 +63,15 @@ struct Drawn {
 
 impl<'a> Composer<'a> {
     pub fn new(writer: &'a dyn Writer, options: &'a Options) -> Self {
-        Composer { writer, options, files: Vec::new(), folds: Vec::new(), headings: Vec::new() }
+        Composer {
+            writer,
+            options,
+            files: Vec::new(),
+            folds: Vec::new(),
+            headings: Vec::new(),
+            styles: Vec::new(),
+            scripts: Vec::new(),
+        }
     }
 
     fn fill(&self, template: &str, values: &impl Serialize) -> String {
@@ -80,6 +94,8 @@ impl<'a> Composer<'a> {
             folds: &self.folds,
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
+            styles: &self.styles,
+            scripts: &self.scripts,
         };
         self.fill("document", &whole)
     }
@@ -101,7 +117,7 @@ impl<'a> Composer<'a> {
         match block {
             Block::Heading(level, text) => {
                 let id = self.free_id(&plain(text));
-                let heading = Heading { level: *level, text: self.text(text), id };
+                let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
@@ -119,6 +135,7 @@ impl<'a> Composer<'a> {
             Block::Table(table) => self.table(table),
             Block::Pictures(pictures) => self.pictures(pictures),
             Block::Folded(fold) => self.folded(fold),
+            Block::Live(live) => self.live(live),
             Block::Verbatim(language, file) => {
                 #[derive(Serialize)]
                 struct Verbatim<'a> {
@@ -172,6 +189,17 @@ impl<'a> Composer<'a> {
         self.fill("pictures", &Beside { pictures: drawn })
     }
 
+    fn live(&mut self, live: &Live) -> String {
+        if !self.writer.has_scripts() {
+            return String::new();
+        }
+        if !self.scripts.contains(&live.script) {
+            self.styles.push(live.style);
+            self.scripts.push(live.script);
+        }
+        live.body.clone()
+    }
+
     fn folded(&mut self, fold: &Fold) -> String {
         let folded = Folded {
             summary: self.text(&fold.summary),
@@ -206,6 +234,7 @@ impl<'a> Composer<'a> {
                 }
                 Number::Decimal(decimal) => writer.words(&number::approximate(*decimal)),
             },
+            Piece::Form(form) => writer.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
                 Some([tex, plain]) => format!("{} {}", writer.exact(&tex, &plain), writer.words(&bearing.degrees())),
                 None => writer.words(&bearing.degrees()),

@@ -57,6 +57,10 @@ impl Writer for Html {
         text::harmless_lines(file.written()).lines().map(text::xml).collect()
     }
 
+    fn has_scripts(&self) -> bool {
+        true
+    }
+
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>) {
         (svg(&picture.figure, caption), None)
     }

@@ -130,6 +130,10 @@ trait Writer {
     fn paragraph(&self, text: String) -> String {
         text
     }
+    /// Whether a reader's page runs scripts.
+    fn has_scripts(&self) -> bool {
+        false
+    }
     /// Whether what is folded stands at the end.
     fn folds_at_end(&self) -> bool {
         false

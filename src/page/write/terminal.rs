@@ -82,6 +82,8 @@ impl Writer for Terminal {
                 false => Cell::new(text),
             }));
         }
+        // The space behind a word has no colour, so that it can be cut off.
+        table.style_text_only();
         if self.colour {
             table.enforce_styling();
         } else {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::super::calculation::plain;
 use super::super::residual::shape_name;
 use super::entry::{EngineRow, Left, Origin};
 use crate::engine::{Cycle, LengthUnit};
@@ -33,7 +34,7 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
                 origin.to_owned(),
                 engine.name.clone(),
                 engine.title.escaped(Format::Csv),
-                engine.firing.clone(),
+                plain(engine.firing.clone()),
                 engine.firing_order.clone(),
                 stars,
                 all,
@@ -42,8 +43,8 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
             ];
             fields.extend(amount(&order.force));
             fields.extend(amount(&order.moment));
-            fields.extend(engine.first_left.clone());
-            fields.push(engine.remedy.clone());
+            fields.extend(engine.first_left.clone().map(plain));
+            fields.push(plain(engine.remedy.clone()));
             let quoted: Vec<String> = fields.iter().map(|field| text::field(field)).collect();
             // Writing to a string cannot fail.
             let _ = writeln!(lines, "{}", quoted.join(","));

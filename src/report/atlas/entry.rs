@@ -5,6 +5,7 @@ use super::super::{engine_cells, residual, typeset};
 use super::{ORDERS, REMEDIED};
 use crate::engine::{BuildError, Cycle, Engine, LengthUnit};
 use crate::order::Masses;
+use crate::page::Text;
 use crate::proof::Quantity;
 use crate::proof::Shape;
 use crate::remedy::{self, Wish};
@@ -29,15 +30,15 @@ pub(super) struct EngineRow {
     /// Title in the catalogue, or throws.
     pub title: Untrusted,
     /// `even, 180°`.
-    pub firing: String,
+    pub firing: Text,
     /// Cylinders in the order in which they fire, where it is known.
     pub firing_order: String,
     /// How many stars are as good.
     pub ties: Option<Ties>,
     /// What is left at [`ORDERS`].
     pub orders: Vec<Order>,
-    pub first_left: [String; 2],
-    pub remedy: String,
+    pub first_left: [Text; 2],
+    pub remedy: Text,
     /// What positions are counted in.
     pub unit: LengthUnit,
 }

@@ -18,7 +18,7 @@ pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
 }
 
 /// What stands first: the largest force, and what the tables count in.
-fn answer(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
+pub(in crate::report) fn answer(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
     let largest = match (worst(continuous), worst(determinate)) {
         (Some(continuous), Some(determinate)) => {
             phrase!("Largest force: {}; by the determinate approximation {}.", continuous, determinate)

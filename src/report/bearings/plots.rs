@@ -25,7 +25,10 @@ pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[Picture; 2]> {
 }
 
 fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
-    let caption = phrase!("Bearing {}: components of the force through a revolution", number);
+    let caption = phrase!(
+        "Bearing {}: components of the force through a revolution, y upwards in direction 0 (solid), x to the right (dashed)",
+        number
+    );
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
     let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear(format!("Force in {}", unit.name)));
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
@@ -37,18 +40,17 @@ fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
 }
 
 fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> Picture {
-    let caption = phrase!("Bearing {}: polar diagram of the force, seen from the free end", number);
+    let caption = phrase!(
+        "Bearing {}: path of the tip of the force through a revolution, seen from the free end, direction 0 upwards. Rings \
+         mark crank angles, the dot the largest force.",
+        number
+    );
     let label = format!("Force in {}; 0° is the reference direction", unit.name);
-    let quarters = [(0, "θ = 0"), (1, "90"), (2, "180"), (3, "270")];
-    let rings = quarters.map(|(quarter, name)| PointMark::ring(tips[quarter * STEPS / 4], name));
-    let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips)]);
-    // Where nothing is felt all rings would stand at the centre.
-    if bearing.peak.value > 0.0 {
-        polar.marks.extend(rings);
-    }
+    let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())]);
+    polar.mark_quarters(&tips, STEPS);
     let tip = bearing.peak.vector * unit.factor;
     if let Some(angle) = bearing.peak.angle {
-        polar.marks.push(PointMark::dot((-tip.im, tip.re), format!("θ = {angle:.0}°")));
+        polar.marks.push(PointMark::dot((-tip.im, tip.re), format!("largest, θ ≈ {angle:.0}°")));
     }
     Picture { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() }
 }

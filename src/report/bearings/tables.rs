@@ -10,7 +10,7 @@ use crate::page::{Number, Table, Text, phrase};
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
 pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Table {
     let unit = amounts::unit_of(continuous);
-    let mut table = Table::new([
+    let mut rows = Table::new([
         "Bearing".into(),
         table::position_heading(engine),
         phrase!("Peak of R in {}", unit.name),
@@ -24,9 +24,9 @@ pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, deter
         if loads.worst.contains(&index) { phrase!("{}, worst", size) } else { size }
     };
     for (index, bearing) in continuous.bearings.iter().enumerate() {
-        table.push(vec![
+        rows.push(vec![
             (index + 1).into(),
-            Number::exact(&bearing.position).into(),
+            table::position(engine, &bearing.position),
             marked(continuous, index),
             amounts::angle(&bearing.peak),
             amounts::size(&bearing.along, unit),
@@ -34,7 +34,7 @@ pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, deter
             marked(determinate, index),
         ]);
     }
-    table
+    rows
 }
 
 /// The largest value of each order of each reaction: a row per bearing, a column per order.
@@ -91,10 +91,10 @@ fn exact(sum: &OrderSum) -> Text {
 /// The part of a unit load that each bearing carries: a row a position of a load.
 pub(super) fn parts(engine: &Engine, loads: &BearingLoads) -> Table {
     let bearings = (1..=loads.bearings.len()).map(|number| phrase!("Bearing {}", number));
-    let mut table = Table::new([table::load_heading(engine)].into_iter().chain(bearings));
+    let mut rows = Table::new([table::load_heading(engine)].into_iter().chain(bearings));
     for (position, parts) in loads.parts.iter().rev() {
-        let cells = [position].into_iter().chain(parts).map(|value| Number::exact(value).into());
-        table.push(cells.collect());
+        let cells = parts.iter().map(|part| Number::exact(part).into());
+        rows.push([table::position(engine, position)].into_iter().chain(cells).collect());
     }
-    table
+    rows
 }

@@ -21,6 +21,11 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
+    /// As a page shows it.
+    pub fn shown(self) -> crate::page::Unit {
+        crate::page::Unit { name: self.name, tex: self.tex }
+    }
+
     /// The unit of forces: newtons where the scale is known.
     pub fn of_force(scale: Option<&Scale>) -> Self {
         match scale {

@@ -4,10 +4,10 @@ use crate::engine::Engine;
 use crate::loads::Loads;
 use crate::order::MassGroup;
 
-/// The equations with what they say, in TeX with their numbers.
-pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, String)> {
+/// The equations with what they say, in TeX, and their numbers.
+pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, String, u32)> {
     let offset = engine.has_offset();
-    let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\sin^2\\psi" };
+    let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\,{\\sin}^2\\psi" };
     let mut equations = vec![
         (
             "A piston stands, along its axis from the centre of the crankshaft, at",
@@ -58,6 +58,5 @@ pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, St
         ));
     }
     // The proofs hold (1) and (2).
-    let numbered = equations.into_iter().enumerate();
-    numbered.map(|(index, (words, tex))| (words, format!("{tex} \\tag{{{}}}", index + 3))).collect()
+    equations.into_iter().zip(3..).map(|((words, tex), number)| (words, tex, number)).collect()
 }

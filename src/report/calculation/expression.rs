@@ -3,8 +3,6 @@
 //! Figures are rounded to eight digits and the result is worked out from the rounded figures, so that a reader who
 //! types them in gets the printed result.
 
-use super::super::table::letters;
-
 /// An arithmetic expression that is printed twice, with symbols and with figures.
 #[derive(Clone, Debug)]
 pub(super) enum Expression {
@@ -203,4 +201,15 @@ fn scientific(value: f64, digits: usize) -> (String, i32) {
 fn trimmed(decimal: &str) -> String {
     let text = if decimal.contains('.') { decimal.trim_end_matches('0').trim_end_matches('.') } else { decimal };
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// Letters of a formula as it is set: braces are none, a TeX command is about one.
+fn letters(formula: &str) -> usize {
+    let mut count = 0;
+    let mut in_command = false;
+    for letter in formula.chars() {
+        in_command = letter == '\\' || in_command && letter.is_ascii_alphabetic();
+        count += usize::from(letter == '\\' || !in_command && !"{}$*".contains(letter));
+    }
+    count
 }

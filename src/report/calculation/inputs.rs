@@ -7,9 +7,10 @@ use super::expression::{Expression, Line, fraction, power, quantity};
 use crate::engine::{Engine, Given, Measure};
 use crate::exact::Turn;
 use crate::loads::{Loads, Scale};
+use crate::page::{Number, Table, Text, phrase};
 use crate::proof::Sense;
+use crate::report::table::{position, position_heading};
 use crate::report::typeset;
-use crate::text::Format;
 
 /// Lines are written for each cylinder only up to this many; beyond, the table of inputs holds the values.
 const MOST_LINES: usize = 12;
@@ -24,61 +25,70 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
         Measure::RodRatio => ("rod ratio", "\\lambda", ""),
         Measure::PinOffset => ("offset of the cylinder axis", "e", "m"),
         Measure::OffsetRatio => ("offset ratio", "\\delta", ""),
-        Measure::ReciprocatingMass => ("reciprocating mass of a cylinder", "m", "kg"),
+        Measure::ReciprocatingMass => ("reciprocating mass per cylinder", "m", "kg"),
         Measure::PistonMass => ("piston with rings", "m_{\\mathrm{P}}", "kg"),
         Measure::PinMass => ("piston pin", "m_{\\mathrm{B}}", "kg"),
         Measure::RodMass => ("rod", "m_{\\mathrm{R}}", "kg"),
         Measure::RodCentre => ("centre of gravity of the rod from its big end", "x_{\\mathrm{G}}", "m"),
-        Measure::RotatingMass => ("rotating mass at the crankpin, a cylinder", "m_{\\mathrm{rot}}", "kg"),
+        Measure::RotatingMass => ("rotating mass at the crankpin, per cylinder", "m_{\\mathrm{rot}}", "kg"),
     }
 }
 
-/// Rows of the table of inputs: quantity, symbol, value in SI units, as written, cylinder.
-pub(super) fn rows(engine: &Engine) -> Vec<Vec<String>> {
-    let row = |given: &Given| {
+/// The table of inputs: quantity, symbol, value in SI units, as written, cylinder.
+pub(super) fn table(engine: &Engine) -> Table {
+    let mut table = Table::new(["Quantity", "Symbol", "Value", "As written", "Cylinder"]);
+    for given in &engine.dimensions().given {
         let (name, symbol, unit) = words(given.quantity);
         let value = typeset::number(&given.value);
-        let of = given.cylinder.map_or("all".to_owned(), |index| engine.cylinders()[index].name.clone());
-        vec![
-            name.to_owned(),
-            format!("${symbol}$"),
-            format!("{value} {unit}").trim().to_owned(),
-            given.written.escaped(Format::Plain),
-            of,
-        ]
-    };
-    engine.dimensions().given.iter().map(row).collect()
+        table.push(vec![
+            name.into(),
+            Text::formula(symbol),
+            Text::label(format!("{value} {unit}").trim()),
+            (&given.written).into(),
+            given.cylinder.map_or("all".into(), |index| engine.cylinders()[index].name.clone().into()),
+        ]);
+    }
+    table
 }
 
-/// Rows of the table of turning masses: what, mass, radius, angle at θ = 0, position, speed.
-pub(super) fn turning(engine: &Engine) -> Vec<Vec<String>> {
+/// The masses on the crankshaft and the balancer shafts: what, mass, radius, angle at θ = 0, position, speed.
+pub(super) fn turning(engine: &Engine) -> Table {
+    let mut table = Table::new([
+        "Turning mass".into(),
+        "Mass in kg".into(),
+        "Radius in m".into(),
+        "Angle at θ = 0".into(),
+        position_heading(engine),
+        Text::from("Turns per revolution"),
+    ]);
     let crankshaft = engine.crankshaft();
-    let row = |name: String, mass: String, radius: String, angle: &Turn, position: &BigRational, speed: &str| {
-        vec![name, mass, radius, typeset::angle(angle), typeset::number(position), speed.to_owned()]
+    let mut row = |name: Text, mass: Text, radius: Text, angle: &Turn, place: &BigRational, speed: Text| {
+        table.push(vec![name, mass, radius, typeset::angle(angle).into(), position(engine, place), speed]);
     };
+    let number = |value: &BigRational| Text::from(Number::exact(value));
     let throws = crate::engine::throws(engine);
-    let named = |index: usize| format!("throw {}", index + 1);
-    let pins = crankshaft.pins.iter().zip(&throws).enumerate().map(|(index, (mass, throw))| {
-        row(format!("pin, {}", named(index)), typeset::number(mass), "r".into(), &throw.angle, &throw.position, "1")
-    });
-    let webs = crankshaft.webs.iter().zip(&throws).enumerate().map(|(index, (web, throw))| {
-        let (mass, radius) = (typeset::number(&web.mass), typeset::number(&web.radius));
-        row(format!("webs, {}", named(index)), mass, radius, &throw.angle, &throw.position, "1")
-    });
-    let weights = crankshaft.counterweights.iter().map(|weight| {
-        let of = weight.throw.map_or_else(String::new, |throw| format!(", {}", named(throw)));
-        let (mass, radius) = (typeset::number(&weight.mass), typeset::number(&weight.radius));
-        row(format!("counterweight{of}"), mass, radius, &weight.angle, &weight.position, "1")
-    });
-    let shafts = crankshaft.balancers.iter().map(|shaft| {
+    for (index, (mass, throw)) in crankshaft.pins.iter().zip(&throws).enumerate() {
+        let name = phrase!("pin, throw {}", index + 1);
+        row(name, number(mass), "r".into(), &throw.angle, &throw.position, 1_u32.into());
+    }
+    for (index, (web, throw)) in crankshaft.webs.iter().zip(&throws).enumerate() {
+        let name = phrase!("webs, throw {}", index + 1);
+        row(name, number(&web.mass), number(&web.radius), &throw.angle, &throw.position, 1_u32.into());
+    }
+    for weight in &crankshaft.counterweights {
+        let name = weight.throw.map(|throw| phrase!("counterweight, throw {}", throw + 1));
+        let name = name.unwrap_or_else(|| "counterweight".into());
+        row(name, number(&weight.mass), number(&weight.radius), &weight.angle, &weight.position, 1_u32.into());
+    }
+    for shaft in &crankshaft.balancers {
         let speed = match shaft.sense {
-            Sense::Direct => shaft.order.to_string(),
-            Sense::Reverse => format!("−{}", shaft.order),
+            Sense::Direct => Text::from(shaft.order),
+            Sense::Reverse => Text::label(format!("−{}", shaft.order)),
         };
-        let product = format!("{} kg·m", typeset::number(&shaft.mass_radius));
-        row("balancer shaft".into(), product, "–".into(), &shaft.angle, &shaft.position, &speed)
-    });
-    pins.chain(webs).chain(weights).chain(shafts).collect()
+        let product = phrase!("{} kg·m", number(&shaft.mass_radius));
+        row("balancer shaft".into(), product, "–".into(), &shaft.angle, &shaft.position, speed);
+    }
+    table
 }
 
 /// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².

@@ -5,6 +5,7 @@ use super::summary;
 use crate::accuracy::{Largest, LargestLoads};
 use crate::engine::Engine;
 use crate::loads::{self, Bound, LeftOut, Loads, Missing, Needed};
+use crate::page::{Text, phrase};
 use crate::proof::Quantity;
 
 /// The numbers of an engine, as pages and tables show them.
@@ -40,57 +41,63 @@ impl Numbers {
 }
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
-pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<String> {
+pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<Text> {
+    let unit = |quantity| Unit::of(engine, loads, quantity);
     let mut lines = vec![
-        line("force", &largest.force, Unit::of(engine, loads, Quantity::Force)),
-        line("moment", &largest.moment, Unit::of(engine, loads, Quantity::Moment)),
+        phrase!("Largest force: {}.", value(&largest.force, unit(Quantity::Force))),
+        phrase!("Largest moment: {}.", value(&largest.moment, unit(Quantity::Moment))),
     ];
     let torque = largest.torque.iter();
-    lines.extend(torque.map(|torque| line("inertia torque", torque, Unit::of(engine, loads, Quantity::Torque))));
+    lines.extend(torque.map(|torque| phrase!("Largest inertia torque: {}.", value(torque, unit(Quantity::Torque)))));
     lines
 }
 
-fn line(name: &str, largest: &Largest, unit: Unit) -> String {
-    let words = match largest {
-        Largest::Zero => "0, at every order, proved".to_owned(),
-        _ if unit.factor == 0.0 => "0".to_owned(),
+fn value(largest: &Largest, unit: Unit) -> Text {
+    match largest {
+        Largest::Zero => "0, at every order, proved".into(),
+        _ if unit.factor == 0.0 => Text::zero(),
         Largest::Known { value, angle, error } => {
-            let place = match angle {
-                Some(angle) => format!("at θ ≈ {}°", digits(*angle)),
-                None => "at every crank angle".to_owned(),
-            };
-            let part = percent(error / value);
-            format!(
-                "≈ {} {} {place}, of the exact motion with all orders, to within {part} %",
-                digits(value * unit.factor),
-                unit.name
-            )
+            let (size, part) = (digits(value * unit.factor), percent(error / value));
+            match angle {
+                Some(angle) => phrase!(
+                    "≈ {} {} at θ ≈ {}°, of the exact motion with all orders, to within {} %",
+                    size,
+                    unit.name,
+                    digits(*angle),
+                    part
+                ),
+                None => phrase!(
+                    "≈ {} {} at every crank angle, of the exact motion with all orders, to within {} %",
+                    size,
+                    unit.name,
+                    part
+                ),
+            }
         }
         Largest::Below(bound) => {
-            format!("below {} {}, and not proved to be 0", digits((bound * unit.factor).next_up()), unit.name)
+            phrase!("below {} {}, and not proved to be 0", digits((bound * unit.factor).next_up()), unit.name)
         }
-    };
-    format!("Largest {name}: {words}.")
+    }
 }
 
 /// What the orders that are shown come to by themselves, where that is not the largest value of all.
-pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Option<String> {
+pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Option<Text> {
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref());
     let swings = [
-        ("force", loads.force.peak(), largest.force, Quantity::Force),
-        ("moment", loads.moment.peak(), largest.moment, Quantity::Moment),
+        ("force {}", loads.force.peak(), largest.force, Quantity::Force),
+        ("moment {}", loads.moment.peak(), largest.moment, Quantity::Moment),
     ];
     let torque =
-        torque.map(|(torque, largest)| ("inertia torque", torque.waveform.real_peak(), *largest, Quantity::Torque));
-    let differ = swings.into_iter().chain(torque).filter_map(|(name, peak, largest, quantity)| {
+        torque.map(|(torque, largest)| ("inertia torque {}", torque.waveform.real_peak(), *largest, Quantity::Torque));
+    let differ = swings.into_iter().chain(torque).filter_map(|(words, peak, largest, quantity)| {
         let Largest::Known { value, error, .. } = largest else { return None };
         let unit = Unit::of(engine, loads, quantity);
         ((peak.value - value).abs() > error + NOTICED * value && unit.factor != 0.0)
-            .then(|| format!("{name} {}", summary::peak(&peak, unit)))
+            .then(|| phrase!(words, summary::peak(&peak, unit)))
     });
-    let differ: Vec<String> = differ.collect();
+    let differ: Vec<Text> = differ.collect();
     (!differ.is_empty())
-        .then(|| format!("The orders listed come to less or more by themselves: {}.", differ.join(", ")))
+        .then(|| phrase!("The orders listed come to less or more by themselves: {}.", Text::joined(differ, ", ")))
 }
 
 /// A difference of this part is shown.
@@ -101,46 +108,45 @@ pub(super) fn chosen_lines(
     engine: &Engine,
     Numbers { loads, left, .. }: &Numbers,
     needed: Option<&Needed>,
-) -> Vec<String> {
+) -> Vec<Text> {
     let list = |orders: &[u32]| match orders {
-        [] => "none".to_owned(),
-        orders => orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", "),
+        [] => Text::from("none"),
+        orders => orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ").into(),
     };
     let mut lines = Vec::new();
     if let Some(needed) = needed {
-        let torque = loads.torque.as_ref().map(|_| {
-            format!("; of the torque {}, left out {}", list(&needed.torque_kept), list(&needed.torque_dropped))
-        });
-        let reached = if needed.reached { "It is reached" } else { "It is not reached" };
-        lines.push(format!(
-            "Orders kept for an accuracy of {} % of each peak: {}; left out: {}{}, and all above {}. {reached}.",
+        lines.push(phrase!(
+            "Orders kept for an accuracy of {} % of each peak: {}; left out: {}, and all above {}.",
             percent(needed.accuracy),
             list(&needed.kept),
             list(&needed.dropped),
-            torque.unwrap_or_default(),
             needed.looked_at
         ));
+        lines.extend(loads.torque.as_ref().map(|_| {
+            phrase!("Of the torque: {}; left out: {}.", list(&needed.torque_kept), list(&needed.torque_dropped))
+        }));
+        lines.push(if needed.reached { "It is reached." } else { "It is not reached." }.into());
     }
-    let bound = |name: &str, bound: &Option<Bound>, quantity: Quantity| {
+    let bound = |[of_peak, alone]: [&'static str; 2], bound: &Option<Bound>, quantity: Quantity| {
         let bound = bound.as_ref()?;
         let unit = Unit::of(engine, loads, quantity);
         Some(match bound.part() {
-            Some(part) => format!("{} % of the peak {name}", percent(part)),
-            None => format!(
-                "{} {} of {name}, which may be all of it",
-                digits((bound.most * unit.factor).next_up()),
-                unit.name
-            ),
+            Some(part) => phrase!(of_peak, percent(part)),
+            None => phrase!(alone, digits((bound.most * unit.factor).next_up()), unit.name),
         })
     };
     let bounds = [
-        bound("force", &left.force, Quantity::Force),
-        bound("moment", &left.moment, Quantity::Moment),
-        bound("inertia torque", &left.torque, Quantity::Torque),
+        bound(["{} % of the peak force", "{} {} of force, which may be all of it"], &left.force, Quantity::Force),
+        bound(["{} % of the peak moment", "{} {} of moment, which may be all of it"], &left.moment, Quantity::Moment),
+        bound(
+            ["{} % of the peak inertia torque", "{} {} of inertia torque, which may be all of it"],
+            &left.torque,
+            Quantity::Torque,
+        ),
     ];
-    let bounds: Vec<String> = bounds.into_iter().flatten().collect();
+    let bounds: Vec<Text> = bounds.into_iter().flatten().collect();
     if !bounds.is_empty() {
-        lines.push(format!("What is not listed adds at most {}.", bounds.join(", ")));
+        lines.push(phrase!("What is not listed adds at most {}.", Text::joined(bounds, ", ")));
     }
     lines
 }

@@ -9,6 +9,7 @@ use crate::loads::{Harmonic, Loads, OrderLoads, Outcome, Swing, Vector, Waveform
 use crate::motion;
 use crate::numbers;
 use crate::order;
+use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Sense};
 
 /// Most terms of the series of a coefficient that are printed.
@@ -18,7 +19,7 @@ const SMALLEST_TAIL: f64 = 2e-7;
 
 /// Lines with what they are about.
 pub(super) struct Group {
-    pub heading: String,
+    pub heading: Text,
     pub lines: Vec<Line>,
 }
 
@@ -42,7 +43,7 @@ fn of_order(engine: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group>
         lines.extend(extremes(engine, loads, order.order, quantity, swing));
         lines.extend(textbook(engine, loads, order, quantity, swing));
     }
-    Some(Group { heading: format!("Order {}", order.order), lines })
+    Some(Group { heading: phrase!("Order {}", order.order), lines })
 }
 
 /// `c_2 = λ + λ³/4 + …` of equal centric cranks; the value alone where the series is long or the crank offset.
@@ -229,7 +230,7 @@ pub(super) fn peak(engine: &Engine, loads: &Loads, of: Quantity) -> Option<Group
         let expression = Expression::Root(Box::new(Expression::Sum(squares)));
         lines.push(Line { symbol: format!("\\hat {letter}"), expression, unit: unit.tex });
     }
-    Some(Group { heading: String::new(), lines })
+    Some(Group { heading: Text::default(), lines })
 }
 
 /// `A_k cos(kθ + ε_k)` of one component: along direction 0, or across it.
@@ -297,5 +298,5 @@ pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
         let symbol = format!("\\hat T_{{{k}}}");
         lines.push(Line { symbol, expression: Expression::Product(factors), unit: unit.tex });
     }
-    Some(Group { heading: "Inertia torque".to_owned(), lines })
+    Some(Group { heading: "Inertia torque".into(), lines })
 }

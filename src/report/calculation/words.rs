@@ -5,48 +5,48 @@ use super::inputs;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
 use crate::order::MassGroup;
+use crate::page::{Table, Text, phrase};
 
 /// What every number rests on.
-pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<String> {
+pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let mut lines = vec![
-        "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".to_owned(),
-        "All clearances are zero, and gravity and friction are left out.".to_owned(),
+        "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".into(),
+        "All clearances are zero, and gravity and friction are left out.".into(),
     ];
     let given = |measure: Measure| engine.dimensions().given.iter().any(|given| given.quantity == measure);
     if given(Measure::RodMass) {
         lines.push(
-            "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; its own moment of inertia is not met exactly by them.".to_owned(),
+            "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; its own moment of inertia is not met exactly by them.".into(),
         );
     } else {
         lines.push(
-            "The masses are given as reciprocating and rotating ones; how the rod is split is the giver's.".to_owned(),
+            "The masses are given as reciprocating and rotating ones; how the rod is split is the giver's.".into(),
         );
     }
     if loads.groups.len() == 1 {
-        lines.push(
-            "No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".to_owned(),
-        );
+        lines.push("No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".into());
     }
     if !engine.has_offset() {
-        lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".to_owned());
+        lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".into());
     }
     let common_axis = engine.form() == crate::engine::Form::Radial;
     if common_axis {
-        lines.push("All rods of a row work on the crankpin itself: no articulated rods.".to_owned());
+        lines.push("All rods of a row work on the crankpin itself: no articulated rods.".into());
     }
     if Arm::of(engine) == Arm::Spacing {
         lines.push(
             "The file does not say how far apart the cylinders stand: moments are in newtons times that spacing a."
-                .to_owned(),
+                .into(),
         );
     }
     lines
 }
 
 /// Symbols with their meaning and unit.
-pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Vec<Vec<String>> {
-    let row =
-        |symbol: &str, meaning: &str, unit: &str| vec![format!("${symbol}$"), meaning.to_owned(), unit.to_owned()];
+pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
+    let row = |symbol: &str, meaning: &'static str, unit: &'static str| -> Vec<Text> {
+        vec![Text::formula(symbol), meaning.into(), unit.into()]
+    };
     let mut rows = vec![
         row("\\theta", "crank angle of the reference throw", "°"),
         row("\\alpha,\\ \\beta", "angle of a cylinder axis; of its throw", "°"),
@@ -68,7 +68,7 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Vec<Vec<String>> {
         rows.push(row("\\lambda", "rod ratio r/l", "–"));
     }
     if !has(Measure::ReciprocatingMass) && engine.dimensions().mass.is_some() {
-        rows.push(row("m", "reciprocating mass of a cylinder", "kg"));
+        rows.push(row("m", "reciprocating mass per cylinder", "kg"));
     }
     if engine.has_offset() && !has(Measure::OffsetRatio) {
         rows.push(row("\\delta", "offset ratio e/l", "–"));
@@ -87,7 +87,7 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Vec<Vec<String>> {
         rows.push(row("t_k,\\ Q_k", "coefficient and star of the inertia torque", "–"));
         rows.push(row("\\hat T_k", "amplitude of order k of the inertia torque", "N m"));
     }
-    rows
+    Table { rows, ..Table::new(["Symbol", "Meaning", "Unit"]) }
 }
 
 /// A row of the table of effects.
@@ -97,7 +97,7 @@ pub(super) struct EffectRow {
     /// Whether the file asks for it.
     pub inside: bool,
     /// Why, or why not.
-    pub why: String,
+    pub why: Text,
     /// The group of masses that its shares are those of, if any.
     pub group: Option<MassGroup>,
 }
@@ -108,16 +108,16 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
     let masses = MassGroup::ALL.into_iter().map(|group| {
         let inside = loads.groups.iter().any(|loads| loads.group == group);
         let why = match (group, inside) {
-            (MassGroup::Reciprocating, _) => format!("orders {}", orders.join(", ")),
-            (_, true) => "given in the file".to_owned(),
-            (_, false) => "none given".to_owned(),
+            (MassGroup::Reciprocating, _) => phrase!("orders {}", orders.join(", ")),
+            (_, true) => "given in the file".into(),
+            (_, false) => "none given".into(),
         };
         EffectRow { name: group_words(group), inside, why, group: Some(group) }
     });
-    let row = |name, inside: bool, yes: &str, no: &str| EffectRow {
+    let row = |name, inside: bool, yes: &'static str, no: &'static str| EffectRow {
         name,
         inside,
-        why: if inside { yes } else { no }.to_owned(),
+        why: if inside { yes } else { no }.into(),
         group: None,
     };
     let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses();
@@ -132,16 +132,16 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
 }
 
 /// Where the numbers end.
-pub(super) fn limits(engine: &Engine, loads: &Loads) -> Vec<String> {
+pub(super) fn limits(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
-        format!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),
-        "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts, but their torque does.".to_owned(),
-        "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".to_owned(),
-        "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".to_owned(),
+        phrase!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),
+        "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts, but their torque does.".into(),
+        "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".into(),
+        "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".into(),
     ];
     if engine.dimensions().given.iter().any(|given| given.quantity == Measure::RodMass) {
-        lines.push("The inertia torque of a real rod differs from that of its two masses by the error of their moment of inertia.".to_owned());
+        lines.push("The inertia torque of a real rod differs from that of its two masses by the error of their moment of inertia.".into());
     }
     lines
 }

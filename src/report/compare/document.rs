@@ -1,11 +1,12 @@
 //! What does `compare --json` hold? Each engine with its verdicts, exact and in decimals, remedy, firing and bearings.
 
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 use serde::Serialize;
 
+use super::super::calculation::plain;
 use super::super::{document, engine_cells, residual};
-use super::rows::decimal;
-use super::{Compared, orders_of};
+use super::{Compared, notes, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
 use crate::proof::{Document, Format, Quantity, Shape};
@@ -111,14 +112,14 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
         format: Format::Compare,
         orders: orders_of(engines),
         amplitudes: "zero-to-peak",
-        notes: super::compare_lines(engines),
+        notes: notes::notes(engines).into_iter().map(plain).collect(),
         engines: engines.iter().map(engine).collect(),
         evidence: engines.iter().map(evidence).collect(),
     }
 }
 
 fn engine(engine: &Compared) -> EngineEntry {
-    let [first_force_left, first_moment_left] = engine_cells::first_left(&engine.theorem);
+    let [first_force_left, first_moment_left] = engine_cells::first_left(&engine.theorem).map(plain);
     let full = BigRational::from_integer(360.into());
     let firing = engine.engine.firing().map(|firing| Firing {
         even: firing.is_even(),
@@ -136,7 +137,7 @@ fn engine(engine: &Compared) -> EngineEntry {
         orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
-        remedy: engine_cells::remedy(&engine.remedy),
+        remedy: plain(engine_cells::remedy(&engine.remedy)),
         newtons: newtons(engine),
         worst_bearings: engine.bearings.as_ref().ok().map(worst),
     }
@@ -190,4 +191,9 @@ fn worst(loads: &BearingLoads) -> Worst {
         peak: peak * scale.map_or(1.0, |scale| scale.force()),
         unit: if scale.is_some() { "N" } else { "m r ω²" },
     }
+}
+
+/// An angle for other programs.
+fn decimal(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
 }

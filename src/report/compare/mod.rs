@@ -1,14 +1,13 @@
 //! How do engines compare? Side by side: what each leaves by order, the remedy, the firing, the main bearings.
 
 mod document;
+mod notes;
 mod page;
 mod rows;
 
 pub use document::{CompareDocument, compare_document};
-pub use page::compare_page;
-pub use rows::{compare_lines, compare_rows};
+pub use page::{compare_answer, compare_page};
 
-use super::engine_cells;
 use crate::engine::{Engine, NotAnOrder};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
@@ -68,10 +67,6 @@ impl<'a> Compared<'a> {
     fn has_newtons(&self) -> bool {
         let scaled = self.loads.as_ref().is_ok_and(|loads| loads.scale.is_some());
         scaled && loads::Arm::of(self.engine) == loads::Arm::Metre
-    }
-
-    fn firing(&self) -> String {
-        engine_cells::firing(self.engine.firing())
     }
 }
 

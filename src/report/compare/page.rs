@@ -1,51 +1,145 @@
-//! What stands on the page of a comparison? The table, and small multiples of the vector stars.
+//! What stands on the page of a comparison, and on the terminal? The answer, the vector stars, the table, how it is read.
 
-use serde::Serialize;
-
-use super::super::dialect::Dialect;
-use super::super::folder::File;
+use super::super::calculation::Unit;
 use super::super::multiples::{self, Column};
-use super::super::{render, residual, svg};
-use super::{Compared, compare_lines, compare_rows, orders_of};
+use super::super::residual;
+use super::{Compared, notes, orders_of, rows};
+use crate::loads::OrderLoads;
+use crate::page::{Block, Document, Number, Picture, Text, phrase};
+use crate::proof::Quantity;
 use crate::text::Format;
-use crate::verdict::OrderBalance;
+use crate::verdict::{EveryOrder, OrderBalance, Theorem};
 
-#[derive(Serialize)]
-struct Page {
-    header: Vec<String>,
-    rows: Vec<Vec<String>>,
-    lines: Vec<String>,
-    stars: Vec<Drawing>,
-}
+/// Engines that stand beside each other on a terminal; more begin a new table.
+const MOST_BESIDE: usize = 3;
 
-#[derive(Serialize)]
-struct Drawing {
-    order: u32,
-    file: String,
-    caption: String,
-}
-
-/// `compare.md` and the stars of each order, an SVG file per order.
-pub fn compare_page(engines: &[Compared]) -> Vec<File> {
-    let dialect = Dialect::GithubMarkdown;
-    let table = compare_rows(engines);
-    let (mut drawings, mut files) = (Vec::new(), Vec::new());
-    for order in orders_of(engines) {
-        let columns: Vec<Column> = engines.iter().flat_map(|engine| columns(engine, order)).collect();
-        let drawing = Drawing { order, file: format!("stars-order-{order}.svg"), caption: caption(order) };
-        files.push(File { name: drawing.file.clone(), text: svg(&multiples::multiples(&columns), &drawing.caption) });
-        drawings.push(drawing);
+/// The short answer: what each engine leaves, and the tables.
+pub fn compare_answer(engines: &[Compared]) -> Document {
+    let mut page = Document::new("compare", "Comparison");
+    page.push(Block::Answer(answer(engines)));
+    for shown in engines.chunks(MOST_BESIDE) {
+        page.push(rows::table(engines, shown));
     }
-    // All cells may hold names and titles, which are a person's.
-    let quoted = |cells: Vec<String>| cells.iter().map(|cell| dialect.literal(cell)).collect::<Vec<_>>();
-    let page = Page {
-        header: quoted(table.header),
-        rows: table.rows.into_iter().map(quoted).collect(),
-        lines: compare_lines(engines).iter().map(|line| dialect.literal(line)).collect(),
-        stars: drawings,
+    page.push(Block::List(notes::notes(engines)));
+    page
+}
+
+/// The page, with the stars of each order in one picture.
+pub fn compare_page(engines: &[Compared]) -> Document {
+    let mut page = Document::new("compare", "Comparison");
+    page.push(Block::Answer(answer(engines)));
+    page.push(Block::Heading(1, "Vector stars".into()));
+    for order in orders_of(engines) {
+        page.push(stars(engines, order));
+    }
+    page.push(Block::Heading(1, "Side by side".into()));
+    page.push(rows::table(engines, engines));
+    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::List(notes::notes(engines)));
+    page
+}
+
+/// What stands first: a line per engine, and which of them is balanced up to the highest order.
+fn answer(engines: &[Compared]) -> Vec<Text> {
+    let mut lines: Vec<Text> = furthest(engines).into_iter().collect();
+    lines.extend(engines.iter().map(left));
+    if engines.iter().all(Compared::has_newtons) {
+        lines.extend(engines.iter().filter_map(largest));
+    }
+    lines
+}
+
+/// The engines that leave nothing up to the highest order, where every order of all is known and they are not all alike.
+fn furthest(engines: &[Compared]) -> Option<Text> {
+    let lowest = |engine: &Compared| Some(lowest_left(engine.theorem.as_ref().ok()?).unwrap_or(u32::MAX));
+    let lowest: Vec<u32> = engines.iter().map(lowest).collect::<Option<_>>()?;
+    let highest = lowest.iter().copied().max()?;
+    let best: Vec<&Compared> =
+        engines.iter().zip(&lowest).filter(|(_, order)| **order == highest).map(|(engine, _)| engine).collect();
+    let names = Text::joined(best.iter().map(|engine| (&engine.name).into()), ", ");
+    match (best.len(), highest) {
+        (several, _) if several == engines.len() => None,
+        (_, u32::MAX) => Some(phrase!("Balanced at every order: {}.", names)),
+        (_, order) => Some(phrase!("Balanced furthest: {}, with nothing left below order {}.", names, order)),
+    }
+}
+
+/// The lowest order at which anything is left.
+fn lowest_left(theorem: &Theorem) -> Option<u32> {
+    [&theorem.force, &theorem.moment].into_iter().filter_map(first).map(|(order, _)| order).min()
+}
+
+fn first(every: &EveryOrder) -> Option<(u32, &'static str)> {
+    every.first.as_ref().map(|first| (first.direct.order, residual::shape_name(first.shape)))
+}
+
+/// What an engine leaves of all orders.
+fn left(engine: &Compared) -> Text {
+    let name = &engine.name;
+    let Ok(theorem) = &engine.theorem else {
+        return phrase!("**{}**: nothing is stated on every order; the table has the orders that are compared.", name);
     };
-    files.insert(0, File { name: "compare.md".into(), text: render::compare(&page) });
-    files
+    match (first(&theorem.force), first(&theorem.moment)) {
+        (None, None) => phrase!("**{}** leaves neither force nor moment, at any order.", name),
+        (Some((order, shape)), None) => {
+            phrase!("**{}** leaves a force from order {} on, {}, and no moment at any order.", name, order, shape)
+        }
+        (None, Some((order, shape))) => {
+            phrase!("**{}** leaves a moment from order {} on, {}, and no force at any order.", name, order, shape)
+        }
+        (Some((force, force_shape)), Some((moment, moment_shape))) => phrase!(
+            "**{}** leaves a force from order {} on, {}, and a moment from order {} on, {}.",
+            name,
+            force,
+            force_shape,
+            moment,
+            moment_shape
+        ),
+    }
+}
+
+/// The order with the largest force and that with the largest moment, in newtons.
+fn largest(engine: &Compared) -> Option<Text> {
+    let loads = engine.loads.as_ref().ok()?;
+    let of = |quantity: Quantity, value: fn(&OrderLoads) -> f64| {
+        let largest = loads.orders.iter().max_by(|one, other| value(one).total_cmp(&value(other)))?;
+        let unit = Unit::of(engine.engine, loads, quantity);
+        let size = Number::Decimal(value(largest) * unit.factor);
+        (value(largest) * unit.factor > 0.0).then_some((size, largest.order))
+    };
+    let (name, speed) = (&engine.name, rows::speed(engine));
+    let force = of(Quantity::Force, |loads| loads.force.largest());
+    let moment = of(Quantity::Moment, |loads| loads.moment.largest());
+    Some(match (force, moment) {
+        (None, None) => phrase!("**{}** at {} rpm: no force and no moment at these orders.", name, speed),
+        (Some((size, order)), None) => {
+            phrase!("**{}** at {} rpm: the largest force is {} N, of order {}; no moment.", name, speed, size, order)
+        }
+        (None, Some((size, order))) => {
+            phrase!("**{}** at {} rpm: the largest moment is {} N·m, of order {}; no force.", name, speed, size, order)
+        }
+        (Some((force, of_force)), Some((moment, of_moment))) => phrase!(
+            "**{}** at {} rpm: the largest force is {} N, of order {}, the largest moment {} N·m, of order {}.",
+            name,
+            speed,
+            force,
+            of_force,
+            moment,
+            of_moment
+        ),
+    })
+}
+
+fn stars(engines: &[Compared], order: u32) -> Picture {
+    let columns: Vec<Column> = engines.iter().flat_map(|engine| columns(engine, order)).collect();
+    Picture {
+        name: format!("stars-order-{order}"),
+        caption: phrase!(
+            "Vector stars of order {}: force above moment, each to one scale where units are the same. Blue, orange and green polygons sum to zero; a red arrow is what is left.",
+            order
+        ),
+        figure: multiples::multiples(&columns),
+    }
 }
 
 fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<'a>> {
@@ -55,10 +149,4 @@ fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<
     };
     let parts = engine.at(order).into_iter().flat_map(|judged| &judged.parts);
     parts.map(move |judged| Column { name: name(judged), engine: engine.engine, order: judged })
-}
-
-fn caption(order: u32) -> String {
-    format!(
-        "Vector stars of order {order}: force above moment, each to one scale where units are the same; blue, orange and green polygons sum to zero, a red arrow is what is left"
-    )
 }

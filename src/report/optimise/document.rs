@@ -4,10 +4,10 @@ use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::amounts::Units;
-use super::tables;
 use crate::engine::Engine;
 use crate::numbers;
 use crate::optimise::{Couple, Design, Front, Optimum, PlacedWeight, Residual, Uniform};
+use crate::page::Unit;
 
 /// The best crankshafts, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -77,15 +77,18 @@ struct UniformEntry {
 
 /// The best crankshafts as data.
 pub fn optimise_document(layout: &Engine, front: &Front, couple: &Couple) -> OptimiseDocument {
-    let units = tables::units(layout, front);
+    let units = Units::of(layout, front);
     OptimiseDocument {
         title: layout.title().written().to_owned(),
         couple_at_most: match couple {
             Couple::Zero => 0.0,
             Couple::AtMost(most) => most.to_f64().unwrap_or(f64::NAN),
         },
-        load_unit: units.force,
-        couple_unit: units.couple,
+        load_unit: units.force.name,
+        couple_unit: match units.couple == Unit::NEWTON_METRE {
+            true => Unit::NEWTON_METRE.name,
+            false => "m r ω² times the unit of the positions",
+        },
         points: front.points.iter().map(|entry| point(entry, units)).collect(),
         uniform: front.uniform.iter().map(|entry| uniform(entry, units)).collect(),
     }

@@ -1,139 +1,117 @@
-//! What stands on the page of the best crankshafts?
+//! What stands on the page of the best crankshafts, on the terminal, and on a page that holds several?
 
-use num_traits::ToPrimitive;
-use serde::Serialize;
-
-use super::super::calculation::Rows;
-use super::super::dialect::Dialect;
-use super::super::folder::File;
-use super::super::plot::{Axis, Curve, Plot, PointMark};
-use super::super::table::Table;
-use super::super::{render, svg};
-use super::{amounts, tables};
+use super::amounts::{self, Units};
+use super::{optimise_layouts, plot, tables};
 use crate::engine::Engine;
-use crate::optimise::{Couple, Design, Front};
-use crate::text::Format;
-
-#[derive(Serialize)]
-struct Page {
-    title: String,
-    summary: String,
-    front: Table,
-    weights: Table,
-    method: Vec<String>,
-    files: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Summary {
-    headline: Vec<String>,
-    compared: Option<Table>,
-    drawing: String,
-}
+use crate::optimise::{Couple, Front};
+use crate::page::{Block, Document, Text, number, phrase};
 
 const METHOD: [&str; 5] = [
-    "Chosen is the mass-radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its \
-     direction, told as the skew from opposite to its throw, positive ahead of it. A larger radius makes the same mass-radius of less mass, so that the \
+    "Chosen is the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its \
+     direction, told as the skew from opposite to its throw, positive ahead of it. A larger radius makes the same mass × radius of less mass, so that the \
      largest radius is always the best one.",
     "The mass is that of the source of the balance factors: the masses of the throws brought to their crank radii, half the reciprocating ones among them, and \
      the counterweights. The load is the largest force on any main bearing in a revolution, all orders together, on a continuous beam.",
-    "For a given mass this is a convex problem (a second-order cone program): every bearing load is affine in the mass-radii. Crank angles are sampled, and \
+    "For a given mass this is a convex problem (a second-order cone program): every bearing load is affine in the counterweights. Crank angles are sampled, and \
      those at which a solution peaks higher are added until peak and samples agree. The multipliers of the solution prove, by weak duality, how low any \
-     crankshaft of that mass could come: the figure after “proved least within”, reckoned in floats.",
-    "The solution is then rounded to whole steps of mass-radius, and two of the weights (one where a couple may be left) are solved anew, exactly, so that \
-     force and couple vanish: 0 is decided on the exact sums of the layout file of the point. A weight that no direction of the throws \
+     crankshaft of that mass could come: the column “above the least possible”, reckoned in floats.",
+    "The solution is then rounded to whole steps of mass × radius, and two of the weights (one where a couple may be left) are solved anew, exactly, so that \
+     force and couple vanish: a zero is decided on the exact sums of the layout file of the point. A weight that no direction of the throws \
      meets is written as parts along two of them.",
-    "Figures after ≈ have four digits. They are measured on the layout files of the points, not taken from the solver.",
+    "Figures that are not exact have four digits at most. They are measured on the layout files of the points, not taken from the solver.",
 ];
 
-/// What follows the table on a terminal, and stands first on the page.
-pub fn optimise_lines(layout: &Engine, front: &Front, couple: &Couple) -> Vec<String> {
-    let units = tables::units(layout, front);
-    let told = |design: &Design| {
-        format!("{} kg with {} {}", amounts::kilograms(&design.mass), amounts::load(design, units), units.force)
-    };
-    let ends = match (front.points.first(), front.points.last()) {
-        (Some(first), Some(last)) if front.points.len() > 1 => {
-            format!(
-                "From the lightest crankshaft, {}, to that with the least load, {}.",
-                told(&first.design),
-                told(&last.design)
-            )
-        }
-        (Some(only), _) => format!("The least load: {}.", told(&only.design)),
-        (None, _) => String::new(),
-    };
-    let condition = match couple {
-        Couple::Zero => {
-            "First-order force and couple that turn with the crank are removed; 0 is exact and proved.".to_owned()
-        }
-        Couple::AtMost(most) => format!(
-            "The first-order force that turns with the crank is removed, its couple bounded by {} N·m; 0 is exact and proved, ≈ the upper end of an enclosure.",
-            most.to_f64().unwrap_or(f64::NAN)
+/// The ends of the front, what is better than one balance factor for all throws, and which balance is kept.
+fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
+    let units = Units::of(layout, front);
+    let mut lines = Vec::new();
+    match front.points.as_slice() {
+        [] => {}
+        [only] => lines.push(phrase!(
+            "The best crankshaft weighs {} and loads its worst bearing with {}.",
+            amounts::kilograms(&only.design.mass),
+            amounts::load(&only.design, units)
+        )),
+        [first, .., last] => lines.push(phrase!(
+            "The lightest crankshaft that keeps the balance weighs {} and loads its worst bearing with {}; the one with the least load weighs {} and loads it with {}.",
+            amounts::kilograms(&first.design.mass),
+            amounts::load(&first.design, units),
+            amounts::kilograms(&last.design.mass),
+            amounts::load(&last.design, units)
+        )),
+    }
+    let compared = front.uniform.iter().rev().find_map(|uniform| {
+        let best = uniform.best.as_ref()?;
+        Some((uniform, best, amounts::less(&best.design, &uniform.design)?))
+    });
+    lines.extend(compared.map(|(uniform, best, less)| {
+        phrase!(
+            "With a balance factor of {} on all throws the crankshaft weighs {} and loads its worst bearing with {}; the best counterweights of the same mass load it with {}, {} less.",
+            number::given(&uniform.factor),
+            amounts::kilograms(&uniform.design.mass),
+            amounts::load(&uniform.design, units),
+            amounts::load(&best.design, units),
+            less
+        )
+    }));
+    lines.push(match couple {
+        Couple::Zero => "Nothing is left of the first-order force and couple that turn with the crank: a bare 0 is exact and proved.".into(),
+        Couple::AtMost(most) => phrase!(
+            "Nothing is left of the first-order force that turns with the crank, and of its couple at most {} N·m: a bare 0 is exact and proved.",
+            number::given(most)
         ),
-    };
-    vec![ends, condition]
+    });
+    lines
 }
 
-/// Headline, comparison with uniform balance factors, and plot, for a page that holds them beside others.
-pub fn optimise_summary(layout: &Engine, front: &Front, couple: &Couple, folder: &str) -> String {
-    let compared = (!front.uniform.is_empty()).then(|| set(tables::optimise_compared(layout, front)));
-    let dialect = Dialect::GithubMarkdown;
-    let headline = optimise_lines(layout, front, couple).iter().map(|line| dialect.prose(line)).collect();
-    render::optimise_summary(&Summary { headline, compared, drawing: format!("{folder}front.svg") })
+const COMPARED: &str = "One balance factor for all throws, as is usual, beside the best crankshaft of the same mass and the lightest with the same load:";
+
+/// The short answer: the front, and what uniform balance factors reach.
+pub fn optimise_answer(layout: &Engine, front: &Front, couple: &Couple) -> Document {
+    let mut page = Document::new("optimise", layout.title());
+    page.push(tables::points(layout, front));
+    page.blocks.extend(tables::compared(layout, front).map(Block::Table));
+    page.blocks.extend(answer(layout, front, couple).into_iter().map(Block::Paragraph));
+    page
 }
 
-/// The page, its plot, and the layout file of each point.
-pub fn optimise_files(layout: &Engine, front: &Front, couple: &Couple) -> Vec<File> {
-    let dialect = Dialect::GithubMarkdown;
-    let mut layouts: Vec<File> = Vec::new();
-    for (index, point) in front.points.iter().enumerate() {
-        layouts
-            .push(File { name: format!("point-{}.toml", index + 1), text: point.engine.file().written().to_owned() });
-    }
-    for uniform in &front.uniform {
-        let factor = uniform.factor.to_f64().unwrap_or(f64::NAN);
-        let compared = [("heavy", &uniform.best), ("calm", &uniform.lightest)];
-        let named = compared.into_iter().filter_map(|(as_what, point)| Some((as_what, point.as_ref()?)));
-        layouts.extend(named.map(|(as_what, point)| File {
-            name: format!("as-{as_what}-as-{factor}.toml"),
-            text: point.engine.file().written().to_owned(),
-        }));
-    }
-    let page = Page {
-        title: dialect.quoted(layout.title()),
-        summary: optimise_summary(layout, front, couple, ""),
-        front: set(tables::optimise_rows(layout, front)),
-        weights: set(tables::weights(layout, front)),
-        method: METHOD.iter().map(|line| dialect.prose(line)).collect(),
-        files: layouts.iter().map(|file| file.name.clone()).collect(),
-    };
-    let page = File { name: "optimise.md".into(), text: render::optimise(&page) };
-    let drawing = File { name: "front.svg".into(), text: drawing(layout, front) };
-    [page, drawing].into_iter().chain(layouts).collect()
+/// The answer, the picture of the front, and the comparison with uniform balance factors, for a page that holds several; the
+/// files of this front are in a folder below it.
+pub fn optimise_summary(layout: &Engine, front: &Front, couple: &Couple, folder: &str) -> Vec<Block> {
+    let mut blocks: Vec<Block> = answer(layout, front, couple).into_iter().map(Block::Paragraph).collect();
+    blocks.push(plot::picture(layout, front, folder).into());
+    blocks.extend(comparison(layout, front));
+    blocks
 }
 
-fn set(rows: Rows) -> Table {
-    let header: Vec<&str> = rows.header.iter().map(String::as_str).collect();
-    Table::new(Dialect::GithubMarkdown, &header, rows.rows)
+fn comparison(layout: &Engine, front: &Front) -> Vec<Block> {
+    let table = tables::compared(layout, front);
+    table.map_or_else(Vec::new, |table| vec![Block::Paragraph(COMPARED.into()), table.into()])
 }
 
-/// Load over mass: the front, and uniform balance factors beside it.
-fn drawing(layout: &Engine, front: &Front) -> String {
-    let units = tables::units(layout, front);
-    // Four digits, so that the drawing is the same wherever the figures are.
-    let rounded = |value: f64| format!("{value:.3e}").parse::<f64>().unwrap_or(value);
-    let at =
-        |design: &Design| (rounded(design.mass.to_f64().unwrap_or(f64::NAN)), rounded(design.peak() * units.newtons));
-    let load = Axis::linear(format!("Largest bearing load in {}", units.force));
-    let mut plot = Plot::new(layout.title().escaped(Format::Plain), Axis::linear("Crankshaft mass in kg"), load);
-    let best: Vec<(f64, f64)> = front.points.iter().map(|point| at(&point.design)).collect();
-    plot.marks.extend(best.iter().map(|&at| PointMark::dot(at, "")));
-    plot.curves.push(Curve::new(0, "the best counterweights", best));
-    let uniform = |uniform: &crate::optimise::Uniform| {
-        let name = format!("balance factor {}", amounts::factor(&uniform.factor));
-        PointMark::ring(at(&uniform.design), name).of("one balance factor for all throws")
-    };
-    plot.marks.extend(front.uniform.iter().map(uniform));
-    svg(&plot.figure(), "Largest bearing load over the mass of the crankshaft")
+/// The page; the layout file of each point stands beside it.
+pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Document {
+    let mut page = Document::new("optimise", phrase!("{}: the best counterweights", layout.title()));
+    page.push(Block::Answer(answer(layout, front, couple)));
+    page.push(plot::picture(layout, front, ""));
+    page.blocks.extend(comparison(layout, front));
+    page.push(Block::Heading(1, "From the lightest to the least loaded".into()));
+    page.push(tables::points(layout, front));
+    page.push(Block::Heading(1, "The counterweights".into()));
+    page.push(Block::Paragraph(
+        "The balance factor that each weight adds to its throw, in percent, and how far it stands ahead of opposite to it:".into(),
+    ));
+    page.push(tables::weights(layout, front));
+    let files = optimise_layouts(front).into_iter().map(|file| Text::link(Text::code(file.name.clone()), file.name));
+    page.push(Block::Paragraph(phrase!(
+        "Layout files of these crankshafts, for the commands {}, {}, {} and {}: {}.",
+        Text::code("classify"),
+        Text::code("loads"),
+        Text::code("bearings"),
+        Text::code("report"),
+        Text::joined(files, ", ")
+    )));
+    page.push(Block::Heading(1, "How they are found".into()));
+    page.push(Block::List(METHOD.map(Text::from).into()));
+    page
 }

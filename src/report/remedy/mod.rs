@@ -1,10 +1,11 @@
-//! How is a remedy shown? A table of weights, lines of plain text, the section of a report, the JSON document.
+//! How is a remedy shown? What cancels what, a table of weights, what counterweights alone do, the JSON document.
 
+mod alone;
 mod document;
-mod rows;
-mod section;
+mod page;
+mod weights;
 mod words;
 
 pub use document::{remedy_document, remedy_engine};
-pub use rows::{remedy_lines, remedy_rows};
-pub use section::{remedy_figure, remedy_files, remedy_section};
+pub use page::{remedy_answer, remedy_page, remedy_section};
+pub use words::remedy_cures;

@@ -1,74 +1,235 @@
-//! What are the weights of a remedy called, and how are their sizes written?
+//! What does a remedy come to, in sentences? What cancels what, what is proved, and what is good to know besides.
 
-use super::super::typeset::{Amount, Bearing};
-use crate::numbers;
-use crate::order::Factor;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::super::typeset;
+use super::weights;
+use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::Sense;
-use crate::remedy::{Kind, Remedy, Shaft, Weight};
+use crate::remedy::{Kind, PairHeight, Remedy, Shaft};
 
-/// A weight and the part of the remedy that it belongs to.
-pub(super) struct Part<'a> {
-    /// Of the remedy.
-    pub name: String,
-    /// The weight.
-    pub weight: &'a Weight,
+/// The orders of a remedy.
+fn orders(remedy: &Remedy) -> String {
+    remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// All weights, in the order of [`Remedy::weights`].
-pub(super) fn parts(remedy: &Remedy) -> Vec<Part<'_>> {
-    let bays = remedy.bays.iter().map(|weight| Part { name: "counterweight of a bay".into(), weight });
-    let crankshaft = remedy
-        .crankshaft
-        .iter()
-        .flat_map(|shaft| shaft.weights.iter().map(|weight| Part { name: "counterweight".into(), weight }));
-    let shafts = remedy.shafts.iter().enumerate().flat_map(|(index, shaft)| {
-        let name = format!("{}, shaft {}", shaft_name(shaft), index + 1);
-        shaft.weights.iter().map(move |weight| Part { name: name.clone(), weight })
-    });
-    bays.chain(crankshaft).chain(shafts).collect()
+/// What cancels what, a sentence each, and the proof of it: the answer to what cures an engine.
+pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
+    let mut lines = Vec::new();
+    if !remedy.bays.is_empty() {
+        lines.push(phrase!(
+            "Counterweights by the balance factors asked for: {}.",
+            weights::listed(remedy, &remedy.bays)
+        ));
+    }
+    lines.extend(remedy.crankshaft.iter().map(|shaft| on_the_crankshaft(remedy, shaft)));
+    let mut shafts = remedy.shafts.iter().peekable();
+    while let Some(shaft) = shafts.next() {
+        let partner = shafts.next_if(|next| next.order == shaft.order && next.kind == shaft.kind);
+        lines.push(match partner {
+            Some(partner) => of_two(remedy, shaft, partner),
+            None => of_one(remedy, shaft),
+        });
+    }
+    lines.push(proof(remedy));
+    if !remedy.shafts.is_empty() {
+        lines.push(
+            "No crankshaft can do what these shafts do: its counterweights reach only what turns with the crank at order 1."
+                .into(),
+        );
+    }
+    lines
 }
 
-fn shaft_name(shaft: &Shaft) -> &'static str {
-    match (shaft.lanchester, shaft.kind) {
-        (true, _) => "Lanchester pair",
-        (false, Kind::Force) => "one weight",
-        (false, Kind::Couple) => "couple",
-        (false, Kind::ForceAndMoment) => "two weights",
+fn on_the_crankshaft(remedy: &Remedy, shaft: &Shaft) -> Text {
+    let listed = weights::listed(remedy, &shaft.weights);
+    match (shaft.kind, shaft.weights.len() == 1) {
+        (Kind::Force, true) => {
+            phrase!(
+                "A counterweight on the crankshaft cancels the first-order force that turns with the crank: {}.",
+                listed
+            )
+        }
+        (Kind::Force, false) => {
+            phrase!(
+                "Counterweights on the crankshaft cancel the first-order force that turns with the crank: {}.",
+                listed
+            )
+        }
+        (Kind::Couple, _) => {
+            phrase!(
+                "Counterweights on the crankshaft cancel the first-order couple that turns with the crank: {}.",
+                listed
+            )
+        }
+        (Kind::ForceAndMoment, _) => phrase!(
+            "Counterweights on the crankshaft cancel the first-order force that turns with the crank, and its moment: {}.",
+            listed
+        ),
     }
 }
 
-/// `1×, with the crank`.
-pub(super) fn speed(weight: &Weight) -> String {
-    let sense = if weight.sense == Sense::Direct { "with" } else { "against" };
-    format!("{}×, {sense} the crank", weight.order)
-}
-
-/// Letters of the longest closed form of a mass-radius that is shown.
-const LONGEST_FORM: usize = 24;
-
-/// The mass-radius in multiples of m r or of m r |c_k|: `= √3/4 ≈ 0.4330 m r`.
-pub(super) fn size(remedy: &Remedy, weight: &Weight) -> String {
-    // A form whose digits only repeat those of the layout's masses and lengths says nothing more than its decimals.
-    let exact = weight.modulus().filter(|form| form.to_string().chars().count() <= LONGEST_FORM);
-    let amount = |decimal: f64| Amount { exact: exact.clone(), decimal }.plain();
-    match (weight.vector.only(), weight.decimals(&remedy.subject)) {
-        (Some((Factor::One, sum)), _) => format!("{} m r", amount(numbers::evaluate(sum).norm())),
-        (Some((_, sum)), _) => format!("{} m r |c_{}|", amount(numbers::evaluate(sum).norm()), weight.order),
-        (None, Some([size, _])) => format!("{} m r", amount(size)),
-        (None, None) => format!("depends on c_{}", weight.order),
+/// Two shafts of one order that turn in opposite senses.
+fn of_two(remedy: &Remedy, with: &Shaft, against: &Shaft) -> Text {
+    let (order, twice) = (Text::from(with.order), Text::from(with.order));
+    if let (true, Some(weight)) = (with.lanchester, with.weights.first()) {
+        return phrase!(
+            "A Lanchester pair cancels the force of order {}: two shafts at {}× crank speed, one with the crank and one against it, with {} each.",
+            order,
+            twice,
+            weights::in_short(remedy, weight)
+        );
     }
-}
-
-/// The direction at θ = 0.
-pub(super) fn direction(remedy: &Remedy, weight: &Weight) -> String {
-    let exact = weight.direction();
-    let of_sum = || {
-        let (factor, sum) = weight.vector.only()?;
-        let value = numbers::evaluate(sum);
-        let value = if factor.is_negative(weight.order)? { -value } else { value };
-        Some(numbers::degrees(value))
+    let words = match with.kind {
+        Kind::Force => {
+            "Two balancer shafts at {}× crank speed cancel the force of order {}: with the crank {}, against it {}."
+        }
+        Kind::Couple => {
+            "Two balancer shafts at {}× crank speed cancel the couple of order {}: with the crank {}, against it {}."
+        }
+        Kind::ForceAndMoment => {
+            "Two balancer shafts at {}× crank speed cancel the force and the moment of order {}: with the crank {}, against it {}."
+        }
     };
-    let of_value = weight.decimals(&remedy.subject).map(|[_, degrees]| degrees);
-    let Some(decimal) = of_value.or_else(of_sum) else { return format!("depends on c_{}", weight.order) };
-    Bearing { exact, decimal }.plain()
+    phrase!(words, order, twice, weights::listed(remedy, &with.weights), weights::listed(remedy, &against.weights))
+}
+
+fn of_one(remedy: &Remedy, shaft: &Shaft) -> Text {
+    let words = match (shaft.kind, shaft.sense) {
+        (Kind::Force, Sense::Direct) => {
+            "A balancer shaft at {}× crank speed, with the crank, cancels the part of the order-{} force that turns with it: {}."
+        }
+        (Kind::Force, Sense::Reverse) => {
+            "A balancer shaft at {}× crank speed, against the crank, cancels the part of the order-{} force that turns with it: {}."
+        }
+        (Kind::Couple, Sense::Direct) => {
+            "A balancer shaft at {}× crank speed, with the crank, cancels the part of the order-{} couple that turns with it: {}."
+        }
+        (Kind::Couple, Sense::Reverse) => {
+            "A balancer shaft at {}× crank speed, against the crank, cancels the part of the order-{} couple that turns with it: {}."
+        }
+        (Kind::ForceAndMoment, Sense::Direct) => {
+            "A balancer shaft at {}× crank speed, with the crank, cancels the parts of the order-{} force and moment that turn with it: {}."
+        }
+        (Kind::ForceAndMoment, Sense::Reverse) => {
+            "A balancer shaft at {}× crank speed, against the crank, cancels the parts of the order-{} force and moment that turn with it: {}."
+        }
+    };
+    phrase!(words, shaft.order, shaft.order, weights::listed(remedy, &shaft.weights))
+}
+
+fn proof(remedy: &Remedy) -> Text {
+    let left = remedy.corrected.iter().filter(|sum| !sum.vanishes()).count();
+    if left > 0 {
+        return phrase!("{} sums of the corrected engine do not vanish.", left);
+    }
+    let sums = remedy.corrected.len();
+    match (remedy.weights().is_empty(), remedy.orders.len() == 1) {
+        (true, true) => {
+            phrase!("Nothing is left of force and moment at order {}: no weight is needed.", orders(remedy))
+        }
+        (true, false) => {
+            phrase!("Nothing is left of force and moment at the orders {}: no weight is needed.", orders(remedy))
+        }
+        (false, true) => phrase!(
+            "With these weights force and moment vanish at order {}: {} sums of the corrected engine, each proved zero.",
+            orders(remedy),
+            sums
+        ),
+        (false, false) => phrase!(
+            "With these weights force and moment vanish at the orders {}: {} sums of the corrected engine, each proved zero.",
+            orders(remedy),
+            sums
+        ),
+    }
+}
+
+/// What is good to know besides: fewest shafts, heights of pairs, masses.
+pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
+    let fewest = match remedy.shafts.len() {
+        0 => None,
+        1 => Some(
+            "One balancer shaft is the fewest possible: a shaft changes only what turns at its own speed and in its own sense."
+                .into(),
+        ),
+        count => Some(phrase!(
+            "{} balancer shafts are the fewest possible: each changes only what turns at its own speed and in its own sense.",
+            count
+        )),
+    };
+    let half_speed = fewest.is_some().then(|| HALF_SPEED.into());
+    let lines = fewest.into_iter().chain(half_speed);
+    lines.chain(remedy.heights.iter().map(height)).chain(of_the_crankshaft(remedy)).collect()
+}
+
+const HALF_SPEED: &str =
+    "A shaft at half the crank speed is never among them, for no inertia force of the cranks has order 1/2.";
+
+fn height(height: &PairHeight) -> Text {
+    let radii = Number::Decimal(height.in_crank_radii.abs());
+    let higher = height.in_crank_radii >= 0.0;
+    let Some(metres) = height.metres else {
+        let words = match higher {
+            true => {
+                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii higher than the other, the pair cancels the inertia torque of the order too; half the height cancels half."
+            }
+            false => {
+                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii lower than the other, the pair cancels the inertia torque of the order too; half the height cancels half."
+            }
+        };
+        return phrase!(words, height.order, radii);
+    };
+    let words = match higher {
+        true => {
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} higher than the other ({} crank radii), the pair cancels the inertia torque of the order too; half the height cancels half."
+        }
+        false => {
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} lower than the other ({} crank radii), the pair cancels the inertia torque of the order too; half the height cancels half."
+        }
+    };
+    phrase!(words, height.order, Piece::Quantity(metres.abs() * 1000.0, Unit::MILLIMETRE), radii)
+}
+
+/// Mass, balance factors and bob weights, where the layout gives numbers.
+fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
+    let engine = remedy.subject.engine();
+    let mut lines = Vec::new();
+    if engine.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
+        let factors = engine.balance_factors();
+        let factors = factors.iter().map(|factor| match factor {
+            Some(factor) => Text::label(typeset::number(factor)),
+            None => "none".into(),
+        });
+        lines.push(phrase!(
+            "Balance factors of the throws, by the counterweights in the layout file: {}.",
+            Text::joined(factors, ", ")
+        ));
+    }
+    let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
+    if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
+        let bare = kilograms(bare.to_f64().unwrap_or(f64::NAN));
+        lines.push(match remedy.bays.is_empty() && remedy.crankshaft.is_none() {
+            true => phrase!(
+                "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
+                bare
+            ),
+            false => phrase!(
+                "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
+                bare,
+                kilograms(with)
+            ),
+        });
+    }
+    let half = BigRational::new(1.into(), 2.into());
+    if let Some(bob) = engine.bob_weight(0, &half) {
+        let one = bob.per_cylinder.first().map_or(f64::NAN, |mass| mass.to_f64().unwrap_or(f64::NAN));
+        let all = bob.per_throw.to_f64().unwrap_or(f64::NAN);
+        lines.push(phrase!(
+            "Bob weight of throw 1 with half the reciprocating masses: {} per cylinder, {} for the throw.",
+            kilograms(one),
+            kilograms(all)
+        ));
+    }
+    lines
 }

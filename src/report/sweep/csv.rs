@@ -2,9 +2,9 @@
 
 use num_rational::BigRational;
 
-use super::super::folder::File;
 use super::words::{amount, digits, exact, named, quantities, quantity_name};
 use crate::loads::Arm;
+use crate::page::File;
 use crate::proof::Quantity;
 use crate::sweep::{Sweep, SweptEngine};
 

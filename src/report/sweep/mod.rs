@@ -1,13 +1,18 @@
 //! How is a sweep shown? A table with a row a point, a document, and a page with curves or maps.
 
+mod amounts;
+mod assumptions;
 mod csv;
 mod document;
+mod findings;
 mod page;
 mod plots;
+mod sentences;
 mod study;
+mod tables;
 mod words;
 
 pub use csv::sweep_csv;
 pub use document::{SweepDocument, sweep_document};
-pub use page::sweep_page;
-pub use study::study_page;
+pub use page::{sweep_answer, sweep_page};
+pub use study::{study_page, study_tables};

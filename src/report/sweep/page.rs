@@ -1,172 +1,137 @@
-//! What does the page of a sweep hold? The exact zeros, the plots, the points, and what was assumed.
+//! What stands on the page of a sweep, and on the terminal? What is zero and what is greatest first, then the plots and every point.
 
-use serde::Serialize;
-
-use super::super::dialect::Dialect;
-use super::super::folder::File;
-use super::super::{render, svg};
-use super::plots::{Drawn, amplitudes, drawings};
-use super::words::{exact, quantity_name, short, short_number, unit, value, zeros_name};
-use crate::engine::DOES_NOT_EXIST;
+use super::amounts::{counted, in_newtons, unit, value};
+use super::assumptions::assumptions;
+use super::findings::{Finding, findings};
+use super::sentences::{firing_sentence, gone_sentence};
+use super::{plots, tables};
+use crate::loads::Arm;
+use crate::page::{Block, Document, Text, phrase};
 use crate::proof::Quantity;
-use crate::sweep::{Sweep, SweptEngine, ZeroSet, Zeros};
+use crate::sweep::{Parameter, Sweep, ZeroSet};
 
 /// More points than this are left to the table in CSV.
 const MOST_ROWS: usize = 200;
+/// More forces and moments than this are left to the table below the answer.
+const MOST_SENTENCES: usize = 4;
 
-#[derive(Serialize)]
-pub(super) struct SweepPage {
-    title: String,
-    swept: String,
-    units: String,
-    pub zeros: Vec<Vec<String>>,
-    zeros_header: Vec<&'static str>,
-    incomplete: bool,
-    drawings: Vec<Drawing>,
-    pub tables: Vec<Table>,
-    left_out: Option<String>,
-    assumptions: Vec<String>,
+const ALL_ZEROS: &str = "The exact values inside the range, on the grid of the sweep or between its points. The lists are complete: nowhere else in the \
+    range does one of these vanish.";
+const SOME_ZEROS: &str = "The exact values inside the range, on the grid of the sweep or between its points. The lists are complete but for those that \
+    say otherwise.";
+const PARTS: &str = "Direct and reverse are the two vectors of an order, which turn with the crank and against it. All: both vanish, and with them the \
+    whole force or moment. Along is the part in the reference direction, which for a V is the bisector of its banks; across is the \
+    part at right angles to it.";
+const SIZES: &str =
+    "All amplitudes are from zero to peak. Largest and smallest: the greatest and the least length in a revolution.";
+const EXACT: &str = "Zeros are decided exactly; amplitudes are decimals.";
+const MULTIPLES: &str = "$m$ is the reciprocating mass of a cylinder, $r$ the crank radius, $\\omega$ the speed of the crank in radians a second.";
+const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout names no rod.";
+const SPACING: &str = "$a$ is the spacing of neighbouring cylinders, which the layout does not give as a length.";
+const COUNTERWEIGHTS: &str = "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the \
+    larger one is told.";
+const FIRING: &str =
+    "Where the layout names no firing order, the intervals are those of the most even order that the throws allow.";
+
+/// The short answer: what is zero, what is greatest, and where.
+pub fn sweep_answer(sweep: &Sweep) -> Document {
+    let sweep = &counted(sweep);
+    let (found, gone) = findings(sweep);
+    let mut answer = Document::new("sweep", title(sweep));
+    answer.push(Block::Paragraph(swept(sweep)));
+    answer.blocks.extend(sentences(sweep, &found, &gone).into_iter().map(Block::Paragraph));
+    if !found.is_empty() {
+        answer.push(tables::extremes(sweep, &found));
+    }
+    answer.blocks.extend(zeros(sweep).into_iter().flatten());
+    answer
 }
 
-#[derive(Serialize)]
-pub(super) struct Drawing {
-    pub file: String,
-    pub caption: String,
+/// The page, with a picture of each order that is not zero everywhere.
+pub fn sweep_page(sweep: &Sweep) -> Document {
+    let sweep = &counted(sweep);
+    let (found, gone) = findings(sweep);
+    let mut page = Document::new("sweep", title(sweep));
+    let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
+    page.push(Block::Answer(sentences(sweep, &found, &gone)));
+    page.push(Block::Paragraph(swept(sweep)));
+    if !found.is_empty() {
+        page.push(tables::extremes(sweep, &found));
+    }
+    let pictures = plots::drawings(sweep);
+    if !pictures.is_empty() {
+        section(&mut page, "Plots");
+        page.push(Block::Pictures(pictures));
+    }
+    if let Some(zeros) = zeros(sweep) {
+        section(&mut page, "Where each vector vanishes");
+        page.blocks.extend(zeros);
+    }
+    section(&mut page, "Every point");
+    match sweep.points.len() <= MOST_ROWS {
+        true => page.blocks.extend(tables::points(sweep).into_iter().map(Block::Folded)),
+        false => page.push(Block::Paragraph(phrase!(
+            "The {} points are in {}, which {} prints.",
+            sweep.points.len(),
+            Text::code("sweep.csv"),
+            Text::code("crankstar sweep … --format csv")
+        ))),
+    }
+    section(&mut page, "How to read it");
+    page.push(Block::List(conventions(sweep)));
+    page.push(Block::Paragraph("Length, breadth and height are those of a simple geometry:".into()));
+    page.push(Block::List(assumptions(&sweep.geometry).into()));
+    page
 }
 
-#[derive(Serialize)]
-pub(super) struct Table {
-    pub heading: String,
-    pub header: Vec<String>,
-    pub rows: Vec<Vec<String>>,
+fn title(sweep: &Sweep) -> Text {
+    match &sweep.parameters[..] {
+        [one, other] => phrase!("{}: {} and {} swept", &sweep.title, one.label.clone(), other.label.clone()),
+        [one, ..] => phrase!("{}: {} swept", &sweep.title, one.label.clone()),
+        [] => phrase!("{}: a sweep", &sweep.title),
+    }
 }
 
-/// The page `sweep.md` with its drawings.
-pub fn sweep_page(sweep: &Sweep) -> Vec<File> {
-    let drawn = drawings(sweep);
-    let page = page(sweep, &drawn);
-    let drawing = |drawn: Drawn| File { name: format!("{}.svg", drawn.name), text: svg(&drawn.figure, &drawn.caption) };
-    let text = File { name: "sweep.md".into(), text: render::sweep(&page) };
-    [text].into_iter().chain(drawn.into_iter().map(drawing)).collect()
-}
-
-fn page(sweep: &Sweep, drawn: &[Drawn]) -> SweepPage {
-    let dialect = Dialect::GithubMarkdown;
-    let ranges = sweep.parameters.iter().map(|parameter| {
+/// What runs from where to where.
+fn swept(sweep: &Sweep) -> Text {
+    let range = |(parameter, is_angle): (&Parameter, bool)| {
+        let show = |at| value(parameter, at, is_angle);
+        let key = Text::code(parameter.key.to_string());
         let range = &parameter.range;
-        let show = |at: &_| value(parameter, at, sweep.zeros.is_some());
-        format!(
-            "`{}` from {} to {}, {} values",
-            parameter.key,
-            show(&range.value(0)),
-            show(&range.last()),
-            range.count()
-        )
-    });
-    let drawings = drawn
-        .iter()
-        .map(|drawn| Drawing { file: format!("{}.svg", drawn.name), caption: dialect.literal(&drawn.caption) });
-    let few = sweep.points.len() <= MOST_ROWS;
-    let zeros = sweep.zeros.as_deref().unwrap_or_default();
-    SweepPage {
-        title: dialect.quoted(&sweep.title),
-        swept: ranges.collect::<Vec<_>>().join("; "),
-        units: format!("Forces in {}, moments in {}", unit(sweep, Quantity::Force), unit(sweep, Quantity::Moment)),
-        zeros: zero_rows(zeros),
-        zeros_header: ["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)).collect(),
-        incomplete: zeros.iter().any(|set| !set.complete),
-        drawings: drawings.collect(),
-        tables: if few { tables(sweep) } else { Vec::new() },
-        left_out: (!few).then(|| format!("The {} points are in the table in CSV.", sweep.points.len())),
-        assumptions: sweep.geometry.words(),
-    }
-}
-
-/// A row for each order and quantity: where each vector vanishes.
-pub(super) fn zero_rows(sets: &[ZeroSet]) -> Vec<Vec<String>> {
-    let row = |of: &[ZeroSet]| {
-        let first = &of[0];
-        let cells = of.iter().map(zero_cell);
-        [first.order.to_string(), quantity_name(first.quantity).to_owned()].into_iter().chain(cells).collect()
+        phrase!("{} from {} to {}, {} values", key, show(&range.value(0)), show(&range.last()), range.count())
     };
-    sets.chunk_by(|a, b| (a.order, a.quantity) == (b.order, b.quantity)).map(row).collect()
+    let ranges = Text::joined(sweep.axes().map(range), "; ");
+    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| unit(sweep, quantity));
+    phrase!("Swept: {}. Forces are in {}, moments in {}.", ranges, force, moment)
 }
 
-pub(super) fn zero_cell(set: &ZeroSet) -> String {
-    let angles: Vec<String> = set.at.iter().map(|at| format!("{}°", exact(at).replace('-', "−"))).collect();
-    if !set.exists {
-        return DOES_NOT_EXIST.to_owned();
-    }
-    match (set.everywhere, set.complete, angles.is_empty()) {
-        (true, ..) => "everywhere".into(),
-        (_, true, true) => "never".into(),
-        (_, true, false) => angles.join(", "),
-        (_, false, true) => "not solved".into(),
-        (_, false, false) => format!("{}, perhaps more", angles.join(", ")),
-    }
+fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Quantity, u32)]) -> Vec<Text> {
+    let told = found.iter().take(MOST_SENTENCES).map(|finding| finding.sentence(sweep));
+    let rest = (found.len() > MOST_SENTENCES).then(|| "The other orders are in the table below.".into());
+    told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).collect()
 }
 
-/// The points: amplitudes that are not zero everywhere, then firing, counterweights and envelope.
-pub(super) fn tables(sweep: &Sweep) -> Vec<Table> {
-    let names = || sweep.parameters.iter().map(|parameter| super::words::axis(parameter, sweep.zeros.is_some()));
-    let values = |point: &SweptEngine| {
-        let pairs = sweep.parameters.iter().zip(&point.values);
-        pairs.map(|(_, at)| exact(at).replace('-', "−")).collect::<Vec<_>>()
-    };
-    let mut tables = Vec::new();
-    for quantity in [Quantity::Force, Quantity::Moment] {
-        let kept: Vec<usize> = (0..sweep.orders.len())
-            .filter(|&place| {
-                sweep.points.iter().any(|point| amplitudes(point, place, quantity).is_some_and(|a| !a.largest.vanishes))
-            })
-            .collect();
-        if kept.is_empty() {
-            continue;
-        }
-        let columns = kept.iter().flat_map(|&place| {
-            ["largest", "smallest", "along", "across"].map(|part| format!("{}: {part}", sweep.orders[place]))
-        });
-        let row = |point: &SweptEngine| {
-            let cells = kept.iter().filter_map(|&place| amplitudes(point, place, quantity));
-            let cells = cells.flat_map(|a| [a.largest, a.smallest, a.along, a.across].map(short));
-            values(point).into_iter().chain(cells).collect()
-        };
-        let name = if quantity == Quantity::Force { "Force" } else { "Moment" };
-        tables.push(Table {
-            heading: format!("{name} by order, in {}", unit(sweep, quantity)),
-            header: names().chain(columns).collect(),
-            rows: sweep.points.iter().map(row).collect(),
-        });
-    }
-    let columns = [
-        "firing intervals, shortest to longest",
-        "difference",
-        "counterweight / m r",
-        "length / r",
-        "breadth / r",
-        "height / r",
+/// Where each vector vanishes, where the parameter is an angle.
+fn zeros(sweep: &Sweep) -> Option<[Block; 3]> {
+    let sets: &[ZeroSet] = sweep.zeros.as_deref().filter(|sets| !sets.is_empty())?;
+    let parameter = sweep.parameters.first()?;
+    let complete = sets.iter().all(|set| set.complete);
+    Some([
+        Block::Paragraph(if complete { ALL_ZEROS } else { SOME_ZEROS }.into()),
+        tables::zeros(parameter, sets).into(),
+        Block::Note(PARTS.into()),
+    ])
+}
+
+fn conventions(sweep: &Sweep) -> Vec<Text> {
+    let multiples = !in_newtons(sweep);
+    let of_units = [
+        multiples.then_some(MULTIPLES),
+        (multiples && !sweep.rods_known).then_some(COEFFICIENT),
+        (sweep.arm == Arm::Spacing).then_some(SPACING),
     ];
-    let degrees = |turns: &num_rational::BigRational| {
-        format!("{}°", exact(&(turns * num_rational::BigRational::from_integer(360.into()))))
-    };
-    let row = |point: &SweptEngine| {
-        let dash = || "–".to_owned();
-        let firing = point.evenness.as_ref();
-        let envelope = point.envelope;
-        let rest = [
-            firing.map_or_else(dash, |e| format!("{} to {}", degrees(&e.shortest), degrees(&e.longest))),
-            firing.map_or_else(dash, |e| degrees(&e.unevenness())),
-            point.counterweight.map_or_else(dash, short),
-            envelope.and_then(|envelope| envelope.length).map_or_else(dash, short_number),
-            envelope.map_or_else(dash, |envelope| short_number(envelope.breadth)),
-            envelope.map_or_else(dash, |envelope| short_number(envelope.height)),
-        ];
-        values(point).into_iter().chain(rest).collect()
-    };
-    tables.push(Table {
-        heading: "Firing, counterweights, envelope".into(),
-        header: names().chain(columns.map(str::to_owned)).collect(),
-        rows: sweep.points.iter().map(row).collect(),
-    });
-    tables
+    // Beside the table of zeros it is told already.
+    let parts = sweep.zeros.is_none().then_some(PARTS);
+    let words = [SIZES, EXACT].into_iter().chain(parts).chain(of_units.into_iter().flatten());
+    words.chain([COUNTERWEIGHTS, FIRING]).map(Text::from).collect()
 }

@@ -1,18 +1,14 @@
 //! Which plots show a sweep? Curves over one parameter with the exact zeros marked, or maps over two.
 
-use super::super::figure::Figure;
+use super::super::figure::{Figure, Ink};
+use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
-use super::words::{axis, exact, float, quantity_name, unit};
+use super::super::typeset;
+use super::amounts::axis_unit;
+use super::words::{axis, exact, float, quantity_name};
+use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
-use crate::sweep::{Amplitudes, Sweep, SweptEngine, ZeroSet, Zeros};
-use crate::text::Format;
-
-/// A drawing with its name and what it shows.
-pub(super) struct Drawn {
-    pub name: String,
-    pub caption: String,
-    pub figure: Figure,
-}
+use crate::sweep::{Amplitudes, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// One of the amplitudes of an order.
 pub(super) type Amplitude = fn(&Amplitudes) -> f64;
@@ -20,8 +16,14 @@ pub(super) type Amplitude = fn(&Amplitudes) -> f64;
 /// More exact zeros than this are not marked one by one.
 const MOST_MARKS: usize = 60;
 
+/// What the drawings show.
+const CURVES: &str = "Above, the largest and the smallest value through a revolution; below, the largest along the reference \
+                      direction and across it. Curves that coincide share a name; at most 60 exact zeros are marked.";
+const MAP: &str = "The darker, the larger; the contour lines, at the values of the scale, are interpolated between the points of the \
+                   grid. Where there are more than 60 rings, none is drawn; without any, a dot marks the least value.";
+
 /// One drawing for each order of force and moment that is not zero at every point.
-pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
+pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
     let mut drawn = Vec::new();
     for quantity in [Quantity::Force, Quantity::Moment] {
         for (place, &order) in sweep.orders.iter().enumerate() {
@@ -30,19 +32,44 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Drawn> {
                 continue;
             }
             let name = format!("{}-{order}", quantity_name(quantity));
-            let heading = format!(
-                "{}, order {order}: {} of order {order}",
-                sweep.title.escaped(Format::Plain),
-                quantity_name(quantity)
-            );
             let figure = match sweep.parameters.len() {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
             };
-            drawn.push(Drawn { name, caption: heading, figure });
+            let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
+            let caption = caption(sweep, quantity, order).and(" ").and(shown);
+            drawn.push(Picture { name, caption, figure });
         }
     }
     drawn
+}
+
+/// What a reader sees in a drawing.
+fn caption(sweep: &Sweep, quantity: Quantity, order: u32) -> Text {
+    match (sweep.parameters.len(), quantity == Quantity::Moment, sweep.zeros.is_some()) {
+        (1, false, true) => phrase!(
+            "Force of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
+            order
+        ),
+        (1, true, true) => phrase!(
+            "Moment of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
+            order
+        ),
+        (1, false, false) => {
+            phrase!("Force of order {}. Rings mark values at which a part is proved to be zero.", order)
+        }
+        (1, true, false) => {
+            phrase!("Moment of order {}. Rings mark values at which a part is proved to be zero.", order)
+        }
+        (_, false, _) => phrase!(
+            "Largest force of order {} over both values. Rings mark points at which it is proved to be zero.",
+            order
+        ),
+        (_, true, _) => phrase!(
+            "Largest moment of order {} over both values. Rings mark points at which it is proved to be zero.",
+            order
+        ),
+    }
 }
 
 pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) -> Option<&Amplitudes> {
@@ -52,53 +79,59 @@ pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) 
 
 fn value_axis(sweep: &Sweep, quantity: Quantity) -> Axis {
     let name = if quantity == Quantity::Moment { "Moment" } else { "Force" };
-    Axis::linear(format!("{name} in {}", unit(sweep, quantity)))
+    Axis::amplitude(format!("{name} in {}", axis_unit(sweep, quantity)))
 }
 
+/// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let parameter = &sweep.parameters[0];
-    let is_angle = sweep.zeros.is_some();
-    let title = format!("Order {order} of the {}", quantity_name(quantity));
+    let is_angle = sweep.zeros.is_some() || sweep.angles.first().copied().unwrap_or(false);
     let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
     let label = axis(parameter, is_angle);
-    let x = if is_angle { Axis::angle(label, ends.0.min(ends.1), ends.0.max(ends.1), 30) } else { Axis::linear(label) };
-    let x = if is_angle && (ends.1 - ends.0).abs() < 60.0 { Axis { ticks: None, ..x } } else { x };
-    let mut plot = Plot::new(title, x, value_axis(sweep, quantity));
-    let parts: [(&str, Amplitude); 4] = [
-        ("largest", |a| a.largest.value),
-        ("smallest", |a| a.smallest.value),
-        ("along", |a| a.along.value),
-        ("across", |a| a.across.value),
-    ];
-    for (number, (name, part)) in parts.into_iter().enumerate() {
-        let point =
-            |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
-        plot.curves.push(Curve::new(number, name, sweep.curve.iter().filter_map(point).collect()));
-    }
-    plot.marks = marks(sweep, quantity, order, place);
-    plot.figure()
+    let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
+    let title = format!("Order {order} of the {}", quantity_name(quantity));
+    let marks = marks(sweep, quantity, order, place);
+    let panel = |title: String, parts: [(&str, Amplitude); 2], shown: &[Zeros]| {
+        let mut plot = Plot::new(title, x.clone(), value_axis(sweep, quantity));
+        for (number, (name, part)) in parts.into_iter().enumerate() {
+            let point =
+                |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
+            let curve = Curve::new(number, name, sweep.curve.iter().filter_map(point).collect());
+            plot.curves.push(Curve { width: if number == 0 { 0.7 } else { 0.45 }, ..curve });
+        }
+        plot.marks = marks.iter().filter(|(of, _)| shown.contains(of)).map(|(_, mark)| mark.clone()).collect();
+        plot.figure()
+    };
+    let axes: [(&str, Amplitude); 2] = [("largest", |a| a.largest.value), ("smallest", |a| a.smallest.value)];
+    let parts: [(&str, Amplitude); 2] = [("along", |a| a.along.value), ("across", |a| a.across.value)];
+    stacked(vec![
+        panel(format!("{title}: largest and smallest"), axes, &[Zeros::Largest, Zeros::Direct, Zeros::Reverse]),
+        panel(format!("{title}: along and across"), parts, &[Zeros::Largest, Zeros::Along, Zeros::Across]),
+    ])
 }
 
-/// Rings where a part vanishes, dots where one of the two vectors does and the other one draws a circle.
-fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<PointMark> {
+/// A mark with what vanishes at it.
+type ZeroMark = (Zeros, PointMark);
+
+/// Rings where a part vanishes, in the colour of its curve; dots where one of the two vectors does and the other one draws a
+/// circle.
+fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<ZeroMark> {
     let Some(sets) = &sweep.zeros else { return grid_marks(sweep, quantity, place) };
     let of = |which: Zeros| sets.iter().find(|set| set.quantity == quantity && set.order == order && set.of == which);
     let at = |which: Zeros| of(which).map_or(&[][..], |set: &ZeroSet| &set.at);
     let all = at(Zeros::Largest);
     let mut marks = Vec::new();
-    for (which, name) in [(Zeros::Largest, "all"), (Zeros::Along, "along"), (Zeros::Across, "across")] {
+    for which in [Zeros::Largest, Zeros::Along, Zeros::Across] {
         let own = at(which).iter().filter(|value| which == Zeros::Largest || !all.contains(value));
-        marks.extend(
-            own.map(|value| PointMark::ring((float(value), 0.0), format!("{}° {name}", exact(value))).of("exact zero")),
-        );
+        marks.extend(own.map(|value| (which, ring(which, float(value), typeset::degrees(value)).of("exact zero"))));
     }
     for which in [Zeros::Direct, Zeros::Reverse] {
         for value in at(which).iter().filter(|value| !all.contains(value)) {
             let point = sweep.curve.iter().find(|point| point.values.first() == Some(value));
             let height = point.and_then(|point| amplitudes(point, place, quantity)).map(|a| a.largest.value);
             marks.extend(height.map(|height| {
-                PointMark::dot((float(value), height), format!("{}°", exact(value)))
-                    .of("circle: exactly one vector is zero")
+                let dot = PointMark::dot((float(value), height), typeset::degrees(value));
+                (which, dot.of("circle: exactly one vector is zero"))
             }));
         }
     }
@@ -106,35 +139,48 @@ fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<Poi
     marks
 }
 
+fn ring(which: Zeros, at: f64, label: String) -> PointMark {
+    let ink = match which {
+        Zeros::Along => Curve::new(0, "", Vec::new()).ink,
+        Zeros::Across => Curve::new(1, "", Vec::new()).ink,
+        Zeros::Largest | Zeros::Direct | Zeros::Reverse => Ink::Black,
+    };
+    PointMark { ink, ..PointMark::ring((at, 0.0), label) }
+}
+
 /// The points of the grid at which a part is proved to vanish.
-fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<PointMark> {
+fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<ZeroMark> {
     let mark = |point: &SweptEngine| {
         let amplitudes = amplitudes(point, place, quantity)?;
-        let name = match amplitudes {
-            a if a.largest.vanishes => "all",
-            a if a.along.vanishes => "along",
-            a if a.across.vanishes => "across",
+        let which = match amplitudes {
+            a if a.largest.vanishes => Zeros::Largest,
+            a if a.along.vanishes => Zeros::Along,
+            a if a.across.vanishes => Zeros::Across,
             _ => return None,
         };
-        Some((name, float(point.values.first()?)))
+        let value = point.values.first()?;
+        Some((which, ring(which, float(value), exact(value)).of("exact zero on the grid")))
     };
-    let found: Vec<(&str, f64)> = sweep.points.iter().filter_map(mark).collect();
+    let found: Vec<ZeroMark> = sweep.points.iter().filter_map(mark).collect();
     // Where a part vanishes at every point there is nothing to mark.
     if found.len() == sweep.points.len() || found.len() > MOST_MARKS {
         return Vec::new();
     }
-    found.into_iter().map(|(name, x)| PointMark::ring((x, 0.0), name).of("exact zero on the grid")).collect()
+    found
 }
 
 fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let [slow, fast] = [&sweep.parameters[0], &sweep.parameters[1]];
+    let is_angle = [0, 1].map(|index| sweep.angles.get(index).copied().unwrap_or(false));
     let columns = fast.range.count();
-    let around = |parameter: &crate::sweep::Parameter| {
+    let around = |parameter: &Parameter, is_angle: bool| {
         // Cells reach half a step beyond the outer values.
         let (first, last) = (float(&parameter.range.value(0)), float(&parameter.range.last()));
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
-        Axis::linear(axis(parameter, false)).within(first - half, last + half)
+        let label = axis(parameter, is_angle);
+        let (low, high) = (first - half, last + half);
+        if is_angle { Axis::degrees(label, low, high) } else { Axis::linear(label).within(low, high) }
     };
     let largest = |point: &SweptEngine| amplitudes(point, place, quantity).map_or(f64::NAN, |a| a.largest.value);
     let mut rows: Vec<Vec<f64>> = sweep.points.chunks(columns).map(|row| row.iter().map(largest).collect()).collect();
@@ -151,17 +197,27 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
         .filter_map(|point| Some(PointMark::ring((float(point.values.get(1)?), float(point.values.first()?)), "")))
         .map(|mark| mark.of("exact zero on the grid"))
         .collect();
-    if marks.len() > MOST_MARKS {
-        marks.clear();
+    match marks.len() {
+        0 => marks.extend(least(sweep, &largest)),
+        count if count > MOST_MARKS => marks.clear(),
+        _ => {}
     }
     let map = Map {
         title: format!("Order {order}: largest {}", quantity_name(quantity)),
-        x: around(fast),
-        y: around(slow),
+        x: around(fast, is_angle[1]),
+        y: around(slow, is_angle[0]),
         value: value_axis(sweep, quantity),
         rows,
         curves: Vec::new(),
         marks,
     };
     map.figure()
+}
+
+/// The point of the grid with the least amplitude, named by its value.
+fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Option<PointMark> {
+    let points = sweep.points.iter().filter(|point| largest(point).is_finite());
+    let best = points.min_by(|a, b| largest(a).total_cmp(&largest(b)))?;
+    let at = (float(best.values.get(1)?), float(best.values.first()?));
+    Some(PointMark::dot(at, format!("≈ {}", typeset::sensible(largest(best)))).of("least on the grid"))
 }

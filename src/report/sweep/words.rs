@@ -26,24 +26,6 @@ pub(super) fn amount(part: Amplitude) -> String {
     if part.vanishes { "0".to_owned() } else { digits(part.value) }
 }
 
-/// An amplitude in a page: 0 is proved, everything else is rounded to five digits.
-pub(super) fn short(part: Amplitude) -> String {
-    match part {
-        Amplitude { vanishes: true, .. } => "0".to_owned(),
-        Amplitude { value, .. } => short_number(value),
-    }
-}
-
-/// A decimal of five digits.
-pub(super) fn short_number(value: f64) -> String {
-    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
-    match rounded.abs() {
-        size if size != 0.0 && !(1e-4..1e9).contains(&size) => format!("{rounded:e}"),
-        _ => rounded.to_string(),
-    }
-    .replace('-', "−")
-}
-
 /// A rational number: a decimal where it ends, else a fraction.
 pub(super) fn exact(value: &BigRational) -> String {
     let mut rest = value.denom().clone();
@@ -64,16 +46,6 @@ pub(super) fn exact(value: &BigRational) -> String {
         (whole, "") => format!("{sign}{whole}"),
         (whole, part) => format!("{sign}{whole}.{part}"),
     }
-}
-
-/// A value of a parameter, with ° where it is an angle in degrees.
-pub(super) fn value(parameter: &Parameter, value: &BigRational, is_angle: bool) -> String {
-    let unit = match parameter.range.unit() {
-        "" | "°" | "deg" if is_angle => "°".to_owned(),
-        "" => String::new(),
-        unit => format!(" {unit}"),
-    };
-    format!("{}{unit}", exact(value).replace('-', "−"))
 }
 
 /// `bank angle in °`.

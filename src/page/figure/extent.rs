@@ -1,0 +1,227 @@
+//! How much room do marks take? The box of a text by its letters, and the box of all marks.
+
+use super::{Anchor, Figure, Mark, Point, arrow_head};
+use crate::text::SUPERSCRIPTS;
+
+/// Boxes that share less than this, in millimetres, only touch.
+const TOUCH: f64 = 0.05;
+/// Height of a box over the size of its letters: from the foot of a g to the top of an l.
+const TALL: f64 = 1.0;
+
+/// A rectangle with its sides along the page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Lower left corner.
+    pub low: Point,
+    /// Upper right corner.
+    pub high: Point,
+}
+
+impl Extent {
+    /// The smallest that holds these points.
+    pub fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
+        let points = points.into_iter().filter(|point| point.is_finite());
+        points.map(|point| Extent { low: point, high: point }).reduce(|all, point| all.joined(&point))
+    }
+
+    /// The smallest that holds both.
+    pub fn joined(&self, other: &Extent) -> Self {
+        Extent {
+            low: Point::new(self.low.re.min(other.low.re), self.low.im.min(other.low.im)),
+            high: Point::new(self.high.re.max(other.high.re), self.high.im.max(other.high.im)),
+        }
+    }
+
+    /// With so many millimetres more on every side.
+    pub fn grown(&self, by: f64) -> Self {
+        let by = Point::new(by, by);
+        Extent { low: self.low - by, high: self.high + by }
+    }
+
+    /// Whether the two have more in common than an edge.
+    pub fn meets(&self, other: &Extent) -> bool {
+        let shared = |low: fn(&Point) -> f64| {
+            low(&self.high).min(low(&other.high)) - low(&self.low).max(low(&other.low)) > TOUCH
+        };
+        shared(|point| point.re) && shared(|point| point.im)
+    }
+
+    /// Whether a line passes through.
+    pub fn is_crossed(&self, from: Point, to: Point) -> bool {
+        let way = to - from;
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for (at, way, low, high) in
+            [(from.re, way.re, self.low.re, self.high.re), (from.im, way.im, self.low.im, self.high.im)]
+        {
+            if way.abs() < 1e-12 {
+                if at < low || at > high {
+                    return false;
+                }
+                continue;
+            }
+            let (one, other) = ((low - at) / way, (high - at) / way);
+            enters = enters.max(one.min(other));
+            leaves = leaves.min(one.max(other));
+        }
+        enters <= leaves
+    }
+
+    /// Whether the other lies inside, edges included.
+    pub fn holds(&self, other: &Extent) -> bool {
+        let both = self.joined(other);
+        (both.low - self.low).norm() < TOUCH && (both.high - self.high).norm() < TOUCH
+    }
+}
+
+/// About the width of a text in letters of this size, in the widest face that stands in for Helvetica.
+pub fn text_width(text: &str, letters: f64) -> f64 {
+    let width = |letter: char| match letter {
+        '\u{202f}' => 0.2,
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | '.' | ',' | ';' | ':' | '·' | '\'' | '(' | ')' | ' ' | '/' => 0.35,
+        'm' | 'w' | 'M' | 'W' | '−' | '+' | '=' | '≈' | '×' => 0.87,
+        '…' => 1.0,
+        'A'..='Z' => 0.7,
+        letter if letter == '⁻' || SUPERSCRIPTS.contains(&letter) => 0.4,
+        _ => 0.627,
+    };
+    text.chars().map(width).sum::<f64>() * letters
+}
+
+impl Mark {
+    /// A text with what it covers; nothing of other marks.
+    fn text_box(&self, letters: f64) -> Option<(&str, Extent)> {
+        let (at, text, anchor, bold, letters) = match self {
+            Mark::Text { at, text, anchor, bold, .. } => (at, text, anchor, *bold, letters),
+            Mark::Title { at, text, anchor, letters } => (at, text, anchor, true, *letters),
+            Mark::Line { .. }
+            | Mark::Circle { .. }
+            | Mark::Polygon { .. }
+            | Mark::Path { .. }
+            | Mark::Rectangles { .. } => return None,
+        };
+        let width = text_width(text, letters) * if bold { 1.1 } else { 1.0 };
+        let left = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => width / 2.0,
+            Anchor::End => width,
+        };
+        let low = Point::new(at.re - left, at.im - TALL * letters / 2.0);
+        Some((text, Extent { low, high: low + Point::new(width, TALL * letters) }))
+    }
+
+    /// What the mark covers, its outline with it.
+    fn extent(&self, letters: f64) -> Option<Extent> {
+        match self {
+            Mark::Line { from, to, stroke, arrow } => {
+                let head = arrow.then(|| arrow_head(*from, *to, stroke)).flatten();
+                let outline = head.map_or(stroke.width / 2.0, |(_, half)| half.max(stroke.width / 2.0));
+                Extent::around([*from, *to]).map(|line| line.grown(outline))
+            }
+            Mark::Circle { centre, radius, stroke, .. } => {
+                Extent::around([*centre]).map(|point| point.grown(radius + stroke.width / 2.0))
+            }
+            Mark::Polygon { corners: points, stroke, .. } | Mark::Path { points, stroke } => {
+                Extent::around(points.iter().copied()).map(|area| area.grown(stroke.width / 2.0))
+            }
+            Mark::Rectangles { corners, .. } => Extent::around(corners.iter().flat_map(|(low, high)| [*low, *high])),
+            Mark::Text { .. } | Mark::Title { .. } => self.text_box(letters).map(|(_, text)| text),
+        }
+    }
+
+    fn moved(&mut self, by: Point) {
+        match self {
+            Mark::Line { from, to, .. } => {
+                *from += by;
+                *to += by;
+            }
+            Mark::Circle { centre, .. } => *centre += by,
+            Mark::Polygon { corners: points, .. } | Mark::Path { points, .. } => {
+                points.iter_mut().for_each(|point| *point += by);
+            }
+            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
+                *low += by;
+                *high += by;
+            }),
+            Mark::Text { at, .. } | Mark::Title { at, .. } => *at += by,
+        }
+    }
+
+    fn scaled(&mut self, by: f64) {
+        match self {
+            Mark::Line { from, to, stroke, .. } => {
+                *from *= by;
+                *to *= by;
+                stroke.width *= by;
+            }
+            Mark::Circle { centre, radius, stroke, .. } => {
+                *centre *= by;
+                *radius *= by;
+                stroke.width *= by;
+            }
+            Mark::Polygon { corners: points, stroke, .. } | Mark::Path { points, stroke } => {
+                points.iter_mut().for_each(|point| *point *= by);
+                stroke.width *= by;
+            }
+            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
+                *low *= by;
+                *high *= by;
+            }),
+            Mark::Text { at, .. } => *at *= by,
+            Mark::Title { at, letters, .. } => {
+                *at *= by;
+                *letters *= by;
+            }
+        }
+    }
+}
+
+impl Figure {
+    /// The texts with the boxes that they cover, as far as the widths of letters are known.
+    pub fn text_boxes(&self) -> Vec<(&str, Extent)> {
+        self.marks.iter().filter_map(|mark| mark.text_box(self.letters)).collect()
+    }
+
+    /// The pairs of texts that lie on each other.
+    pub fn overlaps(&self) -> Vec<(&str, &str)> {
+        let boxes = self.text_boxes();
+        let pairs =
+            boxes.iter().enumerate().flat_map(|(index, one)| boxes[index + 1..].iter().map(move |two| (one, two)));
+        pairs.filter(|(one, two)| one.1.meets(&two.1)).map(|(one, two)| (one.0, two.0)).collect()
+    }
+
+    /// The texts that do not lie on the page.
+    pub fn leaving(&self) -> Vec<&str> {
+        let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
+        self.text_boxes().into_iter().filter(|(_, text)| !page.holds(text)).map(|(text, _)| text).collect()
+    }
+
+    /// What all marks together cover; nothing where there are none.
+    pub fn extent(&self) -> Option<Extent> {
+        self.marks.iter().filter_map(|mark| mark.extent(self.letters)).reduce(|all, mark| all.joined(&mark))
+    }
+
+    /// Puts another drawing on this one, its origin at a point.
+    pub fn place(&mut self, other: Figure, at: Point) {
+        let moved = |mut mark: Mark| {
+            mark.moved(at);
+            mark
+        };
+        self.marks.extend(other.marks.into_iter().map(moved));
+    }
+
+    /// The same drawing so many times as large, its letters and lines with it.
+    pub fn scaled(mut self, by: f64) -> Figure {
+        self.marks.iter_mut().for_each(|mark| mark.scaled(by));
+        Figure { width: by * self.width, height: by * self.height, letters: by * self.letters, marks: self.marks }
+    }
+
+    /// The same marks on a page that they fill, with a margin in millimetres.
+    pub fn cropped(self, margin: f64) -> Figure {
+        let Some(extent) = self.extent() else { return self };
+        let extent = extent.grown(margin);
+        let size = extent.high - extent.low;
+        let mut page = Figure::new(size.re, size.im).lettered(self.letters);
+        page.place(self, -extent.low);
+        page
+    }
+}

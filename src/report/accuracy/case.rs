@@ -1,0 +1,47 @@
+//! What is looked at? An engine at one rod ratio, with its loads by all methods.
+
+use num_rational::BigRational;
+
+use crate::accuracy::{self, Study};
+use crate::engine::Engine;
+use crate::loads;
+use crate::page::{Number, Text, phrase};
+use crate::proof::Quantity;
+
+/// An engine at one rod ratio, with its loads by all methods.
+#[derive(Clone, Debug)]
+pub struct AccuracyCase {
+    /// The rod ratio λ; none where the rods differ.
+    pub ratio: Option<BigRational>,
+    /// Its loads.
+    pub studies: Vec<Study>,
+}
+
+impl AccuracyCase {
+    /// The loads of a layout by all methods: force, moment, torque.
+    ///
+    /// # Errors
+    /// What the layout lacks for numbers.
+    pub fn of(engine: &Engine, quantities: &[Quantity], timing: accuracy::Timing) -> Result<Self, loads::Missing> {
+        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timing));
+        let mut rods = engine.rods().map(|rod| &rod.ratio);
+        let first = rods.next().cloned();
+        let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
+        Ok(AccuracyCase { ratio, studies: studies.collect::<Result<_, _>>()? })
+    }
+
+    /// `λ = 0.3`.
+    pub(super) fn label(&self) -> Text {
+        match self.ratio.as_ref().map(Number::exact) {
+            None => "each its own λ".into(),
+            Some(Number::Decimal(decimal)) => phrase!("λ {}", Number::Decimal(decimal)),
+            Some(Number::Zero) => "λ = 0".into(),
+            Some(number @ (Number::Exact(_) | Number::Closed(..))) => phrase!("λ = {}", number),
+        }
+    }
+}
+
+/// As many loads as every case has.
+pub(super) fn loads_of(cases: &[AccuracyCase]) -> usize {
+    cases.iter().map(|case| case.studies.len()).min().unwrap_or(0)
+}

@@ -1,0 +1,107 @@
+//! What does `accuracy --json` hold? For each rod ratio and load: the peak, guaranteed, and what each method finds.
+
+use num_rational::BigRational;
+use serde::Serialize;
+
+use super::{AccuracyCase, methods};
+use crate::accuracy::{Method, Row, Study};
+use crate::engine::Engine;
+use crate::proof::Quantity;
+
+/// The methods and their errors as data.
+#[derive(Clone, Debug, Serialize)]
+pub struct AccuracyDocument {
+    title: String,
+    cases: Vec<Case>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Case {
+    rod_ratio: Option<String>,
+    loads: Vec<Load>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Load {
+    quantity: &'static str,
+    unit: &'static str,
+    /// Units a multiple: the ends of the peak are in multiples.
+    multiple: f64,
+    vanishes: bool,
+    /// Rounded outward behind the fortieth place.
+    peak_low: String,
+    peak_high: String,
+    rounding: f64,
+    /// The peak is known to this part of itself.
+    reference_error: f64,
+    methods: Vec<Entry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Entry {
+    method: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setting: Option<u32>,
+    value: f64,
+    error: f64,
+    /// Whether the reference is too coarse to tell the error.
+    below_reference_error: bool,
+    bound: Option<f64>,
+    looked_at: Option<usize>,
+    seconds: Option<f64>,
+    on_front: bool,
+}
+
+/// The methods and their errors as data; errors and bounds are parts of the peak.
+pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDocument {
+    let case = |case: &AccuracyCase| Case {
+        rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
+        loads: case.studies.iter().map(|study| load(engine, study)).collect(),
+    };
+    AccuracyDocument { title: engine.title().written().to_owned(), cases: cases.iter().map(case).collect() }
+}
+
+/// The name of a load in the document.
+fn name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "force",
+        Quantity::Moment => "moment",
+        Quantity::Torque => "inertia torque",
+    }
+}
+
+fn load(engine: &Engine, study: &Study) -> Load {
+    let (unit, multiple) = methods::unit(engine, study.quantity);
+    let front = methods::front(study);
+    let entry = |(place, row): (usize, &Row)| {
+        let (method, setting) = match row.method {
+            Method::Orders(order) => ("orders", Some(order)),
+            Method::Doubles(steps) => ("closed form, 64 bits", Some(steps)),
+            Method::Singles(steps) => ("closed form, 32 bits", Some(steps)),
+            Method::Intervals(digits) => ("intervals", Some(digits)),
+            Method::Fractions => ("intervals of fractions", None),
+        };
+        Entry {
+            method,
+            setting,
+            value: row.value * multiple,
+            error: row.error,
+            below_reference_error: study.is_below_reference(row),
+            bound: row.bound,
+            looked_at: row.looked_at,
+            seconds: row.time.map(|time| time.as_secs_f64()),
+            on_front: front.contains(&place),
+        }
+    };
+    Load {
+        quantity: name(study.quantity),
+        unit,
+        multiple,
+        vanishes: study.rows.is_empty(),
+        peak_low: methods::decimals(&study.peak.low, false),
+        peak_high: methods::decimals(&study.peak.high, true),
+        rounding: study.rounding,
+        reference_error: study.doubt,
+        methods: study.rows.iter().enumerate().map(entry).collect(),
+    }
+}

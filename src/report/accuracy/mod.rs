@@ -1,0 +1,15 @@
+//! How is what accuracy costs shown? Each load by all methods: tables, plots, a section of a report, pages, a JSON document.
+
+mod case;
+mod document;
+mod methods;
+mod page;
+mod plots;
+mod published;
+mod tables;
+mod words;
+
+pub use case::AccuracyCase;
+pub use document::{AccuracyDocument, accuracy_document};
+pub use page::{accuracy_answer, accuracy_page, accuracy_section};
+pub use published::accuracy_errors_page;

@@ -1,0 +1,49 @@
+//! What stands on the page of what accuracy costs, on the terminal, and in a report?
+
+use super::{AccuracyCase, plots, tables, words};
+use crate::accuracy::Study;
+use crate::engine::Engine;
+use crate::page::{Block, Document, Text, phrase};
+
+fn studies(cases: &[AccuracyCase]) -> impl Iterator<Item = (usize, &AccuracyCase, &Study)> {
+    let numbered = cases.iter().enumerate();
+    numbered.flat_map(|(number, case)| case.studies.iter().map(move |study| (number + 1, case, study)))
+}
+
+/// The short answer: a table a load and rod ratio.
+pub fn accuracy_answer(engine: &Engine, cases: &[AccuracyCase]) -> Document {
+    let mut answer = Document::new("accuracy", engine.title());
+    for (_, case, study) in studies(cases) {
+        answer.push(Block::Paragraph(words::answer(engine, case, study)));
+        answer.blocks.extend(words::sure_digits(study).map(Block::Paragraph));
+        if !study.rows.is_empty() {
+            answer.push(tables::methods(engine, study));
+        }
+    }
+    answer.push(Block::Paragraph(tables::FRONT.into()));
+    answer
+}
+
+/// The page of one engine with errors and times, and a plot a load and rod ratio; made for this machine at this hour.
+pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
+    let mut page = Document::new("accuracy", phrase!("{}: what accuracy costs", engine.title()));
+    page.push(Block::Answer(studies(cases).map(|(_, case, study)| words::answer(engine, case, study)).collect()));
+    for (number, case, study) in studies(cases).filter(|(_, _, study)| !study.rows.is_empty()) {
+        page.push(Block::Heading(1, words::heading(case, study)));
+        page.push(plots::cost(number, case, study));
+        page.push(tables::methods(engine, study));
+        page.push(Block::Note(tables::FRONT.into()));
+        page.blocks.extend(words::sure_digits(study).map(Block::Paragraph));
+    }
+    page.push(Block::Heading(1, "How the methods work".into()));
+    page.push(Block::List(words::METHODS.into_iter().chain([words::TIMES]).map(Text::from).collect()));
+    page
+}
+
+/// The section of a report on the errors of the methods; no times, so that it is the same on every machine.
+pub fn accuracy_section(cases: &[AccuracyCase]) -> Vec<Block> {
+    let mut blocks = vec![Block::Heading(1, "What accuracy costs".into())];
+    blocks.extend(tables::errors(cases));
+    blocks.push(Block::List(words::METHODS.map(Text::from).into()));
+    blocks
+}

@@ -1,0 +1,84 @@
+//! How are the methods drawn? Error against time, and what is left of the peak over the highest order kept.
+
+use super::super::figure::Ink;
+use super::super::plot::{Axis, Curve, Plot, PointMark};
+use super::{AccuracyCase, methods, words};
+use crate::accuracy::{Method, Row, Study};
+use crate::engine::Engine;
+use crate::page::{Format, Picture, Text, phrase, text_in};
+use crate::proof::Quantity;
+
+/// Errors smaller than this stand at the lower edge of a plot.
+const LEAST: f64 = 1e-18;
+
+fn plain(text: &Text) -> String {
+    text_in(text, Format::PLAIN)
+}
+
+/// Error against time on logarithmic axes, the Pareto front as stairs.
+pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture {
+    let title = words::heading(case, study);
+    let x = Axis::log("Time of one evaluation in s");
+    let mut plot = Plot::new(plain(&title), x, Axis::log("Error or guaranteed bound, part of the peak"));
+    let at = |row: &Row| {
+        let time = row.time.map_or(f64::NAN, |time| time.as_secs_f64());
+        (time, methods::shown_error(study, row).max(LEAST))
+    };
+    let front: Vec<(f64, f64)> = methods::front(study).into_iter().map(|place| at(&study.rows[place])).collect();
+    plot.curves
+        .push(Curve { ink: Ink::Grey, ..Curve::new(0, "no other is both faster and more accurate", front).stepped() });
+    for row in &study.rows {
+        let (label, series, ink, filled) = match row.method {
+            Method::Orders(order) => (order.to_string(), "orders up to", Ink::Blue, true),
+            Method::Doubles(steps) => (steps.to_string(), "angles, 64 bits", Ink::Orange, true),
+            Method::Singles(steps) => (steps.to_string(), "angles, 32 bits", Ink::Orange, false),
+            Method::Intervals(digits) => (methods::power_of_ten(-i64::from(digits)), "intervals to", Ink::Green, true),
+            Method::Fractions => (plain(&methods::guaranteed(row)), "fractions", Ink::Red, true),
+        };
+        plot.marks.push(PointMark { ink, filled, ..PointMark::dot(at(row), label).of(series) });
+    }
+    let caption = phrase!(
+        "{}: each mark is a method, faster to the left and more accurate below. Of the closed form and the orders the measured error is shown, of intervals the guaranteed bound.",
+        title
+    );
+    let name = format!("{}-{number}", words::file_name(study.quantity));
+    Picture { name, caption, figure: plot.figure() }
+}
+
+/// Guaranteed bound over the highest order kept, a curve a rod ratio; what was measured as dots upon it.
+pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)]) -> Option<Picture> {
+    let quantity = studies.first()?.1.quantity;
+    let words = match quantity {
+        Quantity::Force => "{}: what the orders leave of the peak force",
+        Quantity::Moment => "{}: what the orders leave of the peak moment",
+        Quantity::Torque => "{}: what the orders leave of the peak inertia torque",
+    };
+    let title = phrase!(words, engine.title());
+    let x = Axis::linear("Highest order kept");
+    let x =
+        Axis { ticks: Some([0, 4, 8, 12, 16, 20, 24, 28, 32].map(f64::from).to_vec()), range: Some((0.0, 33.0)), ..x };
+    let mut plot = Plot::new(plain(&title), x, Axis::log("Part of the peak").within(1e-16, 10.0));
+    for (place, (label, study)) in studies.iter().enumerate() {
+        let orders = study.rows.iter().filter_map(|row| match row.method {
+            Method::Orders(order) => Some((f64::from(order), row)),
+            Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_) | Method::Fractions => None,
+        });
+        let orders: Vec<(f64, &Row)> = orders.collect();
+        let bounds = orders.iter().filter_map(|(order, row)| Some((*order, two_digits(row.bound?).max(LEAST))));
+        let curve = Curve::new(place, format!("bound, {}", plain(label)), bounds.collect());
+        let ink = curve.ink;
+        plot.curves.push(curve);
+        for (order, row) in orders.iter().filter(|(_, row)| row.error >= study.rounding) {
+            let mark = PointMark { ink, ..PointMark::dot((*order, two_digits(row.error)), "") };
+            plot.marks.push(if place == 0 { mark.of("measured") } else { mark });
+        }
+    }
+    let caption =
+        phrase!("{}, over the highest order kept: curves are guaranteed bounds, dots measured errors.", title);
+    Some(Picture { name: format!("engine-{number}-{}", words::file_name(quantity)), caption, figure: plot.figure() })
+}
+
+/// What the tables show of an error, so that a drawing does not tell machines apart either.
+fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,96 @@
+//! Which tables compare the methods? All of one load with their times, or the errors alone over several rod ratios.
+
+use super::methods::{self, Significant};
+use super::{AccuracyCase, case, words};
+use crate::accuracy::{Method, Row, Study};
+use crate::engine::Engine;
+use crate::page::{Block, Fold, Table, Text, phrase};
+use crate::proof::Quantity;
+
+/// Digits of a peak in a table of methods: where they differ is what is compared.
+const DIGITS: usize = 9;
+
+/// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
+pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
+    let (unit, factor) = methods::page_unit(engine, study.quantity);
+    let front = methods::front(study);
+    let mut table = Table::new([
+        "Method".into(),
+        phrase!("Peak in {}", unit.name),
+        "Error".into(),
+        "Guaranteed".into(),
+        "Time".into(),
+        "Unbeaten".into(),
+    ]);
+    for (place, row) in study.rows.iter().enumerate() {
+        table.push(vec![
+            methods::name_and_spans(row),
+            format!("{:.DIGITS$}", Significant(row.value * factor)).into(),
+            methods::measured(study, row),
+            row.bound.map_or_else(Text::default, |bound| methods::power(bound).into()),
+            row.time.map_or_else(Text::default, |time| methods::time(time).into()),
+            if front.contains(&place) { "yes".into() } else { Text::default() },
+        ]);
+    }
+    table
+}
+
+/// What stands below those tables.
+pub(super) const FRONT: &str =
+    "Error and guaranteed bound are parts of the peak. Unbeaten: no other method is both faster and more accurate.";
+
+/// The errors of the methods for the loads of an engine at some rod ratios: measured ones, and folded what is guaranteed.
+pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for place in 0..case::loads_of(cases) {
+        let studies: Vec<&Study> = cases.iter().map(|case| &case.studies[place]).collect();
+        let Some(first) = studies.first() else { continue };
+        if let Some(nothing) = studies.iter().find_map(|study| words::vanishing(study)) {
+            blocks.push(Block::Paragraph(nothing));
+            continue;
+        }
+        let measures = |row: &Row| row.method != Method::Fractions;
+        let guarantees = |row: &Row| row.bound.is_some();
+        blocks.push(Block::Paragraph(measured_caption(first.quantity).into()));
+        blocks.push(by_ratio(cases, &studies, &measures, &methods::measured).into());
+        blocks.push(Block::Folded(Fold {
+            summary: guaranteed_caption(first.quantity).into(),
+            blocks: vec![by_ratio(cases, &studies, &guarantees, &|_, row| methods::guaranteed(row)).into()],
+        }));
+    }
+    blocks
+}
+
+fn measured_caption(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "Measured error of the peak force:",
+        Quantity::Moment => "Measured error of the peak moment:",
+        Quantity::Torque => "Measured error of the peak inertia torque:",
+    }
+}
+
+fn guaranteed_caption(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "Guaranteed bound of the error of the peak force, roundings of the sums apart",
+        Quantity::Moment => "Guaranteed bound of the error of the peak moment, roundings of the sums apart",
+        Quantity::Torque => "Guaranteed bound of the error of the peak inertia torque, roundings of the sums apart",
+    }
+}
+
+/// A row a method, a column a rod ratio.
+fn by_ratio(
+    cases: &[AccuracyCase],
+    studies: &[&Study],
+    kept: &dyn Fn(&Row) -> bool,
+    cell: &dyn Fn(&Study, &Row) -> Text,
+) -> Table {
+    let columns = cases.iter().map(AccuracyCase::label);
+    let mut table = Table::new([Text::from("Method")].into_iter().chain(columns));
+    let first = studies.first().map_or(&[][..], |study| &study.rows);
+    for (index, row) in first.iter().enumerate().filter(|(_, row)| kept(row)) {
+        let cells =
+            studies.iter().map(|study| study.rows.get(index).map_or_else(Text::default, |row| cell(study, row)));
+        table.push([methods::name(row.method)].into_iter().chain(cells).collect());
+    }
+    table
+}

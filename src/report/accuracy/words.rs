@@ -1,0 +1,126 @@
+//! What is said of a load? Its name, its peak, which orders are enough, how the methods work.
+
+use num_traits::{ToPrimitive, Zero};
+
+use super::methods;
+use super::{AccuracyCase, case};
+use crate::accuracy::Study;
+use crate::engine::Engine;
+use crate::page::{Piece, Text, phrase};
+use crate::proof::Quantity;
+
+/// How the methods work, and what the columns mean.
+pub(super) const METHODS: [&str; 5] = [
+    "Each method looks for the same peak; errors are parts of it.",
+    "**Orders** are summed in doubles. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound.",
+    "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 or 32 bits.",
+    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are sure; they are stopped at 4000 spans, and where they miss their aim their bound says by how much.",
+    "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by whatever else is guaranteed, they are the reference of the others; an error that is smaller than their own is said to be below it.",
+];
+
+pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand.";
+
+pub(super) const NO_TIMES: &str =
+    "Below the last place of doubles errors differ between machines; there only a bound is shown.";
+
+/// The heading of a load.
+pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
+    match study.quantity {
+        Quantity::Force => phrase!("Peak force, {}", case.label()),
+        Quantity::Moment => phrase!("Peak moment, {}", case.label()),
+        Quantity::Torque => phrase!("Peak inertia torque, {}", case.label()),
+    }
+}
+
+/// The name of a load in the names of files.
+pub(super) fn file_name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "force",
+        Quantity::Moment => "moment",
+        Quantity::Torque => "inertia-torque",
+    }
+}
+
+/// What multiples of a load are multiples of.
+fn multiple(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "m r ω²",
+        Quantity::Moment => "m r ω² times the unit of the positions",
+        Quantity::Torque => "m r² ω²",
+    }
+}
+
+/// That there is no peak, where there is none.
+pub(super) fn vanishing(study: &Study) -> Option<Text> {
+    if !study.rows.is_empty() {
+        return None;
+    }
+    if study.peak.high.is_zero() {
+        return Some(match study.quantity {
+            Quantity::Force => "The force vanishes at every order, proved: there is no peak to compare.".into(),
+            Quantity::Moment => "The moment vanishes at every order, proved: there is no peak to compare.".into(),
+            Quantity::Torque => {
+                "The inertia torque vanishes at every order, proved: there is no peak to compare.".into()
+            }
+        });
+    }
+    let words = match study.quantity {
+        Quantity::Force => {
+            "The force vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
+        }
+        Quantity::Moment => {
+            "The moment vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
+        }
+        Quantity::Torque => {
+            "The inertia torque vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
+        }
+    };
+    let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
+    Some(phrase!(words, methods::power(bound), multiple(study.quantity)))
+}
+
+/// The digits of a peak that are sure.
+pub(super) fn sure_digits(study: &Study) -> Option<Text> {
+    let digits = methods::sure_digits(study).filter(|_| !study.rows.is_empty())?;
+    Some(phrase!("Sure digits in multiples of {}: {}…", multiple(study.quantity), digits))
+}
+
+/// What a designer wants to know of a load: its peak, the orders that are enough, the fastest method.
+pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Text {
+    if let Some(nothing) = vanishing(study) {
+        return phrase!("{}. {}", heading(case, study), nothing);
+    }
+    let (unit, factor) = methods::page_unit(engine, study.quantity);
+    let peak = Piece::Quantity(study.peak.to_float() * factor, unit);
+    let peak = phrase!("{}: {}.", heading(case, study), peak);
+    let orders = match methods::orders_for_a_thousandth(study) {
+        Some(order) => phrase!("Orders up to {} have it within 0.1 %, guaranteed.", order),
+        None => "The orders compared here do not have it within 0.1 %.".into(),
+    };
+    let fastest = methods::fastest_within_a_thousandth(study).map(|(row, time)| {
+        phrase!("The fastest method within 0.1 % takes {}: {}.", methods::time(time), methods::name(row.method))
+    });
+    Text::joined([peak, orders].into_iter().chain(fastest), " ")
+}
+
+/// Which orders have the peak of a load within a thousandth, at each rod ratio.
+pub(super) fn orders_needed(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Text> {
+    let of_load = |place: usize| {
+        let studies = cases.iter().map(|case| (case.label(), &case.studies[place]));
+        let quantity = cases.first()?.studies[place].quantity;
+        let needed = studies.filter(|(_, study)| !study.rows.is_empty()).map(|(label, study)| {
+            match methods::orders_for_a_thousandth(study) {
+                Some(order) => phrase!("{} at {}", order, label),
+                None => phrase!("more at {}", label),
+            }
+        });
+        let needed = Text::joined(needed, ", ");
+        let words = match quantity {
+            Quantity::Force => "{}: the peak force is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::Moment => "{}: the peak moment is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::Torque => "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}.",
+        };
+        (!needed.is_empty()).then(|| phrase!(words, engine.title(), needed))
+    };
+    (0..case::loads_of(cases)).filter_map(of_load).collect()
+}

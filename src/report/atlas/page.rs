@@ -1,0 +1,94 @@
+//! What stands on the pages of the atlas? The answer, the stars of the catalogue, what each engine leaves first and at each order.
+
+use super::super::catalogue::{answer, families, pictures};
+use super::super::engine_cells;
+use super::entry::{EngineRow, Origin};
+use super::{CENTRIC, OFFSET, tables};
+use crate::engine::{Cycle, Engine};
+use crate::file::Entry;
+use crate::page::{Block, Document, Fold, Text, phrase};
+use crate::proof::Quantity;
+
+/// The page in no format yet.
+pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow]) -> Document {
+    let mut page = Document::new("README", "Atlas of engine balance");
+    page.has_contents = true;
+    let families = families(engines);
+    let of = |origin: Origin| all.iter().filter(|row| row.origin == origin).collect::<Vec<_>>();
+    let mut lines = vec![phrase!(
+        "The {} engines of the catalogue and the {} best in-line stars of 2 to 12 cylinders: what each leaves at orders 1 to 8, exactly, and which order of all is the first left.",
+        engines.len(),
+        all.len() - engines.len()
+    )];
+    lines.extend(answer(&families));
+    page.push(Block::Answer(lines));
+    page.push(Block::Heading(1, "The stars of the catalogue".into()));
+    for family in &families {
+        page.push(Block::Heading(2, family.heading.into()));
+        page.push(pictures(family));
+    }
+    page.push(Block::Heading(1, "The catalogue".into()));
+    let known = of(Origin::Catalogue);
+    page.push(tables::known(&known));
+    by_order(&mut page, &known);
+    for (cycle, heading, words) in [
+        (Cycle::TwoStroke, "The best stars in line, two-stroke", TWO_STROKE),
+        (Cycle::FourStroke, "The best stars in line, four-stroke", FOUR_STROKE),
+    ] {
+        let found = of(Origin::Found(cycle));
+        page.push(Block::Heading(1, heading.into()));
+        page.push(Block::Paragraph(words.into()));
+        page.push(tables::found(&found));
+        by_order(&mut page, &found);
+    }
+    page.push(Block::Heading(1, "Longer closed forms".into()));
+    page.push(Block::Paragraph(LONGER.into()));
+    page.push(Block::List(tables::longer_forms(all)));
+    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::List(NOTES.map(Text::from).into()));
+    page.push(Block::Paragraph(phrase!(
+        "The same page for print: {}; for a browser: {}; its numbers for a spreadsheet: {}. {} writes them all.",
+        Text::link("atlas.tex", "atlas.tex"),
+        Text::link("atlas.html", "atlas.html"),
+        Text::link("atlas.csv", "atlas.csv"),
+        Text::code("crankstar atlas --output DIR")
+    )));
+    page
+}
+
+/// The forces and the moments of each order; folded those of the orders that only a pin offset has.
+fn by_order(page: &mut Document, rows: &[&EngineRow]) {
+    page.push(Block::Heading(2, "Forces, order by order".into()));
+    page.push(tables::by_order(rows, Quantity::Force, &CENTRIC));
+    page.push(Block::Heading(2, "Moments, order by order".into()));
+    page.push(tables::by_order(rows, Quantity::Moment, &CENTRIC));
+    page.push(Block::Folded(Fold {
+        summary: "Orders 3, 5 and 7, which only engines with a pin offset have".into(),
+        blocks: vec![
+            Block::Paragraph("Forces:".into()),
+            tables::by_order(rows, Quantity::Force, &OFFSET).into(),
+            Block::Paragraph("Moments:".into()),
+            tables::by_order(rows, Quantity::Moment, &OFFSET).into(),
+        ],
+    }));
+}
+
+const NOTES: [&str; 6] = [
+    "**0** is exact and proved; the other numbers are the largest value through a revolution, $\\tfrac{1}{2}(\\lvert P^{+} \\rvert + \\lvert P^{-} \\rvert)$, \
+     exact but after ≈: forces in $m r \\omega^2 c_k$, moments in that times the spacing (the unit of the positions), about the middle of the engine.",
+    "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their $c_k$ is 0. **First left** is the \
+     lowest order that is left of all that exist with centric cranks: 1 and the even ones.",
+    "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
+    engine_cells::REMEDIES,
+    "Remedies are those of orders 1 and 2, for the reciprocating masses.",
+    "Closed forms of more than 24 signs are left to the list above (orders 1 and 2) and to atlas.csv (all).",
+];
+
+const LONGER: &str =
+    "Of orders 1 and 2; the four-stroke stars of an odd number of cylinders are those of the two-stroke engines.";
+
+const TWO_STROKE: &str = "All crank stars of 2 to 12 cylinders that fire evenly, one spacing apart, judged exactly: those that no other \
+    equals in the moments of orders 1 and 2 and beats in one. An engine is named by its number of cylinders and its firing order; as good are the stars (with cylinder 1 at 0°) that have \
+    the same moments of orders 1 and 2. All cylinder axes are parallel, so that every force and moment is planar.";
+
+const FOUR_STROKE: &str = "The same for four-stroke engines. With an odd number of cylinders the stars are those of the two-stroke engine, in another firing order.";

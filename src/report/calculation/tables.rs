@@ -1,0 +1,135 @@
+//! Which tables hold the numbers? What is in the scene, the ellipse and the two vectors of each order, the torque.
+
+use super::amounts::{self, Unit};
+use super::{summary, words};
+use crate::engine::Engine;
+use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque};
+use crate::numbers;
+use crate::order::MassGroup;
+use crate::page::{Number, Table, Text, number, phrase};
+use crate::proof::Quantity;
+use crate::report::loads_document::share;
+
+/// What is in the scene and what is not, and what each group of masses adds to the peaks.
+pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
+    let mut table = Table::new(["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"]);
+    let peaks: [(Peak, Unit); 2] = [
+        (loads.force.peak(), Unit::of(engine, loads, Quantity::Force)),
+        (loads.moment.peak(), Unit::of(engine, loads, Quantity::Moment)),
+    ];
+    let shares = |group: MassGroup| {
+        let loads = loads.groups.iter().find(|loads| loads.group == group);
+        [0, 1].map(|place: usize| {
+            let (peak, unit) = &peaks[place];
+            match loads.map(|loads| [&loads.force, &loads.moment][place]) {
+                Some(waveform) if peak.value == 0.0 || waveform.harmonics().is_empty() => Text::zero(),
+                Some(waveform) => phrase!("{} {}", Number::Decimal(share(waveform, peak) * unit.factor), unit.name),
+                None => "–".into(),
+            }
+        })
+    };
+    for row in words::effects(engine, loads) {
+        let inside = if row.inside { "yes" } else { "no" };
+        let shares = row.group.map_or_else(|| ["–".into(), "–".into()], shares);
+        table.push([row.name.into(), inside.into(), row.why].into_iter().chain(shares).collect());
+    }
+    table
+}
+
+/// The two rotating vectors of each order.
+pub(super) fn vectors(engine: &Engine, loads: &Loads) -> Table {
+    let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
+    let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
+    for order in &loads.orders {
+        table.push(vec![
+            order.order.into(),
+            amounts::vector(&order.force.direct, force),
+            amounts::vector(&order.force.reverse, force),
+            amounts::vector(&order.moment.direct, moment),
+            amounts::vector(&order.moment.reverse, moment),
+        ]);
+    }
+    table
+}
+
+/// The ellipse that force and moment of each order run through.
+pub(super) fn ellipses(engine: &Engine, loads: &Loads) -> Table {
+    let mut table =
+        Table::new(["Order", "Quantity", "Largest", "Smallest", "Direction", "Along", "Across", "Largest / unit"]);
+    for order in &loads.orders {
+        for quantity in [Quantity::Force, Quantity::Moment] {
+            table.push(ellipse(engine, loads, order, quantity));
+        }
+    }
+    table
+}
+
+fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Quantity) -> Vec<Text> {
+    let (name, swing) = match quantity {
+        Quantity::Force => ("force", &order.force),
+        Quantity::Moment | Quantity::Torque => ("moment", &order.moment),
+    };
+    let unit = Unit::of(engine, loads, quantity);
+    let mut row = vec![order.order.into(), name.into(), amounts::largest(swing, unit)];
+    if swing.vanishes() {
+        row.extend([Text::zero(), "–".into(), Text::zero(), Text::zero(), Text::zero()]);
+        return row;
+    }
+    let largest = swing.largest();
+    // What is zero only as far as the decimals go is not said to be.
+    let part = |value: f64, is_zero: bool| match is_zero {
+        true => Text::zero(),
+        false if value <= 1e-12 * largest => "≈ 0".into(),
+        false => amounts::amount(value, unit),
+    };
+    row.push(part(swing.smallest(), swing.path.is_line));
+    row.push(swing.direction().map_or("–".into(), |degrees| phrase!("≈ {}°", number::decimal(degrees))));
+    row.push(part(swing.along(), swing.path.nothing_along));
+    row.push(part(swing.across(), swing.path.nothing_across));
+    row.push(Number::Decimal(largest).into());
+    row
+}
+
+/// What the tables count in.
+pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
+    let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
+    let first = match Arm::of(engine) {
+        Arm::Metre => phrase!(
+            "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 m.",
+            force.name,
+            moment.name
+        ),
+        Arm::Spacing => phrase!(
+            "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times the spacing a.",
+            force.name,
+            moment.name
+        ),
+    };
+    first.and(" ").and(
+        "All amplitudes are zero-to-peak. 0 is exact and proved, ≈ stands before decimals. Along: the component in the reference direction, the \
+         bisector of the banks of a V; across: at right angles to it. The moment of the forces along it is the pitching moment, that of the forces \
+         across it the yawing moment. Angles of the vectors are those at θ = 0.",
+    )
+}
+
+/// The amplitude of each order of the inertia torque.
+pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
+    let unit = Unit::of(engine, loads, Quantity::Torque);
+    let mut table = Table::new([
+        "Order".into(),
+        phrase!("Amplitude in {}", unit.name),
+        "Phase at θ = 0".into(),
+        Text::from("In m r² ω²"),
+    ]);
+    for order in &torque.orders {
+        let (angle, multiple) = match order.vector.outcome {
+            Outcome::Zero => ("–".into(), Text::zero()),
+            Outcome::NotZero | Outcome::Undecided { .. } => (
+                phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
+                Number::Decimal(order.vector.value.norm()).into(),
+            ),
+        };
+        table.push(vec![order.order.into(), summary::torque_cell(engine, order, unit), angle, multiple]);
+    }
+    table
+}

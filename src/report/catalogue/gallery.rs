@@ -1,0 +1,43 @@
+//! How do the engines of a family stand beside each other? A picture of stamps in rows.
+
+use super::super::figure::{Figure, Point};
+use super::{Family, Known, Stamp};
+use crate::page::{Block, Picture};
+
+/// Stamps beside each other: their words are read on a telephone too.
+const COLUMNS: usize = 2;
+/// Engines of one picture; on a wide screen two pictures stand beside each other.
+const MOST_ENGINES: usize = 8;
+/// Space between two stamps.
+const GAP: f64 = 4.0;
+
+/// What the pictures of a family show.
+const CAPTION: &str = "Each engine from its free end, cranks inside and cylinders outside, beside the vector star of the lowest order that it leaves: \
+    black arrows are the vectors of the cylinders, the red arrow is their sum.";
+
+/// The pictures of a family.
+pub(in crate::report) fn pictures(family: &Family) -> Block {
+    let pages = family.engines.len().div_ceil(MOST_ENGINES).max(1);
+    let rows_a_page = family.engines.len().div_ceil(pages * COLUMNS);
+    let picture = |(index, engines): (usize, &[Known])| Picture {
+        name: match index {
+            0 => family.file.to_owned(),
+            later => format!("{}-{}", family.file, later + 1),
+        },
+        caption: CAPTION.into(),
+        figure: rows(engines),
+    };
+    Block::Pictures(family.engines.chunks(rows_a_page * COLUMNS).enumerate().map(picture).collect())
+}
+
+fn rows(engines: &[Known]) -> Figure {
+    let (columns, rows) = (engines.len().min(COLUMNS), engines.len().div_ceil(COLUMNS));
+    let (width, height) = (Stamp::WIDTH + GAP, Stamp::HEIGHT + GAP);
+    let mut figure = Figure::new(columns as f64 * width, rows as f64 * height);
+    for (index, known) in engines.iter().enumerate() {
+        let (column, row) = (index % COLUMNS, index / COLUMNS);
+        let top = Point::new((column as f64 + 0.5) * width, figure.height - row as f64 * height);
+        Stamp::new(known).draw(&mut figure, top);
+    }
+    figure
+}

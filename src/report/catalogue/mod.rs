@@ -1,0 +1,126 @@
+//! What does the catalogue hold? Each engine with the orders that it leaves, by families: a list, a page, pictures.
+
+mod gallery;
+mod page;
+mod small;
+mod stamp;
+
+pub(super) use gallery::pictures;
+pub use page::{catalogue_answer, catalogue_page};
+pub(super) use stamp::Stamp;
+
+use super::residual;
+use crate::engine::{Engine, Form};
+use crate::file::Entry;
+use crate::order::Masses;
+use crate::page::{Text, phrase};
+use crate::proof::Quantity;
+use crate::verdict::{self, Balance, EveryOrder, NoTheorem, OrderBalance, Theorem};
+
+/// An engine of the catalogue, judged.
+pub(super) struct Known<'a> {
+    /// Its name.
+    pub name: &'static str,
+    /// The engine.
+    pub engine: &'a Engine,
+    /// The statements on every order.
+    pub theorem: Result<Theorem, NoTheorem>,
+}
+
+/// The engines of the catalogue that are built alike.
+pub(super) struct Family<'a> {
+    /// The name of its picture.
+    pub file: &'static str,
+    /// What it is called.
+    pub heading: &'static str,
+    /// Its engines, in the order of the catalogue.
+    pub engines: Vec<Known<'a>>,
+}
+
+/// The catalogue by families, in the order in which they come first.
+pub(super) fn families(engines: &[(Entry, Engine)]) -> Vec<Family<'_>> {
+    let mut families: Vec<Family> = Vec::new();
+    for (entry, engine) in engines {
+        let known = Known { name: entry.name, engine, theorem: verdict::theorem(engine, Masses::Reciprocating) };
+        let (file, heading) = family(engine.form());
+        match families.iter_mut().find(|family| family.file == file) {
+            Some(family) => family.engines.push(known),
+            None => families.push(Family { file, heading, engines: vec![known] }),
+        }
+    }
+    families
+}
+
+fn family(form: Form) -> (&'static str, &'static str) {
+    match form {
+        Form::Inline => ("stars-in-line", "In line"),
+        Form::Vee => ("stars-v", "V engines"),
+        Form::Flat | Form::Boxer => ("stars-boxer", "Boxer engines"),
+        Form::Fan => ("stars-w", "W engines"),
+        Form::Radial => ("stars-radial", "Radial engines"),
+        Form::General => ("stars-other", "Other engines"),
+    }
+}
+
+impl Known<'_> {
+    /// What is left first of the force and of the moment; none where nothing is known of every order.
+    pub fn first(&self) -> Option<[Option<&Balance>; 2]> {
+        let theorem = self.theorem.as_ref().ok()?;
+        Some([&theorem.force, &theorem.moment].map(|every: &EveryOrder| every.first.as_ref()))
+    }
+
+    /// The lowest order that is left; none where nothing is, and where nothing is known of every order.
+    pub fn lowest(&self) -> Option<u32> {
+        self.first()?.into_iter().flatten().map(|first| first.direct.order).min()
+    }
+
+    /// The verdicts on the lowest order that is left; on order 1 where nothing is.
+    pub fn drawn(&self) -> Option<OrderBalance> {
+        let quantities = [Quantity::Force, Quantity::Moment];
+        let order = self.lowest().unwrap_or(1);
+        let judged = verdict::classify(self.engine, &[order], Masses::Reciprocating, &quantities).ok()?;
+        judged.into_iter().next()?.parts.into_iter().next()
+    }
+
+    /// The lowest order left of force and moment, each in a cell: `order 2: 4, planar`, `none`.
+    fn cells(&self) -> [Text; 2] {
+        match self.first() {
+            Some(first) => first.map(|first| first.map_or_else(|| "none".into(), left)),
+            None => ["not stated".into(), "not stated".into()],
+        }
+    }
+}
+
+fn left(first: &Balance) -> Text {
+    phrase!("order {}: {}, {}", first.direct.order, residual::largest(first), residual::shape_name(first.shape))
+}
+
+/// What is said of the whole catalogue: which engines leave nothing of orders 1 and 2, and which nothing at all.
+pub(super) fn answer(families: &[Family]) -> Vec<Text> {
+    let names = |of: &dyn Fn(&Known) -> bool| {
+        let engines = families.iter().flat_map(|family| &family.engines);
+        Text::joined(engines.filter(|known| of(known)).map(|known| Text::label(known.name)), ", ")
+    };
+    let is_known = |known: &Known| known.first().is_some();
+    let never = names(&|known| is_known(known) && known.lowest().is_none());
+    let late = names(&|known| known.lowest().is_some_and(|order| order > 2));
+    let mut lines = Vec::new();
+    if !never.is_empty() {
+        lines.push(phrase!("Neither force nor moment is left at any order: **{}**.", never));
+    }
+    if !late.is_empty() {
+        lines.push(phrase!("Neither force nor moment is left at orders 1 and 2: **{}**.", late));
+    }
+    let rotating = names(&|known| known.drawn().is_some_and(|order| order.order == 1 && turns_with_crank(&order)));
+    if !rotating.is_empty() {
+        lines.push(phrase!("Counterweights on the crankshaft remove all of order 1: **{}**.", rotating));
+    }
+    lines
+}
+
+/// Whether what is left of an order turns with the crank, and something is.
+fn turns_with_crank(order: &OrderBalance) -> bool {
+    let balances = [&order.force, &order.moment];
+    balances.iter().all(|balance| balance.reverse.vanishes())
+        && balances.iter().any(|balance| !balance.direct.vanishes())
+}

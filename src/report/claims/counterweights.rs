@@ -1,0 +1,37 @@
+//! Which counterweights do what is claimed to be possible? Their places, masses and angles in a sentence.
+
+use super::super::{residual, typeset};
+use crate::claim::Witness;
+use crate::page::{Number, Text, phrase};
+use crate::remedy::Weight;
+
+/// The counterweights that were found, with their masses where the layout gives numbers.
+pub(super) fn found(found: &Witness) -> Text {
+    let mass = |index: usize| found.masses.as_ref().and_then(|masses| masses.get(index)).copied();
+    let each = found.weights.iter().enumerate().map(|(index, weight)| one(weight, mass(index)));
+    let told = match found.weights.is_empty() {
+        true => "No counterweight is needed.".into(),
+        false => phrase!("Counterweights that do it: {}.", Text::joined(each, "; ")),
+    };
+    match found.crankshaft_mass {
+        Some(mass) => phrase!("{} The crankshaft's mass is then {} kg.", told, Number::Decimal(mass)),
+        None => told,
+    }
+}
+
+fn one(weight: &Weight, mass: Option<f64>) -> Text {
+    let at = typeset::number(&weight.position);
+    match (mass, weight.vector.only()) {
+        (Some(mass), Some((_, sum))) => {
+            phrase!("at z = {}, {} kg at the crank radius, angle {}", at, Number::Decimal(mass), residual::bearing(sum))
+        }
+        (Some(mass), None) => phrase!("at z = {}, {} kg at the crank radius", at, Number::Decimal(mass)),
+        (None, Some((_, sum))) => phrase!(
+            "at z = {}, mass-radius {} in multiples of m r, angle {}",
+            at,
+            residual::modulus_of(sum),
+            residual::bearing(sum)
+        ),
+        (None, None) => phrase!("at z = {}, none", at),
+    }
+}

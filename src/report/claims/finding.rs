@@ -1,0 +1,163 @@
+//! How is the answer to a claim put in words: whether it holds, and what is the case?
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::super::residual;
+use super::super::typeset::{self, Amount};
+use super::counterweights;
+use super::orders::Asked;
+use crate::claim::{Absolute, Answer, Condition, Finding, Statement, Status, Subject};
+use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
+use crate::order::Masses;
+use crate::page::{Number, Piece, Text, Unit, phrase};
+use crate::proof::{Quantity, Sense, Shape};
+use crate::verdict::{Balance, OrderBalance, TorquePart, Verdict};
+
+/// `true`, `false`, `true only if …`.
+pub fn claim_status(answer: &Answer) -> Text {
+    match &answer.status {
+        Status::True => "true".into(),
+        Status::TrueAsRounded => "true, rounded".into(),
+        Status::False => "false".into(),
+        Status::NotDecided => "not decided".into(),
+        Status::TrueOnlyIf { conditions, met } => {
+            let conditions = Text::joined(conditions.iter().map(condition), " and ");
+            match met {
+                true => phrase!("true only if {}, as it is here", conditions),
+                false => phrase!("true only if {}, which it is not here", conditions),
+            }
+        }
+    }
+}
+
+fn condition(condition: &Condition) -> Text {
+    match condition {
+        Condition::AboutPlane(plane) => phrase!("moments are taken about the plane z = {}", typeset::number(plane)),
+        Condition::NotAboutPlane(plane) => {
+            phrase!("moments are not taken about the plane z = {}", typeset::number(plane))
+        }
+        Condition::NoBankOffset => "the cylinders of a crankpin stand in one plane".into(),
+        Condition::FiringOrder => "the firing order is one of the even ones".into(),
+    }
+}
+
+/// What is the case.
+pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
+    match (&answer.finding, statement) {
+        (Finding::Order(order), Statement::Order { subject, .. }) => about_order(*subject, order),
+        (Finding::Order(order), _) => residual::force(order),
+        (Finding::Absolute(order, absolute), Statement::Order { subject, .. }) => {
+            phrase!("{} {}", about_order(*subject, order), in_newtons(*subject, absolute))
+        }
+        (Finding::Torque(torque), _) => about_torque(torque),
+        (Finding::Absolute(order, _), _) => residual::force(order),
+        (Finding::Orders { surviving, judged, period, first }, _) => {
+            Asked { surviving, judged: *judged, period: *period, first: first.as_deref() }.finding(statement)
+        }
+        (Finding::Firing(None), _) => "The layout names no firing order.".into(),
+        (Finding::Firing(Some(intervals)), _) => {
+            let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
+            phrase!("The intervals are {}.", Text::joined(degrees, ", "))
+        }
+        (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {} kg.", kilograms(mass)),
+        (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
+        (Finding::Witness(found), _) => counterweights::found(found),
+        (Finding::Nothing(reason), _) => phrase!("{}.", reason.clone()),
+    }
+}
+
+fn about_torque(torque: &TorquePart) -> Text {
+    let order = torque.verdict.order;
+    match torque.exists {
+        true => phrase!("Order {} of the torque is {}.", order, residual::torque_part(torque)),
+        false => phrase!("Order {} of the torque {}. {}", order, DOES_NOT_EXIST, WHY_NOT),
+    }
+}
+
+fn about_order(subject: Subject, order: &OrderBalance) -> Text {
+    let is_force = subject.quantity == Quantity::Force;
+    let k = subject.order;
+    if !order.exists {
+        let name = if is_force { "force" } else { "moment" };
+        return phrase!("Order {} of the {} {}. {}", k, name, DOES_NOT_EXIST, WHY_NOT);
+    }
+    let balance: &Balance = if is_force { &order.force } else { &order.moment };
+    let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {
+        Sense::Direct => &balance.direct,
+        Sense::Reverse => &balance.reverse,
+    });
+    let name = whose(if is_force { "force" } else { residual::moment_name(order) }, subject.masses);
+    match verdict {
+        Some(verdict) if verdict.vanishes() => {
+            phrase!("The {} vector of the {} of order {} is {}.", sense(verdict), name, k, Text::zero())
+        }
+        Some(verdict) => phrase!(
+            "The {} vector of the {} of order {} is {} long, angle {}.",
+            sense(verdict),
+            name,
+            k,
+            residual::modulus(verdict).mean(&Amount::zero()),
+            residual::bearing(&verdict.sum)
+        ),
+        None if balance.is_balanced() => phrase!("The {} of order {} is {}.", name, k, Text::zero()),
+        None => left(&name, k, balance),
+    }
+}
+
+/// What is left of an order: its shape, its largest value, the angle of a rotating vector, the line of one that swings.
+fn left(name: &Text, order: u32, balance: &Balance) -> Text {
+    let (name, shape, largest) = (name.clone(), residual::shape_name(balance.shape), residual::largest(balance));
+    let at_angle = "The {} of order {} is {}, its largest value {}, at angle {}.";
+    match balance.shape {
+        Shape::Balanced | Shape::NotDecided => {
+            phrase!("The {} of order {} is {}, its largest value {}.", name, order, shape, largest)
+        }
+        Shape::Rotating => phrase!(at_angle, name, order, shape, largest, residual::bearing(&balance.direct.sum)),
+        Shape::CounterRotating => {
+            phrase!(at_angle, name, order, shape, largest, residual::bearing(&balance.reverse.sum))
+        }
+        Shape::Planar | Shape::Elliptical => phrase!(
+            "The {} of order {} is {}, its largest value {}, along the line of angle {}.",
+            name,
+            order,
+            shape,
+            largest,
+            residual::line_bearing(balance)
+        ),
+    }
+}
+
+/// A mass as a decimal where it ends, however many places that takes.
+fn kilograms(mass: &BigRational) -> Text {
+    let decimal = mass.to_f64().map(|mass| mass.to_string());
+    let is_exact = |text: &String| crate::file::parse_number(text).is_ok_and(|number| number == *mass);
+    decimal.filter(is_exact).map_or_else(|| Number::exact(mass).into(), Text::label)
+}
+
+/// A force or a moment with whose it is, where it is not that of the pistons.
+fn whose(name: &'static str, masses: Masses) -> Text {
+    match masses {
+        Masses::Reciprocating => name.into(),
+        Masses::Rotating => phrase!("{} of the rotating masses", name),
+        Masses::Counterweights => phrase!("{} of the counterweights", name),
+        Masses::All => phrase!("{} of all masses", name),
+    }
+}
+
+fn sense(verdict: &Verdict) -> &'static str {
+    verdict.sense.map_or("", Sense::name)
+}
+
+fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
+    let unit = if subject.quantity == Quantity::Moment { Unit::NEWTON_METRE } else { Unit::NEWTON };
+    let value = |value: f64| Text::from(Number::Decimal(value)).and(Piece::Label(format!("\u{202f}{}", unit.name)));
+    match subject.order {
+        1 => phrase!("That is {}.", value(absolute.whole)),
+        _ => phrase!(
+            "That is {} with the first term of c_k alone, {} with the whole series.",
+            value(absolute.first_term),
+            value(absolute.whole)
+        ),
+    }
+}

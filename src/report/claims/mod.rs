@@ -1,0 +1,12 @@
+//! How are claims answered, as a person reads it? A table of answers, a page with its certificates.
+
+mod counterweights;
+mod evidence;
+mod finding;
+mod orders;
+mod page;
+mod student;
+
+pub use finding::{claim_finding, claim_status};
+pub use page::{claims_answer, claims_page};
+pub use student::table_finding;

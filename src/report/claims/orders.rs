@@ -1,0 +1,84 @@
+//! What is said of many orders at once? Which are left, the first of them, and over how many it is known.
+
+use super::super::residual;
+use crate::claim::Statement;
+use crate::page::{Text, phrase};
+use crate::proof::Quantity;
+use crate::verdict::OrderBalance;
+
+/// More orders than this are not named.
+const MOST_NAMED: usize = 6;
+
+/// Of the orders that were asked, those that are left.
+pub(super) struct Asked<'a> {
+    pub surviving: &'a [u32],
+    pub judged: usize,
+    /// After so many orders everything repeats; none where single orders were asked.
+    pub period: Option<u32>,
+    pub first: Option<&'a OrderBalance>,
+}
+
+impl Asked<'_> {
+    /// What is the case of them.
+    pub fn finding(&self, statement: &Statement) -> Text {
+        let Some(first) = self.first else { return self.nothing_left(statement) };
+        let named = Text::joined(self.surviving.iter().take(MOST_NAMED).map(|&order| order.into()), ", ");
+        let named = if self.surviving.len() > MOST_NAMED { phrase!("{}, …", named) } else { named };
+        let what = what_is_left(first, statement);
+        match self.period {
+            Some(period) => phrase!(
+                "Of all orders that exist (1 and the even ones, repeating after {}) these are left: {}; the first is order {}: {}.",
+                period,
+                named,
+                first.order,
+                what
+            ),
+            None => phrase!(
+                "Of the {} orders these are left: {}; the first is order {}: {}.",
+                self.judged,
+                named,
+                first.order,
+                what
+            ),
+        }
+    }
+
+    fn nothing_left(&self, statement: &Statement) -> Text {
+        let of_free_moment = match statement {
+            Statement::NoFreeMoment => true,
+            Statement::Vanish { .. }
+            | Statement::Order { .. }
+            | Statement::CanBalance(_)
+            | Statement::CrankshaftMass(_)
+            | Statement::BearingLoad(_)
+            | Statement::WorstBearings(_)
+            | Statement::FiresEvenly { .. } => false,
+        };
+        match self.period {
+            Some(period) if of_free_moment => phrase!(
+                "No order leaves one: its moment vanishes, or is that of its force in one plane; one period of {} orders shows it.",
+                period
+            ),
+            Some(period) => phrase!("All of them vanish: one period of {} orders shows it.", period),
+            None if self.judged == 2 => "Both of them vanish.".into(),
+            None => phrase!("All {} of them vanish.", self.judged),
+        }
+    }
+}
+
+/// The force and the moment of an order, as far as the statement is about them.
+fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
+    let with_moment = match statement {
+        Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::Moment),
+        Statement::NoFreeMoment => true,
+        Statement::Order { .. }
+        | Statement::CanBalance(_)
+        | Statement::CrankshaftMass(_)
+        | Statement::BearingLoad(_)
+        | Statement::WorstBearings(_)
+        | Statement::FiresEvenly { .. } => false,
+    };
+    let force = (!order.force.is_balanced()).then(|| phrase!("force {}", residual::force(order)));
+    let moment = (with_moment && !order.moment.is_balanced()).then(|| residual::moment(order));
+    Text::joined([force, moment].into_iter().flatten(), ", ")
+}

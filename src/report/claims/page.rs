@@ -1,0 +1,157 @@
+//! What stands on a page of claims, and on the terminal? Each statement with its claims, who says them and where, the
+//! answers, and what they rest on; what the file reckons beside them stands apart and is not counted as a claim.
+
+use super::evidence::evidence;
+use super::finding::{claim_finding, claim_status};
+use super::student;
+use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote};
+use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::text::Untrusted;
+
+/// A claim with its answer.
+type Answered<'a> = (&'a Claim, Answer);
+
+/// The short answer: each claim with its answer.
+pub fn claims_answer(claims: &Claims) -> Document {
+    let mut page = Document::new("claims", &claims.title);
+    page.push(Block::Answer(counts(claims)));
+    let answered: Vec<Answered> = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
+    if !answered.is_empty() {
+        page.push(narrow(&answered));
+    }
+    page.blocks.extend(tables(claims));
+    page
+}
+
+/// The page that answers a claims file.
+pub fn claims_page(claims: &Claims) -> Document {
+    let mut page = Document::new("claims", &claims.title);
+    page.push(Block::Answer(counts(claims)));
+    page.push(Block::Paragraph(HOW.into()));
+    for published in &claims.statements {
+        page.blocks.extend(statement(published));
+    }
+    let tables: Vec<Block> = tables(claims).collect();
+    if !tables.is_empty() {
+        page.push(Block::Heading(1, "Vector-star tables".into()));
+        page.blocks.extend(tables);
+    }
+    page
+}
+
+const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, but for values in newtons and the bearings that \
+    feel the most, which are compared in decimals. A statement and its conclusion are in the words of the author of the file, who draws the \
+    conclusion from the answers above it; a source's own words stand in quotation marks.";
+
+fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
+    claims.map(|claim| (claim, claim.answer())).collect()
+}
+
+/// How many claims hold, those of sources, of nobody and of the file apart.
+fn counts(claims: &Claims) -> Vec<Text> {
+    let [mut quoted, mut folklore, mut own] = [[0_usize; 2]; 3];
+    for claim in claims.statements.iter().flat_map(|statement| &statement.claims) {
+        let [all, hold] = match claim.provenance {
+            Provenance::Quoted(_) => &mut quoted,
+            Provenance::Folklore => &mut folklore,
+            Provenance::Own => &mut own,
+        };
+        *all += 1;
+        *hold += usize::from(claim.answer().status.holds());
+    }
+    let tables = claims.judged_tables();
+    let tables = [tables.len(), tables.iter().filter(|verdict| verdict.holds()).count()];
+    let kinds = [
+        (quoted, "Claims quoted from their sources: {} of {} hold."),
+        (folklore, "Claims often made, for which no source was found: {} of {} hold."),
+        (own, "Statements reckoned here, which no source makes: {} of {} hold."),
+        (tables, "Vector-star tables: {} of {} are right."),
+    ];
+    let counted = kinds.into_iter().filter(|([all, _], _)| *all > 0);
+    counted.map(|([all, hold], words)| phrase!(words, hold, all)).collect()
+}
+
+/// A statement with its claims, each place that is quoted with its words above them.
+fn statement(published: &Published) -> Vec<Block> {
+    let first = published.claims.first();
+    let first = first.map(|claim| phrase!("{}: {}", &claim.engine, &claim.says));
+    let heading = published.text.as_ref().map(Text::from).or(first).unwrap_or_default();
+    let mut blocks = vec![Block::Heading(1, heading)];
+    blocks.extend(published.source.as_ref().map(|source| Block::Paragraph(phrase!("Source: {}.", source))));
+    let answered = answered(published.claims.iter());
+    let (claimed, own): (Vec<&Answered>, Vec<&Answered>) =
+        answered.iter().partition(|(claim, _)| claim.provenance.is_claimed());
+    for group in claimed.chunk_by(|one, other| one.0.provenance == other.0.provenance) {
+        blocks.extend(group.first().map(|one| Block::Paragraph(said(&one.0.provenance, published.source.as_ref()))));
+        blocks.push(table(group.iter().copied()).into());
+    }
+    if !own.is_empty() {
+        blocks.push(Block::Paragraph("Reckoned here:".into()));
+        blocks.push(table(own.iter().copied()).into());
+    }
+    blocks.extend(published.conclusion.as_ref().map(|words| Block::Paragraph(phrase!("**Conclusion.** {}", words))));
+    blocks.extend(certificates(claimed.into_iter().chain(own)));
+    blocks
+}
+
+/// Where it is said, with its source where that is not the one that stands above.
+fn said(provenance: &Provenance, above: Option<&Untrusted>) -> Text {
+    match provenance {
+        Provenance::Quoted(Quote { source, place, words }) if above == Some(source) => {
+            phrase!("**{}:** “{}”", place, words)
+        }
+        Provenance::Quoted(Quote { source, place, words }) => phrase!("**{}, {}:** “{}”", source, place, words),
+        Provenance::Folklore => "Often said; no source was found:".into(),
+        Provenance::Own => Text::default(),
+    }
+}
+
+fn table<'a>(claims: impl IntoIterator<Item = &'a Answered<'a>>) -> Table {
+    let mut table = Table::new(["Engine", "Claim", "Answer", "What is the case"]);
+    for (claim, answer) in claims {
+        table.push(vec![
+            (&claim.engine).into(),
+            (&claim.says).into(),
+            phrase!("**{}**", claim_status(answer)),
+            claim_finding(&claim.statement, answer),
+        ]);
+    }
+    table
+}
+
+/// The same in two columns, which a terminal has room for.
+fn narrow(claims: &[Answered]) -> Table {
+    let mut table = Table::new(["Claim", "Answer"]);
+    for (claim, answer) in claims {
+        table.push(vec![
+            phrase!("{}: {}", &claim.engine, &claim.says),
+            phrase!("{}. {}", claim_status(answer), claim_finding(&claim.statement, answer)),
+        ]);
+    }
+    table
+}
+
+/// The certificates of all claims of a statement, folded.
+fn certificates<'a>(claims: impl Iterator<Item = &'a Answered<'a>>) -> Option<Block> {
+    let mut blocks = Vec::new();
+    for (claim, answer) in claims {
+        let proofs = evidence(answer);
+        if !proofs.is_empty() {
+            blocks.push(Block::Paragraph(phrase!("{}, {}:", &claim.engine, &claim.says)));
+            blocks.push(Block::List(proofs));
+        }
+    }
+    (!blocks.is_empty()).then(|| Block::Folded(Fold { summary: "Certificates".into(), blocks }))
+}
+
+/// The students' tables with their answers.
+fn tables(claims: &Claims) -> impl Iterator<Item = Block> {
+    let judged = claims.tables.iter().zip(claims.judged_tables());
+    let rows = judged.map(|(table, verdict)| {
+        let answer = if verdict.holds() { "**true**" } else { "**false**" };
+        vec![(&table.engine).into(), table.order.into(), answer.into(), student::table_finding(table, &verdict)]
+    });
+    let mut table = Table::new(["Engine", "Vector-star table of order", "Answer", "What is the case"]);
+    table.rows = rows.collect();
+    (!table.rows.is_empty()).then_some(Block::Table(table)).into_iter()
+}

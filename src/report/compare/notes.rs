@@ -1,0 +1,54 @@
+//! What has to be said beside a comparison: units, how it is read, why there are no newtons?
+
+use super::super::{engine_cells, residual};
+use super::Compared;
+use crate::engine::{LengthUnit, WHY_NOT};
+use crate::page::{Text, phrase};
+
+/// What follows the table.
+pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
+    let mut notes: Vec<Text> = vec![residual::LEGEND.into(), positions(engines), FIRST_LEFT.into()];
+    notes.push(engine_cells::REMEDIES.into());
+    if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
+        notes.push(SEVERAL_SUMS.into());
+    }
+    if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| !order.exists())) {
+        notes.push(WHY_NOT.into());
+    }
+    let [with, without] = [true, false].map(|wanted| names(engines, |engine| engine.has_newtons() == wanted));
+    if !with.is_empty() && !without.is_empty() {
+        notes.push(phrase!(
+            "No newtons: for these all engines have to give rods, mass, crank radius, speed and positions in metres. With them: {}; without: {}.",
+            with,
+            without
+        ));
+    }
+    notes
+}
+
+const FIRST_LEFT: &str = "First left: the lowest of all orders that exist. All is about the engines as they are built, with all masses that a layout names; where masses that turn have a part in an order, the pistons alone stand below it.";
+
+const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, the whole of it is judged, and each of its sums by itself: only equal rods have c_k in common.";
+
+/// The names of those that this is true of.
+fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Text {
+    Text::joined(engines.iter().filter(|engine| of(engine)).map(|engine| (&engine.name).into()), ", ")
+}
+
+/// What the positions, and with them the moments, are counted in.
+fn positions(engines: &[Compared]) -> Text {
+    let of = |unit: LengthUnit| names(engines, |engine| engine.engine.length_unit() == unit);
+    match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
+        (_, spacings) if spacings.is_empty() => {
+            "m, r, ω and c_k are those of each engine. Positions are in metres.".into()
+        }
+        (metres, _) if metres.is_empty() => {
+            "m, r, ω and c_k are those of each engine. Positions have no unit: they are multiples of the spacing of each engine.".into()
+        }
+        (metres, spacings) => phrase!(
+            "m, r, ω and c_k are those of each engine. Positions are in different units, so that the moments do not compare: metres in {}, multiples of the spacing in {}.",
+            metres,
+            spacings
+        ),
+    }
+}

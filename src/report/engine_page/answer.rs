@@ -1,0 +1,329 @@
+//! What shakes, how much, what cures it, and what no crankshaft can cure? What a reader sees first.
+
+use super::super::calculation::{Numbers, Unit, numbers_of};
+use super::super::{residual, table};
+use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
+use crate::order::{self, Masses};
+use crate::page::{self, Block, Document, Piece, Table, Text, phrase};
+use crate::proof::{Quantity, Shape};
+use crate::remedy::{self, Wish};
+use crate::verdict::{Judgement, OrderVerdict, Outcome, Theorem, WholeOrder};
+
+/// Orders above this are usually left as they are.
+const USUALLY_CURED: u32 = 2;
+
+/// The lines of the box that a report opens with.
+pub(super) fn lines(
+    engine: &Engine,
+    judged: &Judgement,
+    numbers: Option<&Numbers>,
+    theorem: Option<&Theorem>,
+) -> Vec<Text> {
+    let existing: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
+    let sizes = Sizes { engine, judged, numbers: numbers.filter(|_| is_as_built(engine, judged)) };
+    let mut lines = Vec::new();
+    let shaking: Vec<Text> = existing.iter().flat_map(|order| sizes.left(order)).collect();
+    lines.extend((!shaking.is_empty()).then(|| phrase!("**What shakes.** {}", Text::joined(shaking, " "))));
+    let cures: Vec<Text> = existing.iter().filter_map(|order| cure(engine, judged, order)).collect();
+    if !cures.is_empty() {
+        lines.push(phrase!("**What cures it.** {}", Text::joined(cures, " ")));
+        lines.push(phrase!("**What no crankshaft cures.** {}", beyond_counterweights(&existing)));
+    }
+    lines.extend(rest(&judged.orders, &existing, theorem.filter(|theorem| theorem.masses == judged.masses)));
+    if let Some(pistons) = &judged.pistons {
+        let sizes = Sizes { engine, judged, numbers: None };
+        let left: Vec<Text> =
+            pistons.iter().filter(|order| order.exists()).flat_map(|order| sizes.left_of_pistons(order)).collect();
+        lines.push(match left.is_empty() {
+            true => "**The pistons alone.** Nothing of them is left at these orders.".into(),
+            false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
+        });
+    }
+    lines
+}
+
+/// Whether the verdicts are about what the numbers are about.
+fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
+    judged.not_as_built.is_none() && judged.masses == order::masses_as_built(engine)
+}
+
+/// How large what is left is.
+struct Sizes<'a> {
+    engine: &'a Engine,
+    judged: &'a Judgement,
+    numbers: Option<&'a Numbers>,
+}
+
+impl Sizes<'_> {
+    /// A sentence each on the force and on the moment of an order, where they are left or not decided.
+    fn left(&self, order: &OrderVerdict) -> Vec<Text> {
+        self.sentences(order, self.judged.masses)
+    }
+
+    fn left_of_pistons(&self, order: &OrderVerdict) -> Vec<Text> {
+        self.sentences(order, Masses::Reciprocating)
+    }
+
+    fn sentences(&self, order: &OrderVerdict, masses: Masses) -> Vec<Text> {
+        let force = self.sentence(order, masses, &order.force, Quantity::Force, FORCE);
+        let words = if order.force.is_balanced() { COUPLE } else { MOMENT };
+        let moment = self.sentence(order, masses, &order.moment, Quantity::Moment, words);
+        [force, moment].into_iter().flatten().collect()
+    }
+
+    fn sentence(
+        &self,
+        order: &OrderVerdict,
+        masses: Masses,
+        whole: &WholeOrder,
+        quantity: Quantity,
+        [sized, bare, open]: [&'static str; 3],
+    ) -> Option<Text> {
+        let size = || self.size(order, masses, whole, quantity);
+        match (whole.shape, size()) {
+            (Shape::Balanced, _) => None,
+            (Shape::NotDecided, _) if !whole.is_left() => Some(phrase!(open, order.order)),
+            (Shape::NotDecided, _) => Some(phrase!(bare, order.order, "not 0")),
+            (shape, Some(size)) => Some(phrase!(sized, order.order, size, residual::shape_name(shape))),
+            (shape, None) => Some(phrase!(bare, order.order, residual::shape_name(shape))),
+        }
+    }
+
+    /// The largest value: in newtons, or exactly in multiples.
+    fn size(&self, order: &OrderVerdict, masses: Masses, whole: &WholeOrder, quantity: Quantity) -> Option<Text> {
+        if let Some(numbers) = self.numbers {
+            return in_units(self.engine, numbers, order.order, quantity, whole);
+        }
+        let [only] = order.parts.as_slice() else { return None };
+        let balance = if quantity == Quantity::Force { &only.force } else { &only.moment };
+        let unit = multiple(self.engine, order.order, masses, quantity);
+        Some(phrase!("{} {}", residual::largest(balance), unit))
+    }
+}
+
+const FORCE: [&str; 3] = [
+    "Order {}: a force of {}, {}.",
+    "Order {}: a force, {}.",
+    "Whether the force of order {} vanishes is not decided.",
+];
+const COUPLE: [&str; 3] = [
+    "Order {}: a couple of {}, {}.",
+    "Order {}: a couple, {}.",
+    "Whether the couple of order {} vanishes is not decided.",
+];
+const MOMENT: [&str; 3] = [
+    "Order {}: a moment of {} about the reference plane, {}.",
+    "Order {}: a moment about the reference plane, {}.",
+    "Whether the moment of order {} vanishes is not decided.",
+];
+
+/// The largest value of an order with its unit; none where the numbers do not hold it.
+fn in_units(engine: &Engine, numbers: &Numbers, order: u32, quantity: Quantity, whole: &WholeOrder) -> Option<Text> {
+    let loads = numbers.loads.orders.iter().find(|loads| loads.order == order)?;
+    let swing = if quantity == Quantity::Force { &loads.force } else { &loads.moment };
+    let unit = Unit::of(engine, &numbers.loads, quantity);
+    let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some()) && unit.factor != 0.0;
+    is_known.then(|| Piece::Quantity(swing.largest() * unit.factor, unit.shown()).into())
+}
+
+/// What exact values are multiples of: `m r ω² c_4 a`.
+fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Quantity) -> Text {
+    let pistons = matches!(masses, Masses::Reciprocating | Masses::All);
+    let coefficient = pistons && (order > 1 || engine.has_offset());
+    let coefficient = if coefficient { format!(" c_{{{order}}}") } else { String::new() };
+    let mass = if engine.has_unit_masses() { "m\\,r\\,\\omega^2" } else { "\\mathrm{kg}\\;r\\,\\omega^2" };
+    let arm = match (quantity, engine.length_unit()) {
+        (Quantity::Force | Quantity::Torque, _) => "",
+        (Quantity::Moment, LengthUnit::Metre) => "\\cdot\\mathrm{m}",
+        (Quantity::Moment, LengthUnit::Spacing) => "\\,a",
+    };
+    Text::formula(format!("{mass}{coefficient}{arm}"))
+}
+
+/// Whether the direct and the reverse vector of force or moment are left.
+fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
+    let is_left = |outcome: &Outcome| outcome.vanishes() == Some(false);
+    [0, 1].map(|sense| is_left(&order.force.outcomes[sense]) || is_left(&order.moment.outcomes[sense]))
+}
+
+/// What takes an order away; none where nothing is left.
+fn cure(engine: &Engine, judged: &Judgement, order: &OrderVerdict) -> Option<Text> {
+    let k = order.order;
+    let usually = if k > USUALLY_CURED { " It is usually left." } else { "" };
+    let words = match (k, left_vectors(order)) {
+        (_, [false, false]) => return None,
+        (1, [true, false]) => return Some(phrase!("Order 1: {}.", counterweights(engine, judged))),
+        (1, [false, true]) => "Order 1: one balancer shaft at crank speed, turning against the crank.".into(),
+        (1, [true, true]) => phrase!(
+            "Order 1: {} for what turns with the crank, and one balancer shaft at crank speed for what turns against it.",
+            counterweights(engine, judged)
+        ),
+        (_, [true, false]) => {
+            phrase!("Order {}: one balancer shaft at {} crank speed, turning with the crank.", k, times(k))
+        }
+        (_, [false, true]) => {
+            phrase!("Order {}: one balancer shaft at {} crank speed, turning against the crank.", k, times(k))
+        }
+        (_, [true, true]) => {
+            phrase!("Order {}: two balancer shafts at {} crank speed, one turning each way.", k, times(k))
+        }
+    };
+    Some(words.and(usually))
+}
+
+fn times(order: u32) -> Text {
+    match order {
+        2 => "twice".into(),
+        3 => "three times".into(),
+        4 => "four times".into(),
+        6 => "six times".into(),
+        other => phrase!("{} times", other),
+    }
+}
+
+/// Counterweights on the crankshaft, with their sizes where the file gives numbers.
+fn counterweights(engine: &Engine, judged: &Judgement) -> Text {
+    let bare = Text::from("counterweights on the crankshaft");
+    if !is_as_built(engine, judged) {
+        return bare;
+    }
+    let Ok(remedy) = remedy::remedy(engine, &Wish { orders: vec![1], ..Wish::default() }) else { return bare };
+    let weights = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
+    let sizes: Option<Vec<f64>> = weights.map(|weight| weight.mass_radius(&remedy.subject)).collect();
+    let size = |size: f64| Text::from(Piece::Quantity(size, page::Unit::KILOGRAM_METRE));
+    match sizes.as_deref() {
+        None | Some([]) => bare,
+        Some([only]) => phrase!("a counterweight of {} on the crankshaft", size(*only)),
+        Some(several) => {
+            let alike = several.iter().all(|other| (other - several[0]).abs() <= 1e-9 * several[0]);
+            match alike {
+                true => phrase!("{} counterweights of {} each on the crankshaft", several.len(), size(several[0])),
+                false => phrase!(
+                    "counterweights of {} on the crankshaft",
+                    Text::joined(several.iter().map(|value| size(*value)), ", ")
+                ),
+            }
+        }
+    }
+}
+
+/// What counterweights on the crankshaft cannot reach.
+fn beyond_counterweights(orders: &[&OrderVerdict]) -> Text {
+    let against = orders.iter().any(|order| order.order == 1 && left_vectors(order)[1]);
+    let higher: Vec<String> = orders
+        .iter()
+        .filter(|order| order.order > 1 && left_vectors(order) != [false, false])
+        .map(|order| order.order.to_string())
+        .collect();
+    match (against, higher.as_slice()) {
+        (false, []) => "Nothing at these orders: counterweights alone cure all that is left.".into(),
+        (true, []) => "What turns against the crank at order 1.".into(),
+        (false, [only]) => phrase!("Order {}: it does not turn with the crank at crank speed.", only.clone()),
+        (false, several) => {
+            phrase!("Orders {}: they do not turn with the crank at crank speed.", several.join(", "))
+        }
+        (true, several) => {
+            phrase!("What turns against the crank at order 1, and all of {}.", residual::orders_in_words(several))
+        }
+    }
+}
+
+/// What vanishes, what is not there, and what is known of other orders.
+fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&Theorem>) -> Vec<Text> {
+    let mut sentences = Vec::new();
+    let zero: Vec<String> = existing
+        .iter()
+        .filter(|order| order.force.is_balanced() && order.moment.is_balanced())
+        .map(|order| order.order.to_string())
+        .collect();
+    if !zero.is_empty() {
+        sentences.push(phrase!("Force and moment of {} vanish, proved.", residual::orders_in_words(&zero)));
+    }
+    let mut missing: Vec<String> =
+        all.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
+    missing.dedup();
+    match missing.as_slice() {
+        [] => {}
+        [only] => sentences.push(phrase!("Order {} {}.", only.clone(), DOES_NOT_EXIST)),
+        several => sentences.push(phrase!("Orders {} do not exist.", several.join(", "))),
+    }
+    sentences.extend(theorem.map(|theorem| others(existing, theorem)));
+    let words = if existing.iter().all(|order| left_vectors(order) == [false, false]) {
+        "**What shakes.** Nothing that is proved to be left at the orders judged. {}"
+    } else {
+        "**Nothing else.** {}"
+    };
+    (!sentences.is_empty()).then(|| phrase!(words, Text::joined(sentences, " "))).into_iter().collect()
+}
+
+/// The first order that is left beside those told.
+fn others(judged: &[&OrderVerdict], theorem: &Theorem) -> Text {
+    let every = [&theorem.force, &theorem.moment].map(|every| every.survivors());
+    let told = |order: u32| judged.iter().any(|judged| judged.order == order);
+    let last = judged.iter().map(|order| order.order).max().unwrap_or(1);
+    let beyond = last.max(theorem.period) + theorem.period + 2;
+    let mut orders = (1..=beyond).filter(|order| *order == 1 || order % 2 == 0);
+    match orders.find(|order| !told(*order) && every.iter().any(|survivors| survivors.contains(*order))) {
+        None => "No other order is left, of all there are.".into(),
+        Some(next) => phrase!("The next order that is left is {}.", next),
+    }
+}
+
+/// Whose masses the verdicts are about, and in what they are counted.
+pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
+    let whose = residual::whose_masses(engine, judged)?;
+    Some(match residual::turning_unit(judged) {
+        Some(unit) => phrase!("{} {}", whose, unit),
+        None => whose,
+    })
+}
+
+/// What is left in newtons, where the file gives numbers of what is judged.
+pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Option<Table> {
+    let numbers = numbers.filter(|numbers| is_as_built(engine, judged) && numbers.loads.scale.is_some())?;
+    let mut table = Table::new(["Order", "Force", "Moment"]);
+    let cell = |order: &OrderVerdict, quantity: Quantity, whole: &WholeOrder| match (
+        whole.shape,
+        in_units(engine, numbers, order.order, quantity, whole),
+    ) {
+        (Shape::Balanced, _) => Text::zero(),
+        (shape, Some(size)) if quantity == Quantity::Moment && order.moment_is_couple() => {
+            phrase!("couple {}, {}", size, residual::shape_name(shape))
+        }
+        (shape, Some(size)) => phrase!("{}, {}", size, residual::shape_name(shape)),
+        (_, None) => residual::whole_text(whole),
+    };
+    for order in judged.orders.iter().filter(|order| order.exists()) {
+        let force = cell(order, Quantity::Force, &order.force);
+        table.push(vec![order.order.into(), force, cell(order, Quantity::Moment, &order.moment)]);
+    }
+    Some(table)
+}
+
+/// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
+pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
+    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+    let numbers = numbers_of(engine, &orders, None).and_then(Result::ok);
+    let mut page = Document::new("verdicts", engine.title());
+    if let Some(table) = in_newtons(engine, judged, numbers.as_ref()) {
+        page.push(table);
+    }
+    match &judged.pistons {
+        None => page.push(table::verdicts(&judged.orders)),
+        Some(pistons) => {
+            page.push(Block::Paragraph("As built:".into()));
+            page.push(table::verdicts(&judged.orders));
+            page.push(Block::Paragraph("The pistons alone:".into()));
+            page.push(table::verdicts(pistons));
+        }
+    }
+    page.push(Block::Note(residual::LEGEND.into()));
+    page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
+    let missing =
+        |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());
+    if judged.orders.iter().any(missing) {
+        page.push(Block::Note(residual::why_not(judged.masses).into()));
+    }
+    page.blocks.extend(residual::whose_masses(engine, judged).map(Block::Note));
+    page
+}

@@ -1,0 +1,62 @@
+//! What do angles, signs and units mean, and what do the verdicts rest on?
+
+use super::super::table;
+use crate::engine::{Engine, LengthUnit};
+use crate::page::{Block, Text, phrase};
+
+/// The conventions of a report.
+pub(super) fn section(engine: &Engine) -> Vec<Block> {
+    let plane = table::place(engine, engine.reference_plane());
+    let plane = match engine.reference_plane_given() {
+        true => phrase!("Moments are taken about the plane z = {}, as the layout file says.", plane),
+        false => phrase!("Moments are taken about the plane z = {}, the middle of the cylinders.", plane),
+    };
+    let lines = [SEEN.into(), CENTRES.into(), FIRES.into(), plane, assumed(engine)];
+    vec![Block::Heading(1, "Conventions".into()), Block::List(lines.into())]
+}
+
+/// What the exact tables count in.
+pub(super) fn units(engine: &Engine) -> Text {
+    let forces: Text = match engine.has_unit_masses() {
+        true => "Forces are counted in m r ω² $c_k$:".into(),
+        false => "Forces are counted in r ω² $c_k$ times kilograms:".into(),
+    };
+    let moments: Text = match engine.length_unit() {
+        LengthUnit::Metre => "moments in that times metres.".into(),
+        LengthUnit::Spacing => "moments in that times a, the unit of the positions (the cylinder spacing).".into(),
+    };
+    forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS)
+}
+
+const LARGEST: &str =
+    "the number is the largest value through a revolution, $\\tfrac12(\\lvert P^{+}\\rvert + \\lvert P^{-}\\rvert)$;";
+const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
+                     taken about the reference plane.";
+
+/// What the verdicts rest on.
+fn assumed(engine: &Engine) -> Text {
+    let unequal = engine.mechanisms().len() > 1;
+    match (unequal, engine.has_offset()) {
+        (false, false) => ASSUMED.into(),
+        (unequal, offset) => {
+            let orders = if offset { EVERY_ORDER } else { CENTRIC_ORDERS };
+            Text::from(RIGID).and(if unequal { RODS_DIFFER } else { "" }).and(" ").and(orders)
+        }
+    }
+}
+
+const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself.";
+const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
+const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
+const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
+
+pub(in crate::report) const SEEN: &str = "Seen from the free end of the crankshaft (+z towards the reader), angles grow anticlockwise from the \
+                               reference direction, drawn upwards; for a V it is the bisector of the banks. The crank turns \
+                               anticlockwise by θ.";
+const CENTRES: &str =
+    "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
+pub(in crate::report) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it \
+                                grow draw the mirror image: the same verdicts and lengths, directions of the opposite sign.) The pin of \
+                                the second bank of a V stands at the throw plus the pin split.";
+pub(in crate::report) const ASSUMED: &str = "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their \
+                                  cylinder; a radial's rods all on the crankpin itself. Orders of a centric engine are 1 and the even ones.";

@@ -1,0 +1,143 @@
+//! What stands on the report of an engine? The answer, the engine, what is left, what cures it; then the proofs; then what they rest on.
+
+mod answer;
+mod conventions;
+mod engine;
+mod orders;
+mod torque;
+
+pub use answer::engine_answer;
+pub(super) use conventions::{ASSUMED, FIRES, SEEN};
+
+use super::accuracy::{AccuracyCase, accuracy_section};
+use super::calculation::{self, Numbers};
+use super::remedy::remedy_section;
+use super::{family_page, firmness, moving, table, theorem};
+use crate::engine::{Engine, Family};
+use crate::family::OpenOrder;
+use crate::loads::{Missing, Needed};
+use crate::order::Masses;
+use crate::page::{Block, Document, Table, Text, phrase};
+use crate::remedy::{self, Remedy, RemedyError, Wish};
+use crate::verdict::{self, Judgement, NoTheorem, Theorem};
+
+/// What a report shows of an engine.
+#[derive(Clone, Copy)]
+pub struct Contents<'a> {
+    /// The engine.
+    pub engine: &'a Engine,
+    /// The verdicts on it.
+    pub judged: &'a Judgement,
+    /// The family that it is a member of, judged, where the file gives values to symbols.
+    pub family: Option<(&'a Family, &'a [OpenOrder])>,
+    /// The choice of the orders, where it was made by an accuracy.
+    pub needed: Option<&'a Needed>,
+    /// Whether the engine is shown in motion, where a page can.
+    pub in_motion: bool,
+    /// The errors of the methods for the peak loads, where they are asked for.
+    pub accuracy: Option<&'a AccuracyCase>,
+}
+
+impl Contents<'_> {
+    /// The remedy for orders 1 and 2, where the file asks for it.
+    fn remedy(&self) -> Option<Result<Remedy, RemedyError>> {
+        let orders = [1, 2].into_iter().filter(|order| self.judged.orders.iter().any(|judged| judged.order == *order));
+        let wish = Wish { orders: orders.collect(), ..Wish::default() };
+        self.engine.effects().remedy.then(|| remedy::remedy(self.engine, &wish))
+    }
+
+    /// The numbers of the engine, where its file gives any.
+    fn numbers(&self) -> Option<Result<Numbers, Missing>> {
+        let orders: Vec<u32> = self.judged.orders.iter().map(|order| order.order).collect();
+        calculation::numbers_of(self.engine, &orders, self.needed)
+    }
+}
+
+/// What is true of every order, of the masses judged or else of the pistons.
+fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<Theorem, NoTheorem> {
+    match verdict::theorem(engine, judged.masses) {
+        // The pistons have a pattern even where a shaft has none.
+        Err(NoTheorem::Shaft(_)) => verdict::theorem(engine, Masses::Reciprocating),
+        other => other,
+    }
+}
+
+/// The report of an engine.
+pub fn engine_page(subject: Contents) -> Document {
+    let Contents { engine, judged, family, needed, in_motion, accuracy } = subject;
+    let numbers = subject.numbers();
+    let known = numbers.as_ref().and_then(|numbers| numbers.as_ref().ok());
+    let theorem = theorem_of(engine, judged);
+    let stars = orders::stars(judged);
+    let mut page = Document { has_contents: true, ..Document::new("report", engine.title()) };
+    page.blocks.extend(title_block(engine));
+    page.push(Block::Answer(answer::lines(engine, judged, known, theorem.as_ref().ok())));
+    page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
+    if in_motion {
+        page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
+    }
+    page.blocks.extend(results(engine, judged, known));
+    page.blocks.extend(engine::section(engine));
+    match &numbers {
+        None => {}
+        Some(Err(missing)) => page.blocks.extend([
+            Block::Heading(1, "Numbers".into()),
+            Block::Paragraph(phrase!("No numbers: {}.", missing.to_string())),
+        ]),
+        Some(Ok(numbers)) => page.blocks.extend(calculation::outcome(engine, numbers, needed)),
+    }
+    match subject.remedy() {
+        None => {}
+        Some(Ok(remedy)) => page.blocks.extend(remedy_section(&remedy)),
+        Some(Err(refused)) => page.blocks.extend([
+            Block::Heading(1, "Remedies".into()),
+            Block::Paragraph(phrase!("No remedy: {}.", refused.to_string())),
+        ]),
+    }
+    page.blocks.extend(accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))));
+    page.blocks.extend(family.into_iter().flat_map(|(family, orders)| family_page::section(family, orders)));
+    page.blocks.extend(theorem::section(engine, &theorem));
+    if engine.mechanisms().len() < 2 {
+        page.blocks.extend(firmness::section(engine, judged.pistons.as_ref().unwrap_or(&judged.orders)));
+    }
+    page.blocks.extend(orders::section(engine, &stars));
+    page.blocks.extend(torque::section(engine, judged, known));
+    page.blocks.extend(known.into_iter().flat_map(|numbers| calculation::working(engine, numbers)));
+    page.blocks.extend(conventions::section(engine));
+    page.push(Block::Heading(1, "Layout file".into()));
+    page.push(Block::Verbatim("toml", engine.file().clone()));
+    page
+}
+
+/// Number, revision, author and what else the file says of itself, with the objective.
+fn title_block(engine: &Engine) -> Vec<Block> {
+    let block = engine.title_block();
+    let mut table = Table::new([Text::default(), Text::default()]);
+    for (name, written) in &block.rows {
+        table.push(vec![(*name).into(), written.into()]);
+    }
+    let table = (!table.rows.is_empty()).then(|| Block::Table(table));
+    let objective = block.objective.as_ref().map(|words| Block::Paragraph(phrase!("**Objective.** {}", words)));
+    table.into_iter().chain(objective).collect()
+}
+
+/// What is left of each order: of the engine as it is built, and of its pistons.
+fn results(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Vec<Block> {
+    let firmness = match judged.masses {
+        Masses::Reciprocating => table::Firmness::Shown,
+        // Firmness is that of the pistons' zeros.
+        Masses::Rotating | Masses::Counterweights | Masses::All => table::Firmness::NotShown,
+    };
+    let mut blocks = vec![Block::Heading(1, "What is left, order by order".into())];
+    blocks.extend(answer::whose(engine, judged).map(Block::Paragraph));
+    if let Some(table) = answer::in_newtons(engine, judged, numbers) {
+        blocks.extend([table.into(), Block::Paragraph("The same, exactly:".into())]);
+    }
+    blocks.push(table::summary(engine, &judged.orders, firmness).into());
+    if let Some(pistons) = &judged.pistons {
+        blocks.push(Block::Paragraph("The pistons alone:".into()));
+        blocks.push(table::summary(engine, pistons, table::Firmness::Shown).into());
+    }
+    blocks.push(Block::Note(conventions::units(engine)));
+    blocks
+}

@@ -1,0 +1,85 @@
+//! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
+
+use super::super::document::vectors;
+use crate::engine::{Cylinder, Family, Linear};
+use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
+use crate::proof::{
+    AlternativeClaim, ConditionClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim,
+    PartClaim, Quantity, SumClaim, WhenClaim,
+};
+
+/// The verdicts on a family as data: what `verify` reads.
+pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
+    let cylinder = |cylinder: &Cylinder<Linear, Linear>| OpenCylinder {
+        name: cylinder.name.clone(),
+        throw: linear(&cylinder.throw),
+        bank: linear(&cylinder.bank),
+        position: linear(&cylinder.position),
+        reciprocating_mass: cylinder.reciprocating_mass.clone(),
+        crank_radius: cylinder.crank_radius.clone(),
+    };
+    OpenDocument {
+        format: Format::Family,
+        masses: Masses::Reciprocating,
+        orders: orders.iter().map(|order| order.order).collect(),
+        quantities: vec![Quantity::Force, Quantity::Moment],
+        title: family.title().written().to_owned(),
+        reference_plane: linear(family.reference_plane()),
+        cylinders: family.cylinders().iter().map(cylinder).collect(),
+        open_verdicts: orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)).map(verdict).collect(),
+    }
+}
+
+fn linear(value: &Linear) -> LinearClaim {
+    let known = [("1".to_owned(), Exact(value.known().clone()))];
+    let symbols = value.symbols().iter().map(|(name, coefficient)| (name.clone(), Exact(coefficient.clone())));
+    symbols.chain(known).collect()
+}
+
+fn verdict(verdict: &OpenVerdict) -> OpenVerdictClaim {
+    OpenVerdictClaim {
+        quantity: verdict.quantity,
+        order: verdict.order,
+        sense: verdict.sense,
+        sums: verdict.sums.iter().map(sum).collect(),
+    }
+}
+
+fn sum(sum: &OpenSum) -> SumClaim {
+    SumClaim { symbol: sum.symbol.clone(), parts: sum.parts.iter().map(part).collect(), when: when(&sum.when) }
+}
+
+fn part(part: &Part) -> PartClaim {
+    PartClaim {
+        phi: part.phi.clone(),
+        delta: part.delta.clone(),
+        terms: vectors(part.sum.terms()),
+        certificate: part.certificate.clone(),
+    }
+}
+
+fn when(when: &When) -> WhenClaim {
+    match when {
+        When::Always => WhenClaim::Always,
+        When::Never(crate::family::Never::OnePart) => WhenClaim::Never,
+        When::Never(crate::family::Never::UnequalLengths(certificate)) => {
+            WhenClaim::UnequalLengths { certificate: certificate.clone() }
+        }
+        When::Irrational { equal_lengths, .. } => WhenClaim::EqualLengths { certificate: equal_lengths.clone() },
+        When::NotSolved(_) => WhenClaim::NotSolved,
+        When::Where(angles) => {
+            let alternative = |alternative: &crate::family::Alternative| AlternativeClaim {
+                conditions: alternative.conditions.iter().map(condition).collect(),
+                certificate: alternative.certificate.clone(),
+            };
+            WhenClaim::Where {
+                alternatives: angles.alternatives.iter().map(alternative).collect(),
+                equal_lengths: angles.equal_lengths.clone(),
+            }
+        }
+    }
+}
+
+fn condition(condition: &crate::family::Condition) -> ConditionClaim {
+    ConditionClaim { phi: condition.phi.clone(), delta: condition.delta.clone(), turn: condition.turn.turns().clone() }
+}

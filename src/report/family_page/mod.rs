@@ -1,0 +1,142 @@
+//! What stands on the report of a family? For which angles and lengths each order vanishes, and why.
+
+mod document;
+mod picture;
+mod tables;
+mod words;
+
+pub use document::open_document;
+pub use picture::{amplitudes, amplitudes_caption};
+pub(super) use words::summary;
+
+use super::engine_page::{ASSUMED, FIRES, SEEN};
+use super::moving;
+use crate::engine::{Family, PHI};
+use crate::family::{self, OpenOrder, OpenVerdict};
+use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::proof::{Quantity, Sense};
+
+const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a moment that vanishes does so for all lengths. Angles are those \
+                      in (0°, 360°), exact and complete; ≡ is modulo 360°.";
+
+/// The report of a family.
+///
+/// `in_motion`: whether it is shown in motion, where a page can.
+pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Document {
+    let mut page = Document { has_contents: true, ..Document::new("report", family.title()) };
+    page.push(Block::Answer(answer(family, orders)));
+    if in_motion {
+        let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+        page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
+    }
+    page.push(tables::summary(orders));
+    page.push(Block::Note(LEGEND.into()));
+    page.blocks.extend(amplitude_picture(family, orders));
+    page.push(Block::Heading(1, "The engine".into()));
+    page.push(tables::cylinders(family));
+    let source = family.source().map(|source| phrase!("Source of the crank star: {}.", source));
+    page.blocks.extend(source.map(Block::Paragraph));
+    page.push(Block::Heading(1, "Proofs, order by order".into()));
+    for order in orders {
+        page.push(Block::Heading(2, phrase!("Order {}", order.order)));
+        page.push(tables::phases(family, order.order));
+        page.blocks.extend(proofs(order));
+    }
+    page.push(Block::Heading(1, "Conventions".into()));
+    let plane = words::open_length(family.reference_plane());
+    page.push(Block::List(vec![
+        SEEN.into(),
+        FIRES.into(),
+        phrase!("Moments are taken about the plane z = {}.", plane),
+        ASSUMED.into(),
+    ]));
+    page
+}
+
+/// What a report of a member says of all lengths and angles.
+pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
+    let mut blocks = vec![Block::Heading(1, "For all lengths".into()), Block::Paragraph(left_open(family))];
+    blocks.extend([tables::summary(orders).into(), Block::Note(LEGEND.into())]);
+    blocks.extend(amplitude_picture(family, orders));
+    for order in orders {
+        let summary = phrase!("Order {}, all lengths", order.order);
+        blocks.push(Block::Folded(Fold { summary, blocks: proofs(order) }));
+    }
+    blocks
+}
+
+/// The short answer: for which angles each order vanishes.
+pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
+    let mut page = Document::new("verdicts", family.title());
+    page.push(tables::summary(orders));
+    page.push(Block::Note(
+        "0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).".into(),
+    ));
+    page.blocks.extend(even_firing(family).map(Block::Paragraph));
+    page
+}
+
+fn even_firing(family: &Family) -> Option<Text> {
+    family::even_firing(family).map(|angles| words::even_firing_words(&angles))
+}
+
+fn left_open(family: &Family) -> Text {
+    let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
+    let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
+    phrase!("Left open: {}.", unknowns)
+}
+
+/// The amplitude of each order over the one open angle, with its exact zeros.
+fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
+    let (figure, caption) = amplitudes(family, orders).zip(amplitudes_caption(family, orders))?;
+    Some(Picture { name: "amplitudes".to_owned(), caption: Text::phrase(caption, Vec::new()), figure }.into())
+}
+
+/// What is open, and where each order vanishes.
+fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
+    let mut lines = vec![left_open(family)];
+    let always = |verdicts: &[OpenVerdict; 2]| verdicts.iter().all(OpenVerdict::always);
+    let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<String> {
+        orders.iter().filter(|order| is_meant(order)).map(|order| order.order.to_string()).collect()
+    };
+    let both = list(&|order| always(&order.force) && always(&order.moment));
+    let forces = list(&|order| always(&order.force) && !always(&order.moment));
+    if !both.is_empty() {
+        lines.push(phrase!(
+            "Whatever they are, force and moment of {} vanish.",
+            super::residual::orders_in_words(&both)
+        ));
+    }
+    if !forces.is_empty() {
+        lines.push(phrase!("Whatever they are, the force of {} vanishes.", super::residual::orders_in_words(&forces)));
+    }
+    for verdict in orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)) {
+        if let Some(angles) = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always()) {
+            let words = match (verdict.quantity, verdict.sense) {
+                (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly at φ = {}.",
+                (Quantity::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly at φ = {}.",
+                (_, Sense::Direct) => "The direct force of order {} vanishes exactly at φ = {}.",
+                (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly at φ = {}.",
+            };
+            lines.push(phrase!(words, verdict.order, words::list(&angles)));
+        }
+    }
+    lines.extend(even_firing(family));
+    lines
+}
+
+/// Each vector of an order with its argument, and the certificates.
+fn proofs(order: &OpenOrder) -> Vec<Block> {
+    let argued = order.force.iter().chain(&order.moment).map(|verdict| {
+        let words = match (verdict.quantity, verdict.sense) {
+            (Quantity::Moment, Sense::Direct) => "**Moment, direct:** {}. {}",
+            (Quantity::Moment, Sense::Reverse) => "**Moment, reverse:** {}. {}",
+            (_, Sense::Direct) => "**Force, direct:** {}. {}",
+            (_, Sense::Reverse) => "**Force, reverse:** {}. {}",
+        };
+        let none = verdict.sums.is_empty().then(|| "Every weight is zero.".into());
+        let sums = verdict.sums.iter().map(words::argument).chain(none).chain(words::left_sentence(verdict));
+        phrase!(words, words::summary(verdict), Text::joined(sums, " "))
+    });
+    vec![Block::List(argued.collect())]
+}

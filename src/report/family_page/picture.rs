@@ -1,0 +1,218 @@
+//! How large is each order over an open angle, and where is it exactly zero? Curves in floats, zeros from the verdicts.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
+
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::super::typeset;
+use crate::engine::{DELTA, Family, Linear, PHI};
+use crate::exact::Turn;
+use crate::family::{OpenOrder, OpenVerdict, phase};
+use crate::page::figure::Figure;
+use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
+use crate::proof::{Quantity, Sense};
+
+/// Steps of a turn of the open angle.
+const STEPS: i64 = 720;
+/// More orders of force, or of moment, than this are not drawn; and more than this stand not in one plot.
+const MOST_ORDERS: usize = 9;
+const MOST_CURVES: usize = 3;
+/// More points than this at which one vector vanishes are not marked.
+const MOST_DOTS: usize = 24;
+
+/// The amplitude of each order over the one open angle, φ or δ, in 0° to 360°: plots of the force, then of the moment.
+///
+/// Rings on the axis are the exact zeros of the verdicts, dots the angles at which just one vector is exactly zero. Orders
+/// that vanish for all angles are not drawn. `None` where no angle or two are open, or nothing is left to draw. The moment is
+/// drawn where its arms are known, or multiples of one open length, which is the unit then.
+pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
+    let unknown = open_angle(family)?;
+    let symbol = if unknown == PHI { "Bank angle φ in °" } else { "Pin split δ in °" };
+    let mut plots = Vec::new();
+    for (quantity, curves) in shown(family, orders) {
+        let title = match quantity {
+            Quantity::Force => "Force",
+            Quantity::Moment => "Moment",
+            Quantity::Torque => "Torque",
+        };
+        let unit = unit(family, quantity)?;
+        // As many plots as needed, with about as many curves in each.
+        let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);
+        for chunk in curves.chunks(in_each) {
+            let x = Axis::angle(symbol, 0.0, 360.0, 30);
+            let mut plot = Plot::new(heading(&title, chunk), x, Axis::amplitude(format!("{title} in {unit}")));
+            for (order, verdicts) in chunk {
+                add(&mut plot, family, unknown, *order, verdicts);
+            }
+            plots.push(plot.figure());
+        }
+    }
+    (!plots.is_empty()).then(|| stacked(plots))
+}
+
+/// What the drawing of [`amplitudes`] shows.
+pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<String> {
+    let unknown = open_angle(family)?;
+    let name = if unknown == PHI { "bank angle φ" } else { "pin split δ" };
+    let drawn = shown(family, orders);
+    let mut words = vec![format!(
+        "Largest value of each order through a revolution over the {name}. Rings are its exact zeros in \
+         (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the other turns at constant length \
+         (marked for orders with no more than {MOST_DOTS} of them)."
+    )];
+    for (quantity, of) in [Quantity::Force, Quantity::Moment].map(|quantity| (quantity, of_quantity(orders, quantity)))
+    {
+        let numbers = |orders: Vec<u32>| orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+        let always: Vec<u32> = of
+            .iter()
+            .filter(|(_, verdicts)| verdicts.iter().all(OpenVerdict::always))
+            .map(|(order, _)| *order)
+            .collect();
+        if !always.is_empty() {
+            words.push(format!("Not drawn, since zero for all angles: {} at {}.", quantity.name(), numbers(always)));
+        }
+        let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
+        let left: Vec<u32> = of
+            .iter()
+            .filter(|(_, verdicts)| !verdicts.iter().all(OpenVerdict::always))
+            .map(|(order, _)| *order)
+            .collect();
+        let open = |verdict: &OpenVerdict| !verdict.always() && verdict.angles_of(unknown).is_none();
+        let unsolved: Vec<u32> =
+            of.iter().filter(|(_, verdicts)| verdicts.iter().any(open)).map(|(order, _)| *order).collect();
+        if !unsolved.is_empty() {
+            words.push(format!(
+                "Not solved, so that zeros may be unmarked: {} at {}.",
+                quantity.name(),
+                numbers(unsolved)
+            ));
+        }
+        if unit(family, quantity).is_none() {
+            words.push(format!("The {} is not drawn: its arms hold several open lengths.", quantity.name()));
+        } else if curves < left.len() {
+            words.push(format!("Not drawn: {} at {}.", quantity.name(), numbers(left[curves..].to_vec())));
+        }
+    }
+    (!drawn.is_empty()).then(|| words.join(" "))
+}
+
+/// The one open angle; none where two are open.
+fn open_angle(family: &Family) -> Option<&'static str> {
+    let unknowns = family.unknowns();
+    match (unknowns.contains(PHI), unknowns.contains(DELTA)) {
+        (true, false) => Some(PHI),
+        (false, true) => Some(DELTA),
+        (true, true) | (false, false) => None,
+    }
+}
+
+type OfOrder<'a> = (u32, &'a [OpenVerdict; 2]);
+
+fn of_quantity(orders: &[OpenOrder], quantity: Quantity) -> Vec<OfOrder<'_>> {
+    let is_moment = quantity == Quantity::Moment;
+    orders.iter().map(|order| (order.order, if is_moment { &order.moment } else { &order.force })).collect()
+}
+
+/// What is drawn: the orders that do not always vanish, of quantities whose weights are numbers.
+fn shown<'a>(family: &Family, orders: &'a [OpenOrder]) -> Vec<(Quantity, Vec<OfOrder<'a>>)> {
+    let left = |quantity| {
+        let curves = of_quantity(orders, quantity).into_iter();
+        let curves = curves.filter(|(_, verdicts)| !verdicts.iter().all(OpenVerdict::always));
+        (quantity, curves.take(MOST_ORDERS).collect::<Vec<_>>())
+    };
+    let drawable = |(quantity, curves): &(Quantity, Vec<_>)| unit(family, *quantity).is_some() && !curves.is_empty();
+    [Quantity::Force, Quantity::Moment].map(left).into_iter().filter(drawable).collect()
+}
+
+/// What the weights of a quantity are multiples of; none where they hold several lengths.
+fn unit(family: &Family, quantity: Quantity) -> Option<String> {
+    let force = "m r ω² c_k";
+    if quantity == Quantity::Force {
+        return Some(force.to_owned());
+    }
+    let arms: Vec<Linear> = family.cylinders().iter().map(|cylinder| family.arm(cylinder)).collect();
+    let symbols: BTreeSet<&String> = arms.iter().flat_map(|arm| arm.symbols().keys()).collect();
+    let is_known = arms.iter().any(|arm| !arm.known().is_zero());
+    match (symbols.first(), symbols.len(), is_known) {
+        (None, ..) => Some(match family.length_unit() {
+            crate::engine::LengthUnit::Metre => format!("{force} · m"),
+            crate::engine::LengthUnit::Spacing => format!("{force} · a"),
+        }),
+        (Some(symbol), 1, false) => Some(format!("{force} · {symbol}")),
+        _ => None,
+    }
+}
+
+fn heading(title: &str, chunk: &[OfOrder]) -> String {
+    let orders: Vec<String> = chunk.iter().map(|(order, _)| order.to_string()).collect();
+    format!("{title}, order{} {}", if orders.len() == 1 { "" } else { "s" }, orders.join(", "))
+}
+
+/// Adds the curve of an order with its zeros, which are points of the curve too.
+fn add(plot: &mut Plot, family: &Family, unknown: &str, order: u32, verdicts: &[OpenVerdict; 2]) {
+    let quantity = verdicts[0].quantity;
+    let terms = [Sense::Direct, Sense::Reverse].map(|sense| terms(family, unknown, quantity, order, sense));
+    let at = |angle: f64| terms.iter().map(|terms| length(terms, angle)).sum::<f64>() / 2.0;
+    let (full, single) = zeros(verdicts, unknown);
+    let degrees = |turn: &Turn| turn.degrees().to_f64().unwrap_or(f64::NAN);
+    let grid = (0..=STEPS).map(|step| step as f64 * 360.0 / STEPS as f64);
+    let mut points: Vec<(f64, f64)> = grid.map(|angle| (angle, at(angle / 360.0))).collect();
+    points.extend(full.iter().map(|zero| (degrees(zero), 0.0)));
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let curve = Curve::new(plot.curves.len(), format!("order {order}"), points);
+    for zero in &full {
+        let label = typeset::angle(zero);
+        // One label for the zeros of several orders at one place.
+        let known = plot.marks.iter().any(|mark| mark.label == label);
+        let mark = PointMark::ring((degrees(zero), 0.0), if known { String::new() } else { label });
+        plot.marks.push(PointMark { ink: curve.ink, ..mark.of("exact zero") });
+    }
+    if single.len() <= MOST_DOTS {
+        for zero in &single {
+            let mark = PointMark::dot((degrees(zero), at(degrees(zero) / 360.0)), "");
+            plot.marks.push(PointMark { ink: curve.ink, ..mark.of("one vector exactly zero") });
+        }
+    }
+    plot.curves.push(curve);
+}
+
+/// The angles at which both vectors vanish, and those at which just one does.
+fn zeros(verdicts: &[OpenVerdict; 2], unknown: &str) -> (BTreeSet<Turn>, BTreeSet<Turn>) {
+    let known = |verdict: &OpenVerdict| verdict.angles_of(unknown).unwrap_or_default();
+    let [direct, reverse] = [known(&verdicts[0]), known(&verdicts[1])];
+    match (verdicts[0].always(), verdicts[1].always()) {
+        (true, _) => (reverse, BTreeSet::new()),
+        (_, true) => (direct, BTreeSet::new()),
+        _ => {
+            (direct.intersection(&reverse).cloned().collect(), direct.symmetric_difference(&reverse).cloned().collect())
+        }
+    }
+}
+
+/// The vectors of an order: multiple of the open angle, known angle in turns, weight; those of one angle together.
+fn terms(family: &Family, unknown: &str, quantity: Quantity, order: u32, sense: Sense) -> Vec<(f64, f64, f64)> {
+    let mut sums: BTreeMap<(BigRational, Turn), BigRational> = BTreeMap::new();
+    for cylinder in family.cylinders() {
+        let phase = phase(cylinder, order, sense);
+        let arm = family.arm(cylinder);
+        let arm = arm.symbols().values().fold(arm.known().clone(), |sum, coefficient| sum + coefficient);
+        let arm = if quantity == Quantity::Moment { arm } else { BigRational::one() };
+        let key = (phase.coefficient(unknown), Turn::new(phase.known().clone()));
+        *sums.entry(key).or_insert_with(BigRational::zero) += cylinder.weight() * arm;
+    }
+    let float = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
+    let term = |((times, angle), weight): (&(BigRational, Turn), &BigRational)| {
+        (float(times), float(angle.turns()), float(weight))
+    };
+    sums.iter().map(term).collect()
+}
+
+/// The length of the sum at an angle in turns.
+fn length(terms: &[(f64, f64, f64)], angle: f64) -> f64 {
+    let vector = |(times, known, weight): &(f64, f64, f64)| {
+        num_complex::Complex::from_polar(1.0, TAU * (known + times * angle)) * weight
+    };
+    terms.iter().map(vector).sum::<num_complex::Complex<f64>>().norm()
+}

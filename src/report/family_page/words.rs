@@ -1,0 +1,176 @@
+//! How is it put that a sum vanishes for all, some or no angles?
+
+use std::collections::BTreeSet;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::super::{argument, residual, typeset};
+use crate::engine::{DELTA, Linear, PHI};
+use crate::exact::Turn;
+use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
+use crate::numbers::Form;
+use crate::page::number::Bearing;
+use crate::page::{Piece, Text, phrase};
+
+/// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
+pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
+    if verdict.always() {
+        return Text::zero();
+    }
+    if let Left::Factored { factor, lengths, .. } = family::left(verdict) {
+        return factored(&factor, &lengths);
+    }
+    if verdict.never() {
+        return "never 0".into();
+    }
+    match verdict.bank_angles() {
+        Some(angles) if angles.is_empty() => "never 0 in (0°, 360°)".into(),
+        Some(angles) => phrase!("0 at φ = {}", list(&angles)),
+        None => Text::joined(verdict.sums.iter().filter_map(condition_of), "; and "),
+    }
+}
+
+/// At which bank angles it can fire evenly.
+pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
+    match angles.is_empty() {
+        true => "No bank angle lets it fire evenly.".into(),
+        false => phrase!("It can fire evenly exactly at φ = {}.", list(angles)),
+    }
+}
+
+/// Angles in a row.
+pub(super) fn list(angles: &BTreeSet<Turn>) -> String {
+    angles.iter().map(typeset::angle).collect::<Vec<_>>().join(", ")
+}
+
+fn condition_of(sum: &OpenSum) -> Option<Text> {
+    match &sum.when {
+        When::Always => None,
+        When::Never(_) => Some("never 0".into()),
+        When::Where(angles) => Some(phrase!("0 where {}", conditions(angles))),
+        When::Irrational { phi, delta, degrees, .. } => {
+            let decimal = typeset::decimal(degrees.rem_euclid(360.0));
+            Some(phrase!("0 where {} ≈ {}°", unknowns(phi, delta), decimal))
+        }
+        When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
+    }
+}
+
+/// `2φ − δ ≡ 180°`, alternatives joined by "or".
+fn conditions(angles: &Angles) -> String {
+    let one = |condition: &Condition| {
+        // φ, or else δ, is shown entering positively.
+        let Condition { phi, delta, turn } = condition;
+        match phi.is_negative() || phi.is_zero() && delta.is_negative() {
+            true => format!("{} ≡ {}", unknowns(&-phi, &-delta), typeset::angle(&-turn)),
+            false => format!("{} ≡ {}", unknowns(phi, delta), typeset::angle(turn)),
+        }
+    };
+    let together = |alternative: &Alternative| alternative.conditions.iter().map(one).collect::<Vec<_>>().join(" and ");
+    angles.alternatives.iter().map(together).collect::<Vec<_>>().join(", or ")
+}
+
+/// `2φ − δ`.
+pub(super) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
+    let parts = [(PHI, phi), (DELTA, delta)].map(|(name, factor)| Linear::symbol(name, factor.clone()));
+    match parts.map(|part| (part != Linear::default()).then(|| greek(&part))) {
+        [None, None] => "0".to_owned(),
+        [Some(only), None] | [None, Some(only)] => only,
+        [Some(phi), Some(delta)] => format!("{phi} + {delta}").replace("+ −", "− "),
+    }
+}
+
+/// An angle with unknowns, given in turns: `45° + φ/2`; the known part in `(−180°, 180°]`.
+pub(super) fn open_angle(angle: &Linear) -> String {
+    let symbols = angle.minus(&Linear::constant(angle.known().clone()));
+    let known = typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone())));
+    match (symbols == Linear::default(), angle.known().is_zero()) {
+        (true, _) => known,
+        (false, true) => greek(&symbols),
+        (false, false) => format!("{known} + {}", greek(&symbols)).replace("+ −", "− "),
+    }
+}
+
+fn greek(linear: &Linear) -> String {
+    linear.to_string().replace(PHI, "φ").replace(DELTA, "δ")
+}
+
+/// A length with symbols.
+pub(super) fn open_length(length: &Linear) -> String {
+    match length.as_known() {
+        Some(known) => typeset::number(known),
+        None => length.to_string(),
+    }
+}
+
+/// Sentences on one sum: its parts, and why it vanishes where it does.
+pub(super) fn argument(sum: &OpenSum) -> Text {
+    let has_open_angles = sum.parts.iter().any(|part| !part.phi.is_zero() || !part.delta.is_zero());
+    let one = |part: &Part| {
+        let certificate = argument::certificate_of(&part.sum, &part.certificate);
+        match (&sum.symbol, has_open_angles) {
+            (_, true) => {
+                phrase!("Turned by {}: {}. {}", unknowns(&part.phi, &part.delta), value(part), certificate)
+            }
+            (Some(_), false) => phrase!("{}. {}", value(part), certificate),
+            // The lead of the verdict says it already.
+            (None, false) => certificate,
+        }
+    };
+    let sentences = sum.parts.iter().map(one).chain(has_open_angles.then(|| why(&sum.when)));
+    let sentences = Text::joined(sentences, " ");
+    match &sum.symbol {
+        Some(symbol) => phrase!("What {} multiplies: {}", symbol.clone(), sentences),
+        None => sentences,
+    }
+}
+
+fn why(when: &When) -> Text {
+    match when {
+        When::Always => "Every part vanishes, so the sum does for all angles.".into(),
+        When::Never(Never::OnePart) => "One part is left, so the sum vanishes for no angle.".into(),
+        When::Never(Never::UnequalLengths(_)) => {
+            "Two parts are left and their lengths differ (proved), so they cancel for no angle.".into()
+        }
+        When::Where(angles) => {
+            let words = match angles.alternatives.len() {
+                1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",
+                _ => "The parts that are left are equally long (proved), so they cancel exactly where they are 120° apart: {} (modulo 360°).",
+            };
+            phrase!(words, conditions(angles))
+        }
+        When::Irrational { .. } => {
+            "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that.".into()
+        }
+        When::NotSolved(count) => {
+            phrase!("{} parts are left; for which angles they cancel is not solved here.", *count)
+        }
+    }
+}
+
+fn value(part: &Part) -> Text {
+    if part.certificate.claims_zero() {
+        return Text::zero();
+    }
+    phrase!("length {}, angle {}", residual::modulus_of(&part.sum), residual::bearing(&part.sum))
+}
+
+/// `2√10 (2a + b + 2c)`, `√2 b`, `3`.
+fn factored(factor: &Form, lengths: &Linear) -> Text {
+    let size = || Text::from(Piece::Form(factor.clone()));
+    if lengths.as_known().is_some_and(|known| known.abs().is_one()) {
+        return size();
+    }
+    let is_single = lengths.symbols().len() == 1 && lengths.known().is_zero();
+    let lengths = if is_single { lengths.to_string() } else { format!("({lengths})") };
+    let is_one = factor.as_rational().is_some_and(|one| one.is_one());
+    if is_one { lengths.into() } else { phrase!("{} {}", size(), lengths) }
+}
+
+/// Where the lengths factor out, in which direction what is left points.
+pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<Text> {
+    let Left::Factored { factor, lengths, direction, degrees } = family::left(verdict) else { return None };
+    let bearing = Bearing { exact: direction, decimal: degrees };
+    Some(phrase!("What is left: length {}, angle {}.", factored(&factor, &lengths), bearing))
+}

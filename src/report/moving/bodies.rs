@@ -1,0 +1,97 @@
+//! How do pistons, rods and pins move? What their drawing needs of each cylinder.
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::super::typeset;
+use super::open_angle::OpenAngle;
+use super::scene::Body;
+use crate::engine::{Cylinder, Engine};
+
+/// Rod ratio that rods are drawn with where none is given: 2/7.
+const USUAL_RATIO: (i64, i64) = (2, 7);
+/// Rods of a smaller ratio would not fit on the page.
+const LEAST_RATIO: (i64, i64) = (1, 8);
+
+fn ratio((numerator, denominator): (i64, i64)) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+/// A number in decimals.
+pub(super) fn decimal(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(0.0)
+}
+
+/// The cylinders from the free end on.
+pub(super) fn bodies(engine: &Engine, open: Option<&OpenAngle>) -> Vec<Body> {
+    let mut order: Vec<usize> = (0..engine.cylinders().len()).collect();
+    let position = |index: usize| &engine.cylinders()[index].position;
+    order.sort_by(|one, other| position(*other).cmp(position(*one)));
+    let mut cranks: Vec<[f64; 2]> = Vec::new();
+    let mut bodies: Vec<Body> = Vec::new();
+    for index in order {
+        let mut body = body(&engine.cylinders()[index], index, open);
+        let crank = [body.throw, body.throw_turns];
+        body.crank = cranks.iter().position(|other| *other == crank).unwrap_or(cranks.len());
+        if body.crank == cranks.len() {
+            cranks.push(crank);
+        }
+        body.label = (!bodies.iter().any(|other| alike(other, &body))).then(String::new);
+        bodies.push(body);
+    }
+    for first in 0..bodies.len() {
+        if bodies[first].label.is_some() {
+            let names: Vec<&str> =
+                bodies.iter().filter(|body| alike(body, &bodies[first])).map(|body| body.name.as_str()).collect();
+            bodies[first].label = Some(typeset::names(&names));
+        }
+    }
+    bodies
+}
+
+/// Whether two cylinders cover each other, seen from the free end.
+fn alike(one: &Body, other: &Body) -> bool {
+    let motion =
+        |body: &Body| [body.throw, body.throw_turns, body.bank, body.bank_turns, body.radius, body.rod, body.aside];
+    motion(one) == motion(other)
+}
+
+fn body(cylinder: &Cylinder, index: usize, open: Option<&OpenAngle>) -> Body {
+    let [throw_turns, bank_turns] = open.map_or([0.0; 2], |open| open.enters_cylinder(index));
+    let rod = &cylinder.crank_radius / drawn_ratio(cylinder);
+    let offset = cylinder.rod().map(|rod| rod.offset.clone()).unwrap_or_default();
+    Body {
+        name: cylinder.name.clone(),
+        label: None,
+        crank: 0,
+        throw: decimal(&cylinder.throw.degrees()),
+        throw_turns,
+        bank: decimal(&cylinder.bank.degrees()),
+        bank_turns,
+        radius: decimal(&cylinder.crank_radius),
+        aside: decimal(&(&rod * &offset)),
+        rod: decimal(&rod),
+    }
+}
+
+fn drawn_ratio(cylinder: &Cylinder) -> BigRational {
+    match cylinder.rod() {
+        Some(rod) => rod.ratio.clone().max(ratio(LEAST_RATIO)),
+        None => ratio(USUAL_RATIO),
+    }
+}
+
+/// With an offset the numbers c_k of odd orders are not real.
+const OFFSET: &str = "With an offset the coefficient c_k of an odd order turns its vectors by an angle of its own, which is left out here.";
+
+/// What is not drawn as the file has it.
+pub(super) fn notes(engine: &Engine) -> Vec<String> {
+    let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none());
+    let short = engine.rods().any(|rod| rod.ratio < ratio(LEAST_RATIO));
+    let named = |of: (i64, i64)| typeset::number(&ratio(of));
+    let drawn = |which: &str, of| format!("{which} are drawn with λ = {}; no verdict depends on it.", named(of));
+    let unknown = unknown.then(|| drawn("Rods of which the file says nothing", USUAL_RATIO));
+    let short = short.then(|| drawn("Rods longer than eight crank radii", LEAST_RATIO));
+    let offset = engine.has_offset().then(|| OFFSET.to_owned());
+    unknown.into_iter().chain(short).chain(offset).collect()
+}

@@ -1,0 +1,89 @@
+//! How is a family without values shown in motion? One scene per open angle, all else at values for the drawing.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+
+use super::super::typeset;
+use super::scene;
+use super::scene::Scene;
+use crate::engine::{DELTA, Engine, Family, PHI};
+use crate::family;
+use crate::order::Masses;
+use crate::proof::Quantity;
+use crate::verdict::Judgement;
+
+/// The scenes of a family, one per open angle, or one where only lengths are open; none where no member can be built.
+///
+/// What is moved starts at 90° (φ) or 0 (δ); the other angle stays at such a value, and open lengths are drawn as 1, 1/2, 1/3, …
+pub fn open_scenes(family: &Family, orders: &[u32]) -> Vec<Scene> {
+    let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
+    let mut angles: Vec<&str> = [PHI, DELTA].into_iter().filter(|angle| unknowns.contains(angle)).collect();
+    if angles.is_empty() {
+        angles.push("");
+    }
+    angles.into_iter().filter_map(|angle| one(family, orders, angle)).collect()
+}
+
+/// The scene in which this angle moves.
+fn one(family: &Family, orders: &[u32], moving: &str) -> Option<Scene> {
+    let values = drawn(family);
+    let (angles, lengths): (Values, Values) = values.into_iter().partition(|(name, _)| is_angle(name));
+    let fixed: Values =
+        angles.iter().filter(|(name, _)| *name != moving).map(|(name, v)| (name.clone(), v.clone())).collect();
+    let along = family.with(&fixed).ok()?;
+    let all: Values = angles.into_iter().chain(lengths.clone()).collect();
+    let engine = family.with(&all).ok()?.only()?.ok()?;
+    let judged = judge(&engine, orders)?;
+    let open = match family::comparable(&along) {
+        Ok(()) => family::classify(&along, orders).ok(),
+        Err(_) => None,
+    };
+    let mut made = scene(&engine, &judged, open.as_ref().map(|open| (&along, open.as_slice())));
+    made.notes.splice(0..0, held(&fixed).into_iter().chain(lengths_drawn(&lengths)));
+    Some(made)
+}
+
+/// Which other angle does not move.
+fn held(fixed: &Values) -> Option<String> {
+    let symbol = |name: &str| name.replace(PHI, "φ").replace(DELTA, "δ");
+    let one = |(name, value): (&String, &BigRational)| format!("{} = {}", symbol(name), typeset::turns(value));
+    let all: Vec<String> = fixed.iter().map(one).collect();
+    (!all.is_empty()).then(|| format!("Held here: {}. The zeros are those at this value.", all.join(", ")))
+}
+
+/// Which lengths the moment is drawn with.
+fn lengths_drawn(lengths: &Values) -> Option<String> {
+    let one = |(name, value): (&String, &BigRational)| format!("{name} = {}", typeset::number(value));
+    let all: Vec<String> = lengths.iter().map(one).collect();
+    let drawn =
+        || format!("Open lengths are drawn as {}; zeros of the moment are those for all lengths.", all.join(", "));
+    (!all.is_empty()).then(drawn)
+}
+
+/// Unknowns by name with their values: angles in turns.
+type Values = BTreeMap<String, BigRational>;
+
+fn is_angle(name: &str) -> bool {
+    [PHI, DELTA].contains(&name)
+}
+
+/// A value for the drawing of every unknown.
+fn drawn(family: &Family) -> Values {
+    let mut parts = 0;
+    let value = |name: &str| match name {
+        PHI => BigRational::new(1.into(), 4.into()),
+        DELTA => BigRational::default(),
+        _ => {
+            parts += 1;
+            BigRational::new(1.into(), parts.into())
+        }
+    };
+    let names: Vec<&str> = family.unknowns().into_iter().collect();
+    let values: Vec<BigRational> = names.iter().copied().map(value).collect();
+    names.into_iter().map(str::to_owned).zip(values).collect()
+}
+
+fn judge(engine: &Engine, orders: &[u32]) -> Option<Judgement> {
+    Judgement::of(engine, orders, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment]).ok()
+}

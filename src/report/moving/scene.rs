@@ -1,0 +1,199 @@
+//! What does a page hold of an engine in motion? Numbers to draw by, finished words, and zeros as whole numbers.
+
+use serde::Serialize;
+
+use crate::proof::Sense;
+
+/// An engine in motion, as the script of the page reads it. Angles are in degrees, anticlockwise seen from the free end.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Scene {
+    /// What the engine is called.
+    pub title: String,
+    /// The cylinders from the free end on.
+    pub bodies: Vec<Body>,
+    /// The orders that are judged, one entry per sum.
+    pub orders: Vec<MovingOrder>,
+    /// The angle that is open, where there is one.
+    pub angle: Option<MovingAngle>,
+    /// What is to be known of the drawing.
+    pub notes: Vec<String>,
+    /// The words that the script puts together.
+    pub words: Words,
+}
+
+/// A cylinder with its crank.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Body {
+    /// What it is called.
+    pub name: String,
+    /// What stands on its piston seen from the free end; none behind one that moves alike.
+    pub label: Option<String>,
+    /// A number that cylinders on one throw have in common, from 0.
+    pub crank: usize,
+    /// Throw β.
+    pub throw: f64,
+    /// How many times the open angle enters β.
+    pub throw_turns: f64,
+    /// Direction α of its axis.
+    pub bank: f64,
+    /// How many times the open angle enters α.
+    pub bank_turns: f64,
+    /// Crank radius, in multiples of that of the engine.
+    pub radius: f64,
+    /// Length of its rod as it is drawn, in the same unit.
+    pub rod: f64,
+    /// Distance e of its axis from the shaft, on the side of ψ = 90°, in the same unit.
+    pub aside: f64,
+}
+
+/// One order, or one of the sums that it is made of.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MovingOrder {
+    /// The order k.
+    pub order: u32,
+    /// Its number, and whom it is about where not all cylinders are meant.
+    pub name: String,
+    /// Whether the engine has it.
+    pub exists: bool,
+    /// The shaking force.
+    pub force: MovingQuantity,
+    /// The moment about the reference plane.
+    pub moment: MovingQuantity,
+}
+
+/// The force or the moment of one order.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MovingQuantity {
+    /// What is left, in exact words.
+    pub words: String,
+    /// The same of all sums of the order together, where it has several.
+    pub whole: Option<String>,
+    /// The direct vectors, then the reverse ones.
+    pub senses: [MovingSense; 2],
+    /// Length of the longest arrow, whatever the open angle is.
+    pub reach: f64,
+    /// The values at which one of the sums vanishes, or both, if an angle is open.
+    pub marks: Vec<Mark>,
+}
+
+/// The vectors of one sense at θ = 0, and their sum.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MovingSense {
+    /// What they sum to, in exact words.
+    pub words: String,
+    /// Whether that is proved to be 0.
+    pub zero: bool,
+    /// The vectors, those of one direction together.
+    pub rays: Vec<Ray>,
+    /// Length of the sum, approximately.
+    pub length: f64,
+    /// Direction of the sum in degrees, approximately.
+    pub degrees: f64,
+    /// Where the sum vanishes, if an angle is open.
+    pub zeros: Option<Zeros>,
+}
+
+/// Vectors of one direction, laid end to end.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Ray {
+    /// Whose they are.
+    pub label: String,
+    /// Their direction at θ = 0.
+    pub degrees: f64,
+    /// How many times the open angle enters it.
+    pub turns: f64,
+    /// Their lengths, positive.
+    pub lengths: Vec<f64>,
+    /// The sum of these.
+    pub length: f64,
+}
+
+/// An angle that is open, counted in whole numbers of which `unit` are a degree.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MovingAngle {
+    /// φ or δ.
+    pub symbol: &'static str,
+    /// What it is called.
+    pub name: &'static str,
+    /// So many are a degree.
+    pub unit: i64,
+    /// The least value of the slider.
+    pub low: i64,
+    /// The largest value of the slider.
+    pub high: i64,
+    /// What one step of the slider adds.
+    pub step: i64,
+    /// The value that the words of verdicts are about.
+    pub start: Mark,
+}
+
+/// A value of the open angle.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Mark {
+    /// In units of the slider.
+    pub at: i64,
+    /// As it is written, exactly.
+    pub text: String,
+    /// What vanishes there: direct, reverse, or both; empty where it is no zero.
+    pub of: Vec<&'static str>,
+    /// Whether force or moment vanishes.
+    pub both: bool,
+}
+
+/// Where a sum vanishes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Zeros {
+    /// Everywhere.
+    pub everywhere: bool,
+    /// At these values, in units of the slider, rising.
+    pub at: Vec<i64>,
+    /// Whether it is proved to vanish nowhere else.
+    pub complete: bool,
+    /// The same in exact words.
+    pub words: String,
+}
+
+/// What is said of a sum that is proved to be 0.
+pub(super) const ZERO: &str = "0, proved";
+
+/// The words that the script puts together.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Words {
+    /// The senses, direct first.
+    pub senses: [&'static str; 2],
+    /// The force.
+    pub force: &'static str,
+    /// The moment.
+    pub moment: &'static str,
+    /// An order.
+    pub order: &'static str,
+    /// A sum that is in the list of zeros.
+    pub zero: &'static str,
+    /// A sum that is not in a complete list of zeros.
+    pub not_zero: &'static str,
+    /// A sum of which the list does not tell.
+    pub undecided: &'static str,
+    /// All sums of an order together.
+    pub together: &'static str,
+    /// Starts the motion.
+    pub play: &'static str,
+    /// Stops it.
+    pub pause: &'static str,
+}
+
+impl Default for Words {
+    fn default() -> Self {
+        Words {
+            senses: [Sense::Direct, Sense::Reverse].map(Sense::name),
+            force: "force",
+            moment: "moment",
+            order: "Order",
+            zero: ZERO,
+            not_zero: "not 0",
+            undecided: "not decided here",
+            together: "All sums of the order together:",
+            play: "Play",
+            pause: "Pause",
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! What can counterweights alone do? The first-order force over the part of the reciprocating masses that they balance.
+
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::super::plot::{Axis, Curve, Plot};
+use crate::loads::{self, Scale};
+use crate::page::number::{Amount, given};
+use crate::page::{Block, Picture, Piece, Table, Text, Unit, phrase};
+use crate::remedy::{Ellipse, Partial, Remedy};
+
+/// Steps of the curves.
+const STEPS: u32 = 40;
+/// Balanced parts in the table, in percent.
+const PARTS: [u32; 7] = [0, 20, 35, 50, 65, 80, 100];
+
+/// Words, a picture and a table, where counterweights change the first order and one throw carries all, or a part is left
+/// that they cannot reach.
+pub(super) fn blocks(remedy: &Remedy) -> Vec<Block> {
+    let Some(partial) = partial(remedy) else { return Vec::new() };
+    let scale = loads::scale(remedy.subject.engine());
+    let picture = picture(remedy).map(Block::from);
+    let words = Block::Paragraph(words(&partial, scale.as_ref()));
+    [words].into_iter().chain(picture).chain([Block::from(table(&partial, scale.as_ref()))]).collect()
+}
+
+fn words(partial: &Partial, scale: Option<&Scale>) -> Text {
+    let at = |part: &BigRational| force(peak(&partial.ellipse(part)), scale);
+    let (bare, half) = (at(&BigRational::zero()), at(&BigRational::new(1.into(), 2.into())));
+    match partial.reverse.vanishes() {
+        true => phrase!(
+            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert$ times $m\\,r\\,\\omega^2$: {} at f = 0, and {} at f = ½, where nothing is left.",
+            bare,
+            half
+        ),
+        false => phrase!(
+            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}(\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert + \\lvert P^-\\rvert)$ times $m\\,r\\,\\omega^2$: {} at f = 0 and, the least that they can do, {} at f = ½; f and 1 − f do alike.",
+            bare,
+            half
+        ),
+    }
+}
+
+/// A first-order force: newtons where the layout gives numbers.
+fn force(amount: Amount, scale: Option<&Scale>) -> Text {
+    let is_zero = amount.exact.as_ref().and_then(|form| form.as_rational()).is_some_and(|value| value.is_zero());
+    match scale {
+        _ if is_zero => Text::zero(),
+        Some(scale) => Piece::Quantity(amount.decimal * scale.force(), Unit::NEWTON).into(),
+        None => phrase!("{} $m\\,r\\,\\omega^2$", amount),
+    }
+}
+
+fn peak(ellipse: &Ellipse) -> Amount {
+    Amount { exact: ellipse.peak.clone(), decimal: ellipse.peak_decimal }
+}
+
+fn least(ellipse: &Ellipse) -> Amount {
+    Amount { exact: ellipse.least.clone(), decimal: ellipse.least_decimal }
+}
+
+fn table(partial: &Partial, scale: Option<&Scale>) -> Table {
+    let multiples = ["Balanced part f", "Largest, in m r ω²", "Smallest, in m r ω²"].into_iter();
+    let newtons = scale.map(|_| ["Largest force", "Smallest force"]).into_iter().flatten();
+    let mut table = Table::new(multiples.chain(newtons));
+    for percent in PARTS {
+        let part = BigRational::new(percent.into(), 100.into());
+        let ellipse = partial.ellipse(&part);
+        let part = given(&part);
+        let multiples = [part, peak(&ellipse).into(), least(&ellipse).into()];
+        let newtons = scale.map(|_| [peak(&ellipse), least(&ellipse)].map(|amount| force(amount, scale)));
+        table.push(multiples.into_iter().chain(newtons.into_iter().flatten()).collect());
+    }
+    table
+}
+
+/// The largest and the smallest first-order force in a revolution over the balanced part.
+pub(in crate::report) fn picture(remedy: &Remedy) -> Option<Picture> {
+    let curve = partial(remedy)?.curve(STEPS);
+    let scale = loads::scale(remedy.subject.engine());
+    let factor = scale.as_ref().map_or(1.0, Scale::force);
+    let points = |axis: fn(&Ellipse) -> f64| -> Vec<(f64, f64)> {
+        curve.iter().map(|(part, ellipse)| (part.to_f64().unwrap_or(f64::NAN), axis(ellipse) * factor)).collect()
+    };
+    let unit = if scale.is_some() { "Force in N" } else { "Force in m r ω²" };
+    let x = Axis::linear("Balanced part f of the reciprocating masses");
+    let mut plot = Plot::new("First-order force", x, Axis::linear(unit));
+    plot.curves.push(Curve::new(0, "largest in a revolution", points(|ellipse| ellipse.peak_decimal)));
+    plot.curves.push(Curve::new(1, "smallest in a revolution", points(|ellipse| ellipse.least_decimal)));
+    let caption = "The largest and the smallest first-order force in a revolution over the part f of the reciprocating masses that counterweights balance. Where both are equal the force turns without changing its size; where the smallest is 0 it swings along a line.";
+    Some(Picture { name: "partial-balance".into(), caption: caption.into(), figure: plot.figure() })
+}
+
+/// The partial balance, where the first order is asked for and counterweights change it but leave a reverse vector, or
+/// one throw carries all.
+fn partial(remedy: &Remedy) -> Option<Partial> {
+    let engine = remedy.subject.engine();
+    let partial = Partial::new(engine)?;
+    let tells = crate::engine::throws(engine).len() == 1 || !partial.reverse.vanishes();
+    (tells && remedy.orders.contains(&1) && !partial.direct.vanishes()).then_some(partial)
+}

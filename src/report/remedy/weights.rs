@@ -1,0 +1,117 @@
+//! What are the weights of a remedy called, how large are they, and in which direction do they stand?
+
+use super::super::residual;
+use crate::engine::{Engine, LengthUnit};
+use crate::numbers;
+use crate::order::Factor;
+use crate::page::number::{Amount, Bearing, given};
+use crate::page::{Piece, Table, Text, Unit, phrase};
+use crate::proof::Sense;
+use crate::remedy::{Remedy, Weight};
+use num_rational::BigRational;
+
+/// Letters of the longest closed form of a mass-radius that is shown.
+const LONGEST_FORM: usize = 24;
+
+/// A row a weight; none where no weight is needed.
+pub(super) fn table(remedy: &Remedy) -> Option<Table> {
+    let in_numbers = remedy.subject.scale().is_some();
+    let position = match remedy.subject.engine().length_unit() {
+        LengthUnit::Metre => "Position z in mm",
+        LengthUnit::Spacing => "Position z",
+    };
+    let size_of = match in_numbers {
+        true => ["Mass × radius", "Exactly"].as_slice(),
+        false => ["Mass × radius"].as_slice(),
+    };
+    let before = ["Weight", "Turns", position].into_iter();
+    let mut table = Table::new(before.chain(size_of.iter().copied()).chain(["Angle at θ = 0"]));
+    let mut add = |name: Text, weight: &Weight| {
+        let before = [name, turns(weight), position_of(remedy.subject.engine(), weight)].into_iter();
+        let sizes = in_numbers.then(|| in_short(remedy, weight)).into_iter().chain([size(remedy, weight)]);
+        table.push(before.chain(sizes).chain([direction(remedy, weight)]).collect());
+    };
+    remedy.bays.iter().for_each(|weight| add("counterweight by balance factor".into(), weight));
+    let on_the_crankshaft = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
+    on_the_crankshaft.for_each(|weight| add("counterweight".into(), weight));
+    for (index, shaft) in remedy.shafts.iter().enumerate() {
+        shaft.weights.iter().for_each(|weight| add(phrase!("shaft {}", index + 1), weight));
+    }
+    (!table.rows.is_empty()).then_some(table)
+}
+
+fn turns(weight: &Weight) -> Text {
+    match weight.sense {
+        Sense::Direct => phrase!("{}×, with the crank", weight.order),
+        Sense::Reverse => phrase!("{}×, against the crank", weight.order),
+    }
+}
+
+/// Along the crankshaft: in millimetres where the layout gives lengths in units, else in the unit of its positions.
+fn position_of(engine: &Engine, weight: &Weight) -> Text {
+    match engine.length_unit() {
+        LengthUnit::Metre => given(&(&weight.position * BigRational::from_integer(1000.into()))),
+        LengthUnit::Spacing => given(&weight.position),
+    }
+}
+
+/// Weights in a row: how large, and where.
+pub(super) fn listed(remedy: &Remedy, weights: &[Weight]) -> Text {
+    let one = |weight: &Weight| {
+        let size = in_short(remedy, weight);
+        let at = position_of(remedy.subject.engine(), weight);
+        match remedy.subject.engine().length_unit() {
+            LengthUnit::Metre => phrase!("{} at z = {} mm", size, at),
+            LengthUnit::Spacing => phrase!("{} at z = {}", size, at),
+        }
+    };
+    Text::joined(weights.iter().map(one), ", ")
+}
+
+/// The mass-radius in kilogram-millimetres, else in multiples of m r.
+pub(super) fn in_short(remedy: &Remedy, weight: &Weight) -> Text {
+    match weight.mass_radius(&remedy.subject) {
+        Some(size) => Piece::Quantity(size * 1000.0, Unit::KILOGRAM_MILLIMETRE).into(),
+        None => size(remedy, weight),
+    }
+}
+
+/// The mass-radius in multiples of m r or of m r |c_k|: `√3/4 ≈ 0.4330 m r`.
+fn size(remedy: &Remedy, weight: &Weight) -> Text {
+    // A form whose digits only repeat those of the layout's masses and lengths says nothing more than its decimals.
+    let exact = weight.modulus().filter(|form| form.to_string().chars().count() <= LONGEST_FORM);
+    let amount = |decimal: f64| Text::from(Amount { exact: exact.clone(), decimal });
+    match (weight.vector.only(), weight.decimals(&remedy.subject)) {
+        (Some((factor, sum)), _) => {
+            let amount = amount(residual::modulus_of(sum).decimal);
+            match factor {
+                Factor::One => phrase!("{} $m\\,r$", amount),
+                Factor::Motion(_) | Factor::Torque(_) | Factor::Open => {
+                    let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
+                    phrase!("{} {}", amount, unit)
+                }
+            }
+        }
+        (None, Some([size, _])) => phrase!("{} $m\\,r$", amount(size)),
+        (None, None) => depends(weight),
+    }
+}
+
+fn depends(weight: &Weight) -> Text {
+    phrase!("depends on {}", Text::formula(format!("c_{{{}}}", weight.order)))
+}
+
+/// The direction at θ = 0.
+fn direction(remedy: &Remedy, weight: &Weight) -> Text {
+    let of_sum = || {
+        let (factor, sum) = weight.vector.only()?;
+        let value = numbers::evaluate(sum);
+        let value = if factor.is_negative(weight.order)? { -value } else { value };
+        Some(numbers::degrees(value))
+    };
+    let of_value = weight.decimals(&remedy.subject).map(|[_, degrees]| degrees);
+    match of_value.or_else(of_sum) {
+        Some(decimal) => Bearing { exact: weight.direction(), decimal }.into(),
+        None => depends(weight),
+    }
+}

@@ -1,0 +1,123 @@
+//! What stands on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
+
+use super::pictures::pictures;
+use super::table::{firing_order, left, stars, throws};
+use crate::engine::Cycle;
+use crate::page::{Block, Document, Fold, Text, number, phrase};
+use crate::search::Front;
+use crate::text::Untrusted;
+
+/// So many stars are drawn.
+const MOST_DRAWN: usize = 3;
+
+const MOMENTS: &str = "Moments are about the mid-plane of the engine, in multiples of $m r \\omega^2 c_k a$: $m$ the reciprocating mass of a cylinder, $r$ the crank \
+    radius, $\\omega$ the speed of the crank, $c_k$ the coefficient of order k, $a$ the spacing of neighbouring throws.";
+const OF_VEES: &str = "$C_k^+$ and $C_k^-$ are the direct and the reverse vector of the moment of order k, which turn with the crank and against it: the largest moment is half the sum of \
+    their lengths.";
+const EQUAL: &str =
+    "Equal stars: how many share these values, counting stars that differ by rotation, mirror or reversal as one.";
+const NEIGHBOURS: &str = "Neighbours: pairs of neighbouring cylinders that fire in succession.";
+const THROWS: &str = "Throws: the angles of the crankpins, from the free end.";
+const MASSES: &str = "Masses and rods are equal, and the throws stand at equal distances.";
+
+/// The short answer: the stars.
+pub fn search_answer(front: &Front) -> Document {
+    let mut answer = Document::new("search", title(front));
+    answer.blocks.extend(best(front).into_iter().map(Block::Paragraph));
+    if !front.stars.is_empty() {
+        answer.push(stars(front));
+        answer.push(Block::List(legend(front)));
+    }
+    answer.push(Block::Paragraph(judged(front)));
+    answer
+}
+
+/// The page, with pictures and layout files of the first stars.
+pub fn search_page(front: &Front) -> Document {
+    let mut page = Document::new("search", title(front));
+    page.push(Block::Answer(best(front)));
+    if !front.stars.is_empty() {
+        page.push(stars(front));
+        page.push(Block::List(legend(front)));
+        page.push(Block::Heading(1, "Pictures of the first stars".into()));
+    }
+    for (index, star) in front.stars.iter().take(MOST_DRAWN).enumerate() {
+        let number = index + 1;
+        page.push(Block::Heading(2, phrase!("Star {}", number)));
+        page.push(Block::Pictures(pictures(&front.problem, star, number)));
+        let layout = Untrusted::new(star.layout_file(&front.problem));
+        page.push(Block::Folded(Fold {
+            summary: phrase!("Star {} as a layout file, which every other command reads", number),
+            blocks: vec![Block::Verbatim("toml", layout)],
+        }));
+    }
+    page.push(Block::Heading(1, "How they were found".into()));
+    page.push(Block::Paragraph(judged(front)));
+    page
+}
+
+fn title(front: &Front) -> Text {
+    let problem = &front.problem;
+    let engine = match &problem.bank_angle {
+        Some(angle) => phrase!("V{}, {}", problem.cylinders, number::angle(angle)),
+        None => phrase!("In-line {}", problem.cylinders),
+    };
+    match problem.cycle {
+        Cycle::TwoStroke => phrase!("{}, two-stroke: the crank stars that balance best", engine),
+        Cycle::FourStroke => phrase!("{}, four-stroke: the crank stars that balance best", engine),
+    }
+}
+
+/// How many are best, and the first of them.
+fn best(front: &Front) -> Vec<Text> {
+    let all = front.all.to_string();
+    let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
+    let orders = phrase!("Compared: the moments of these orders: {}.", orders.join(", "));
+    let how_many = match front.stars.len() {
+        0 => phrase!("None of the {} crank stars has balanced first-order force.", all),
+        1 => phrase!("**One of the {} crank stars is the best** in all that is compared.", all),
+        several => phrase!(
+            "**{} of the {} crank stars are the best:** no other is as good as one of them in all that is compared and better in something.",
+            several,
+            all
+        ),
+    };
+    let first = front.stars.first().map(|star| match (firing_order(star), left(star)) {
+        (Some(order), Some(left)) => {
+            phrase!("**The first:** firing order {}, throws at {}°; moments left: {}.", order, throws(star), left)
+        }
+        (Some(order), None) => {
+            phrase!(
+                "**The first:** firing order {}, throws at {}°; no moment of these orders is left.",
+                order,
+                throws(star)
+            )
+        }
+        (None, Some(left)) => {
+            phrase!("**The first:** throws at {}°; it does not fire evenly; moments left: {}.", throws(star), left)
+        }
+        (None, None) => {
+            phrase!(
+                "**The first:** throws at {}°; it does not fire evenly; no moment of these orders is left.",
+                throws(star)
+            )
+        }
+    });
+    [how_many].into_iter().chain(first).chain([orders]).collect()
+}
+
+fn legend(front: &Front) -> Vec<Text> {
+    let of_vees = front.problem.bank_angle.as_ref().map(|_| OF_VEES);
+    let neighbours = front.problem.neighbours.then_some(NEIGHBOURS);
+    let words = [MOMENTS].into_iter().chain(of_vees).chain([THROWS]).chain(neighbours).chain([EQUAL, MASSES]);
+    words.map(Text::from).collect()
+}
+
+fn judged(front: &Front) -> Text {
+    phrase!(
+        "Stars judged one by one, of those that differ by rotation, mirror or reversal one each: {}. Beginnings left out with all that could follow, \
+         since none of it can be among the best: {}.",
+        front.judged.to_string(),
+        front.cut.to_string()
+    )
+}

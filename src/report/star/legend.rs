@@ -1,0 +1,97 @@
+//! What has a reader to know of a drawing of stars? Colours, turned arrows and short names, as far as they are in it.
+
+use std::collections::BTreeSet;
+
+use super::panel::MOST_LABELS;
+use super::sheet::order_rows;
+use super::{Ray, Scale, Star};
+use crate::engine::Engine;
+use crate::order::Source;
+use crate::proof::Quantity;
+use crate::verdict::{OrderBalance, Verdict};
+
+/// What stands below the stars of an order.
+pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> String {
+    let rows = order_rows(order);
+    legend(engine, &rows.iter().map(|row| &row[..]).collect::<Vec<_>>())
+}
+
+/// What stands below the stars of the inertia torque.
+pub(in crate::report) fn torque_legend(engine: &Engine, verdicts: &[&Verdict]) -> String {
+    legend(engine, &[verdicts])
+}
+
+/// The words for stars whose rows have a scale each.
+fn legend(engine: &Engine, rows: &[&[&Verdict]]) -> String {
+    let mut words = vec!["The dashed line is direction 0.".to_owned()];
+    let drawn: Vec<(&Verdict, Star, Scale)> = rows.iter().flat_map(|row| of_row(engine, row)).collect();
+    let any = |holds: &dyn Fn(&Verdict, &Star) -> bool| drawn.iter().any(|(verdict, star, _)| holds(verdict, star));
+    let sides = |least: u64, most: u64| {
+        any(&|_, star| star.polygons.iter().any(|polygon| (least..=most).contains(&polygon.sides)))
+    };
+    words.extend(match (sides(2, 2), sides(3, u64::MAX)) {
+        (false, false) => None,
+        (true, false) => Some("Each coloured bar joins two opposite vectors that cancel.".to_owned()),
+        (false, true) => Some("The vectors at the corners of a coloured polygon sum to zero.".to_owned()),
+        (true, true) => Some(
+            "The vectors at the corners of a coloured polygon, or at the ends of a coloured bar, sum to zero."
+                .to_owned(),
+        ),
+    });
+    if any(&|_, star| star.resultant.is_some()) {
+        words.push("The red arrow in outline is the resultant.".to_owned());
+    }
+    if any(&|verdict, star| star.has_turned && verdict.quantity == Quantity::Moment) {
+        words.push("A vector with a negative arm is drawn turned by 180°.".to_owned());
+    } else if any(&|_, star| star.has_turned) {
+        words.push("A vector with a negative weight is drawn turned by 180°.".to_owned());
+    }
+    let arrows =
+        drawn.iter().flat_map(|(_, star, scale)| labelled(star).iter().flat_map(|ray| ray.arrows(scale.millimetres)));
+    let counted = arrows.map(|(_, count)| count).find(|count| *count > 1);
+    words.extend(counted.map(|count| format!("({count} ×): {count} equal vectors drawn as one.")));
+    words.extend(short_names(drawn.iter().flat_map(|(_, star, _)| labelled(star))));
+    if any(&|_, star| star.rays.len() > MOST_LABELS) {
+        words.push("Stars of so many directions have no names; the table has them.".to_owned());
+    }
+    words.join(" ")
+}
+
+fn of_row<'a>(engine: &Engine, row: &[&'a Verdict]) -> Vec<(&'a Verdict, Star, Scale)> {
+    let stars: Vec<Star> = row.iter().map(|verdict| Star::new(verdict)).collect();
+    let Some(first) = row.first() else { return Vec::new() };
+    let scale = Scale::of(&stars, first.quantity, engine);
+    row.iter().zip(stars).map(|(verdict, star)| (*verdict, star, scale)).collect()
+}
+
+/// The rays that have their names beside them.
+fn labelled(star: &Star) -> &[Ray] {
+    if star.rays.len() <= MOST_LABELS { &star.rays } else { &[] }
+}
+
+/// What the names of masses that turn mean, as far as they stand there.
+fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<String> {
+    let mut kinds: BTreeSet<&str> = BTreeSet::new();
+    let mut counted = None;
+    for ray in rays {
+        match ray.counts_turning() {
+            true => counted = counted.or(Some(ray.turning().count())),
+            false => kinds.extend(ray.turning().filter_map(kind)),
+        }
+    }
+    let counted = counted.map(|count| format!("+{count} for {count} masses that turn"));
+    let words: Vec<String> = kinds.into_iter().map(str::to_owned).chain(counted).collect();
+    (!words.is_empty()).then(|| format!("Short names: {}.", words.join(", ")))
+}
+
+/// What a short name stands for.
+fn kind(source: Source) -> Option<&'static str> {
+    match source {
+        Source::Piston(_) => None,
+        Source::BigEnd(_) => Some("rod for the big end of a rod"),
+        Source::Pin(_) => Some("pin for a crankpin"),
+        Source::Webs(_) => Some("webs for the webs of a throw"),
+        Source::Counterweight(_) => Some("cw for a counterweight"),
+        Source::Balancer(_) => Some("shaft for a balancer shaft"),
+    }
+}

@@ -1,0 +1,193 @@
+//! How do stars stand on a drawing? In rows, each no taller than it needs, with one scale for each quantity.
+
+use num_traits::Zero;
+
+use super::{Panel, Star};
+use crate::engine::{Engine, LengthUnit};
+use crate::page::figure::{Anchor, Figure, Ink, Mark, Point, Stroke, text_width};
+use crate::proof::Quantity;
+use crate::text::SUPERSCRIPTS;
+use crate::verdict::{Balance, OrderBalance, Verdict};
+
+/// Size of the letters of a star in millimetres.
+pub(super) const LETTERS: f64 = 3.4;
+/// Width of the panel of one star in millimetres.
+pub(in crate::report) const WIDTH: f64 = 58.0;
+/// The greatest length of a drawing has so many millimetres.
+const RADIUS: f64 = 17.0;
+/// Between texts and stars, and between rows.
+const GAP: f64 = 1.6;
+const ROWS_APART: f64 = 5.0;
+/// The bar that tells the scale is at most so long in millimetres.
+const LONGEST_BAR: f64 = 14.0;
+
+/// What the lengths of a star mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::report) struct Scale {
+    /// Millimetres a unit.
+    pub millimetres: f64,
+    /// The unit in plain text and as prose.
+    unit: (&'static str, &'static str),
+}
+
+impl Scale {
+    /// The scale at which the longest of these stars fills a panel.
+    pub fn of<'a>(stars: impl IntoIterator<Item = &'a Star>, quantity: Quantity, engine: &Engine) -> Self {
+        let reach = stars.into_iter().map(Star::reach).fold(0.0, f64::max);
+        let millimetres = if reach > 0.0 { RADIUS / reach } else { 0.0 };
+        let unit = match (quantity, engine.length_unit()) {
+            (Quantity::Force, _) => ("m r", "$m r$"),
+            (Quantity::Moment, LengthUnit::Spacing) => ("m r a", "$m r a$"),
+            (Quantity::Moment, LengthUnit::Metre) => ("m r · metre", "$m r$ · metre"),
+            (Quantity::Torque, _) => ("m r²", "$m r^2$"),
+        };
+        Scale { millimetres, unit }
+    }
+
+    /// The length of the bar in units: 1, 2 or 5 times a power of ten; none where there is nothing to measure.
+    fn bar(&self) -> Option<(f64, String)> {
+        let most = LONGEST_BAR / self.millimetres;
+        let power = most.log10().floor();
+        let ten: f64 = format!("1e{power}").parse().ok().filter(|_| power.is_finite())?;
+        let digit = [5.0, 2.0, 1.0].into_iter().find(|digit| digit * ten <= most)?;
+        let written = match power as i32 {
+            plain @ ..=-1 if plain >= -3 => format!("{}", digit * ten),
+            plain @ 0..=4 => format!("{digit}{}", "0".repeat(plain.unsigned_abs() as usize)),
+            power => format!("{digit}·10{}", raised(power)),
+        };
+        Some((digit * ten, written))
+    }
+}
+
+fn raised(power: i32) -> String {
+    let digits = power.unsigned_abs().to_string();
+    let digits = digits.bytes().map(|digit| SUPERSCRIPTS[usize::from(digit - b'0')]);
+    (power < 0).then_some('⁻').into_iter().chain(digits).collect()
+}
+
+/// A drawing that grows downwards, row by row.
+pub(in crate::report) struct Sheet {
+    figure: Figure,
+    columns: usize,
+    foot: f64,
+}
+
+impl Sheet {
+    /// An empty one with so many panels beside each other.
+    pub fn new(columns: usize) -> Self {
+        Sheet { figure: Figure::new(0.0, 0.0).lettered(LETTERS), columns, foot: 0.0 }
+    }
+
+    /// Where the middle of a panel lies; a row with fewer panels stands in the middle.
+    fn middle(&self, column: usize, of: usize) -> f64 {
+        (column as f64 + (self.columns.saturating_sub(of) as f64 + 1.0) / 2.0) * WIDTH
+    }
+
+    /// A line of text; where it stands.
+    fn line(&mut self) -> f64 {
+        self.foot -= LETTERS;
+        self.foot + LETTERS / 2.0
+    }
+
+    /// Names above the columns.
+    pub fn names(&mut self, names: &[String]) {
+        let y = self.line();
+        for (column, name) in names.iter().enumerate() {
+            self.figure.heading(Point::new(self.middle(column, names.len()), y), name.clone());
+        }
+        self.foot -= GAP;
+    }
+
+    /// A row of stars, with bars that tell their scale or without.
+    pub fn row(&mut self, panels: Vec<Panel>, with_bars: bool) {
+        let of = panels.len();
+        let heads = self.line();
+        let highest = panels.iter().map(|panel| panel.extent().high.im).fold(0.0, f64::max);
+        let lowest = panels.iter().map(|panel| panel.extent().low.im).fold(0.0, f64::min);
+        let centre = self.foot - GAP - highest;
+        self.foot = centre + lowest - GAP;
+        let sums = self.line();
+        let scales: Vec<Scale> = panels.iter().map(|panel| panel.scale).collect();
+        for (column, panel) in panels.into_iter().enumerate() {
+            let x = self.middle(column, of);
+            self.figure.heading(Point::new(x, heads), panel.heading);
+            self.figure.place(panel.drawing, Point::new(x, centre));
+            self.figure.formula(Point::new(x, sums), panel.sum.0, panel.sum.1);
+        }
+        if with_bars {
+            self.foot -= GAP;
+            let y = self.line();
+            match scales.as_slice() {
+                [first, others @ ..] if others.iter().all(|other| other == first) => {
+                    self.bar(Point::new(self.columns as f64 * WIDTH / 2.0, y), *first);
+                }
+                each => each.iter().enumerate().for_each(|(column, scale)| {
+                    self.bar(Point::new(self.middle(column, of), y), *scale);
+                }),
+            }
+        }
+        self.foot -= ROWS_APART;
+    }
+
+    /// The bar that tells the scale, centred.
+    fn bar(&mut self, at: Point, scale: Scale) {
+        let Some((units, written)) = scale.bar() else { return };
+        let long = units * scale.millimetres;
+        let text = format!("{written} {}", scale.unit.0);
+        let start = at - Point::new((long + GAP + text_width(&text, LETTERS)) / 2.0, 0.0);
+        let (end, tick) = (start + long, Point::new(0.0, 0.9));
+        let stroke = Stroke::solid(Ink::Black, 0.35);
+        self.figure.line(start, end, stroke);
+        self.figure.line(start - tick, start + tick, stroke);
+        self.figure.line(end - tick, end + tick, stroke);
+        self.figure.marks.push(Mark::Text {
+            at: end + GAP,
+            text,
+            prose: Some(format!("{written} {}", scale.unit.1)),
+            anchor: Anchor::Start,
+            bold: false,
+        });
+    }
+
+    /// The drawing, no larger than its marks.
+    pub fn finish(self) -> Figure {
+        self.figure.cropped(1.5)
+    }
+}
+
+/// The rows of an order: force above moment, direct beside reverse; the moment only where an arm is not zero.
+pub(super) fn order_rows(order: &OrderBalance) -> Vec<[&Verdict; 2]> {
+    let has_vectors = |balance: &&Balance| {
+        let terms = balance.verdicts().into_iter().flat_map(|verdict| verdict.sum.terms());
+        terms.into_iter().any(|term| !term.weight.is_zero())
+    };
+    let moment = Some(&order.moment).filter(has_vectors);
+    [Some(&order.force), moment].into_iter().flatten().map(Balance::verdicts).collect()
+}
+
+/// The stars of one order, direct beside reverse, to one scale for the forces and one for the moments.
+pub fn star_figure(engine: &Engine, order: &OrderBalance) -> Figure {
+    let mut sheet = Sheet::new(2);
+    for row in order_rows(order) {
+        let stars = row.map(Star::new);
+        let scale = Scale::of(&stars, row[0].quantity, engine);
+        let panels = row.iter().zip(&stars).map(|(verdict, star)| Panel::new(engine, verdict, star, scale));
+        sheet.row(panels.collect(), true);
+    }
+    sheet.finish()
+}
+
+/// The stars of the inertia torque, two beside each other, all to one scale.
+pub fn torque_figure(engine: &Engine, verdicts: &[&Verdict]) -> Figure {
+    let stars: Vec<Star> = verdicts.iter().map(|verdict| Star::new(verdict)).collect();
+    let scale = Scale::of(&stars, Quantity::Torque, engine);
+    let mut sheet = Sheet::new(verdicts.len().min(2));
+    let panels = verdicts.iter().zip(&stars).map(|(verdict, star)| Panel::new(engine, verdict, star, scale));
+    let mut panels = panels.peekable();
+    while panels.peek().is_some() {
+        let row: Vec<Panel> = panels.by_ref().take(2).collect();
+        let is_last = panels.peek().is_none();
+        sheet.row(row, is_last);
+    }
+    sheet.finish()
+}

@@ -1,0 +1,98 @@
+//! How are the amounts of a sweep shown on a page? In newtons where the file gives them, else in multiples; 0 where it is proved.
+
+use num_rational::BigRational;
+
+use super::words;
+use crate::loads::Arm;
+use crate::page::{Format, Number, Piece, Text, Unit, number, phrase, text_in};
+use crate::proof::Quantity;
+use crate::sweep::{Amplitude, Amplitudes, Parameter, Sweep, SweptEngine};
+
+/// Whether the file gives mass, crank radius, speed and rods, so that every point is known in newtons.
+pub(super) fn in_newtons(sweep: &Sweep) -> bool {
+    sweep.points.iter().chain(&sweep.curve).all(|point| point.newtons.is_some())
+}
+
+/// The sweep with its amplitudes in what a page counts in, which [`unit`] names.
+pub(super) fn counted(sweep: &Sweep) -> Sweep {
+    let mut counted = sweep.clone();
+    if in_newtons(sweep) {
+        counted.points.iter_mut().chain(&mut counted.curve).for_each(multiply);
+    }
+    counted
+}
+
+fn multiply(point: &mut SweptEngine) {
+    let factor = point.newtons.unwrap_or(1.0);
+    for amplitudes in point.orders.iter_mut().flat_map(|order| [&mut order.force, &mut order.moment]) {
+        let Amplitudes { direct, reverse, largest, smallest, along, across } = amplitudes;
+        for part in [direct, reverse, largest, smallest, along, across] {
+            part.value *= factor;
+        }
+    }
+}
+
+/// What amplitudes are counted in on a page.
+pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> Text {
+    let is_moment = quantity == Quantity::Moment;
+    match (in_newtons(sweep), sweep.rods_known, is_moment, sweep.arm) {
+        (true, _, false, _) => Unit::NEWTON.name.into(),
+        (true, _, true, Arm::Metre) => Unit::NEWTON_METRE.name.into(),
+        (true, _, true, Arm::Spacing) => "N·$a$".into(),
+        (false, true, false, _) => "$m r \\omega^2$".into(),
+        (false, false, false, _) => "$m r \\omega^2 c_k$".into(),
+        (false, true, true, Arm::Spacing) => "$m r \\omega^2 a$".into(),
+        (false, false, true, Arm::Spacing) => "$m r \\omega^2 c_k a$".into(),
+        (false, true, true, Arm::Metre) => "$m r \\omega^2 \\cdot \\mathrm{m}$".into(),
+        (false, false, true, Arm::Metre) => "$m r \\omega^2 c_k \\cdot \\mathrm{m}$".into(),
+    }
+}
+
+/// The same on an axis.
+pub(super) fn axis_unit(sweep: &Sweep, quantity: Quantity) -> String {
+    text_in(&unit(sweep, quantity), Format::PLAIN)
+}
+
+/// An amplitude in a table: a decimal, or 0.
+pub(super) fn size(part: Amplitude) -> Text {
+    if part.vanishes { Text::zero() } else { Number::Decimal(part.value).into() }
+}
+
+/// An amplitude with its unit behind it.
+pub(super) fn with_unit(sweep: &Sweep, quantity: Quantity, part: Amplitude) -> Text {
+    match (part.vanishes, in_newtons(sweep), quantity, sweep.arm) {
+        (true, ..) => Text::zero(),
+        (false, true, Quantity::Force, _) => Piece::Quantity(part.value, Unit::NEWTON).into(),
+        (false, true, Quantity::Moment, Arm::Metre) => Piece::Quantity(part.value, Unit::NEWTON_METRE).into(),
+        (false, ..) => phrase!("{} {}", size(part), unit(sweep, quantity)),
+    }
+}
+
+/// A value of a parameter with its unit.
+pub(super) fn value(parameter: &Parameter, at: &BigRational, is_angle: bool) -> Text {
+    match parameter.range.unit() {
+        "" | "°" | "deg" if is_angle => number::degrees(at).into(),
+        "" => number::number(at).into(),
+        unit => phrase!("{} {}", number::number(at), unit.to_owned()),
+    }
+}
+
+/// The values of a point: that of the only parameter, or both with their names.
+pub(super) fn place(sweep: &Sweep, point: &SweptEngine) -> Text {
+    let named = sweep.parameters.len() > 1;
+    let values = sweep.axes().zip(&point.values).map(|((parameter, is_angle), at)| match named {
+        true => phrase!("{} {}", parameter.label.clone(), value(parameter, at, is_angle)),
+        false => value(parameter, at, is_angle),
+    });
+    Text::joined(values, " with ")
+}
+
+/// The values of a point in a table.
+pub(super) fn place_cells(point: &SweptEngine) -> impl Iterator<Item = Text> {
+    point.values.iter().map(|at| number::number(at).into())
+}
+
+/// The headings above the values of the parameters: `bank angle in °`.
+pub(super) fn place_headings(sweep: &Sweep) -> impl Iterator<Item = Text> {
+    sweep.axes().map(|(parameter, is_angle)| words::axis(parameter, is_angle).into())
+}

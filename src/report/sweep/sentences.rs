@@ -1,0 +1,105 @@
+//! What is said of a sweep in sentences? Each order in one, what vanishes in one, the firing in one.
+
+use num_rational::BigRational;
+
+use super::amounts::{in_newtons, place, size, value, with_unit};
+use super::findings::{Finding, listed};
+use crate::page::{Text, number, phrase};
+use crate::proof::Quantity;
+use crate::sweep::{Sweep, SweptEngine, ZeroSet};
+
+impl Finding<'_> {
+    /// `Moment of order 2`.
+    fn name(&self) -> Text {
+        name(self.quantity, self.order)
+    }
+
+    /// In a sentence.
+    pub fn sentence(&self, sweep: &Sweep) -> Text {
+        let name = self.name();
+        let most = with_unit(sweep, self.quantity, self.greatest.amplitude);
+        // The same unit stands behind the greatest.
+        let least = match in_newtons(sweep) {
+            true => with_unit(sweep, self.quantity, self.least.amplitude),
+            false => size(self.least.amplitude),
+        };
+        let [at_most, at_least] = [&self.greatest, &self.least].map(|of| of.places(sweep));
+        let exact = |at: &[BigRational]| listed(at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());
+        match self.set {
+            _ if self.greatest.is_everywhere(sweep) && self.least.is_everywhere(sweep) => {
+                phrase!("**{}:** {} at every value.", name, most)
+            }
+            Some(ZeroSet { at, complete: true, .. }) if !at.is_empty() => phrase!(
+                "**{}:** exactly {} at {} and nowhere else in the range; at most {}, at {}.",
+                name,
+                Text::zero(),
+                exact(at),
+                most,
+                at_most
+            ),
+            Some(ZeroSet { at, complete: false, .. }) if !at.is_empty() => phrase!(
+                "**{}:** exactly {} at {}, perhaps elsewhere too; at most {}, at {}.",
+                name,
+                Text::zero(),
+                exact(at),
+                most,
+                at_most
+            ),
+            Some(ZeroSet { complete: true, .. }) => {
+                phrase!("**{}:** nowhere 0; from {} at {} up to {} at {}.", name, least, at_least, most, at_most)
+            }
+            Some(_) | None if !self.zeros.is_empty() => {
+                let at = listed(self.zeros.iter().map(|point| place(sweep, point)).collect());
+                phrase!("**{}:** exactly {} at {}; at most {}, at {}.", name, Text::zero(), at, most, at_most)
+            }
+            Some(_) | None => {
+                phrase!("**{}:** from {} at {} up to {} at {}.", name, least, at_least, most, at_most)
+            }
+        }
+    }
+}
+
+/// `Moment of order 2`.
+fn name(quantity: Quantity, order: u32) -> Text {
+    match quantity {
+        Quantity::Force => phrase!("Force of order {}", order),
+        Quantity::Moment => phrase!("Moment of order {}", order),
+        Quantity::Torque => phrase!("Torque of order {}", order),
+    }
+}
+
+/// What vanishes at every value, in one sentence.
+pub(super) fn gone_sentence(gone: &[(Quantity, u32)]) -> Option<Text> {
+    let list = |of: Quantity| -> Text {
+        let orders = gone.iter().filter(|(quantity, _)| *quantity == of).map(|(_, order)| Text::from(*order));
+        Text::joined(orders, ", ")
+    };
+    let (forces, moments) = (list(Quantity::Force), list(Quantity::Moment));
+    match (forces.is_empty(), moments.is_empty()) {
+        (true, true) => None,
+        (false, true) => Some(phrase!("**Exactly zero at every value:** the force of these orders: {}.", forces)),
+        (true, false) => Some(phrase!("**Exactly zero at every value:** the moment of these orders: {}.", moments)),
+        (false, false) => Some(phrase!(
+            "**Exactly zero at every value:** the force of these orders: {}; the moment of these: {}.",
+            forces,
+            moments
+        )),
+    }
+}
+
+/// Where the cylinders fire most evenly, in one sentence, where that changes over the sweep.
+pub(super) fn firing_sentence(sweep: &Sweep) -> Option<Text> {
+    let known = || sweep.points.iter().filter_map(|point| Some((point.evenness.as_ref()?, point)));
+    let best = known().map(|(evenness, _)| evenness).min_by_key(|evenness| evenness.unevenness())?;
+    let at: Vec<&SweptEngine> =
+        known().filter(|(evenness, _)| evenness.unevenness() == best.unevenness()).map(|(_, point)| point).collect();
+    if at.len() == sweep.points.len() {
+        return None;
+    }
+    let at = listed(at.into_iter().map(|point| place(sweep, point)).collect());
+    let [shortest, longest] = [&best.shortest, &best.longest].map(number::turns);
+    Some(match shortest == longest {
+        true => phrase!("**Firing:** even at {}, every {}.", at, shortest),
+        false => phrase!("**Firing:** most even at {}, at intervals from {} to {}.", at, shortest, longest),
+    })
+}

@@ -1,0 +1,114 @@
+//! What stands on the page of a study? How many checks hold and which do not, the statements, the families, what was assumed.
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::super::amounts::counted;
+use super::super::assumptions::assumptions;
+use super::super::csv::sweep_csv;
+use super::super::tables;
+use super::{checks, plots};
+use crate::claim::{Checked, Studied, Study};
+use crate::page::{Block, Document, File, Fold, Text, phrase};
+use crate::sweep::{Geometry, Sweep, SweptEngine};
+
+const ZEROS: &str = "Where each vector vanishes in the range of the V; the lists are exact and complete:";
+const PARTS: &str = "Along is vertical, across horizontal; largest and smallest are the greatest and the least length of the resultant in a revolution; \
+    direct and reverse are the vectors that turn with the crank and against it.";
+const WORDS: &str = "The statements are in the words of this page; a source's own words stand in quotation marks. What stands in bold below a statement is a \
+    conclusion from the answers in its tables.";
+const ASSUMED: [&str; 5] = [
+    "Amplitudes are zero to peak; those of order k are multiples of $m r \\omega^2 c_k$, and moments of that times the spacing $a$.",
+    "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the \
+     larger one is told, as its mass-radius in multiples of $m r$. The masses of the rods at the crankpin are not in it.",
+    "The firing intervals are those of the most even order that the throws allow, in line those of the firing order.",
+    "The volume is the area of the end view, banks and crankcase together, times the length.",
+    "The paper's mass adds flywheel and counterweights to a main part that follows the size. The flywheel needs the gas \
+     torque, which is not modelled here: the plots show the volume, the counterweights and the firing that it rests on, each by itself.",
+];
+
+/// The page of a study, which leads to its [`study_tables`].
+pub fn study_page(study: &Study) -> Document {
+    let mut page = Document::new("README", &study.title);
+    page.has_contents = true;
+    page.push(Block::Answer(answer(study)));
+    page.push(Block::Paragraph(phrase!("Source: {}.", &study.source)));
+    page.push(Block::Paragraph(WORDS.into()));
+    page.push(Block::Heading(1, "What the source says, and what is the case".into()));
+    for said in &study.statements {
+        page.push(Block::Heading(2, (&said.text).into()));
+        page.push(Block::Paragraph(phrase!("**{}**", &said.conclusion)));
+        page.blocks.extend(checks::checks(&said.checks, &study.source));
+    }
+    study.families.iter().for_each(|family| page.blocks.extend(of_family(family)));
+    page.push(Block::Heading(1, "What was assumed".into()));
+    page.push(Block::List(ASSUMED.map(Text::from).into()));
+    page.push(Block::Paragraph("Length, breadth and height are those of a simple geometry:".into()));
+    page.push(Block::List(assumptions(&Geometry::default()).into()));
+    page
+}
+
+/// How many checks hold, and which do not.
+fn answer(study: &Study) -> Vec<Text> {
+    let checks = || study.statements.iter().flat_map(|said| &said.checks);
+    let count = |claimed: bool| {
+        let of = || checks().filter(move |check| check.provenance.is_claimed() == claimed);
+        [of().count(), of().filter(|check| check.holds).count(), of().filter(|check| !check.holds).count()]
+    };
+    let [claims, hold, fail] = count(true);
+    let [own, own_hold, _] = count(false);
+    let counted = [
+        phrase!("**Checks of what the source says:** {}, of which {} hold and {} do not.", claims, hold, fail),
+        phrase!("**Reckoned here, and not said there:** {}, of which {} hold.", own, own_hold),
+    ];
+    let failing = checks().filter(|check| !check.holds && check.provenance.is_claimed());
+    let told = |check: &Checked| {
+        phrase!(
+            "**Does not hold:** {}: {}. What is the case: {}",
+            &check.engine,
+            &check.claim,
+            checks::found(&check.found)
+        )
+    };
+    counted.into_iter().chain(failing.map(told)).collect()
+}
+
+fn of_family(family: &Studied) -> Vec<Block> {
+    let sweep = &family.sweep;
+    let (whole, csv) = (with_in_line(family), table_name(family));
+    let in_line = family.in_line.as_ref();
+    let mut blocks = vec![Block::Heading(1, (&sweep.title).into())];
+    blocks
+        .extend(in_line.map(|(title, _)| Block::Paragraph(phrase!("The value 0 is an engine of its own: {}.", title))));
+    blocks.push(Block::Pictures(plots::pictures(family, &whole)));
+    if let (Some(parameter), Some(sets)) = (sweep.parameters.first(), &sweep.zeros) {
+        blocks.push(Block::Paragraph(ZEROS.into()));
+        blocks.push(tables::zeros(parameter, sets).into());
+        blocks.push(Block::Note(PARTS.into()));
+    }
+    blocks.push(Block::Paragraph(phrase!("All values: {}.", Text::link(Text::label(csv.clone()), csv))));
+    let points = tables::points(&counted(&whole)).into_iter();
+    let points =
+        points.flat_map(|fold| [Block::Paragraph(phrase!("**{}:**", fold.summary))].into_iter().chain(fold.blocks));
+    blocks.push(Block::Folded(Fold { summary: phrase!("{}: every point", &sweep.title), blocks: points.collect() }));
+    blocks
+}
+
+fn table_name(family: &Studied) -> String {
+    format!("{}.csv", family.name)
+}
+
+/// The points of each family as a table in CSV, the engine in line first.
+pub fn study_tables(study: &Study) -> Vec<File> {
+    let table = |family| File { name: table_name(family), text: sweep_csv(&with_in_line(family)).text };
+    study.families.iter().map(table).collect()
+}
+
+/// The sweep with the engine in line for the value 0.
+fn with_in_line(family: &Studied) -> Sweep {
+    let mut whole = family.sweep.clone();
+    if let Some((_, point)) = &family.in_line {
+        whole.points.insert(0, SweptEngine { values: vec![BigRational::zero()], ..point.clone() });
+    }
+    whole
+}

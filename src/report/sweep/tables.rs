@@ -1,0 +1,162 @@
+//! Which tables show a sweep? Where each vector vanishes, the least and the greatest values, every point.
+
+use super::amounts::{place_cells, place_headings, size, unit, value};
+use super::findings::Finding;
+use super::plots::amplitudes;
+use super::words::{quantity_name, zeros_name};
+use crate::engine::DOES_NOT_EXIST;
+use crate::page::{Block, Fold, Number, Table, Text, number, phrase};
+use crate::proof::Quantity;
+use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
+
+/// A row for each order and quantity that does not vanish everywhere: where each vector does.
+pub(super) fn zeros(parameter: &Parameter, sets: &[ZeroSet]) -> Table {
+    let mut table = Table::new(["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)));
+    for of in sets.chunk_by(|a, b| (a.order, a.quantity) == (b.order, b.quantity)) {
+        if of.iter().all(|set| set.exists && set.everywhere) {
+            continue;
+        }
+        let first = [of[0].order.into(), quantity_name(of[0].quantity).into()];
+        table.push(first.into_iter().chain(of.iter().map(|set| zero_cell(parameter, set))).collect());
+    }
+    table
+}
+
+fn zero_cell(parameter: &Parameter, set: &ZeroSet) -> Text {
+    if !set.exists {
+        return DOES_NOT_EXIST.into();
+    }
+    let at = || Text::joined(set.at.iter().map(|at| value(parameter, at, true)), ", ");
+    match (set.everywhere, set.complete, set.at.is_empty()) {
+        (true, ..) => "everywhere".into(),
+        (_, true, true) => "never".into(),
+        (_, true, false) => at(),
+        (_, false, true) => "not solved".into(),
+        (_, false, false) => phrase!("{}, perhaps more", at()),
+    }
+}
+
+/// The least and the greatest value of each order, and where they are.
+pub(super) fn extremes(sweep: &Sweep, findings: &[Finding]) -> Table {
+    let mut table = Table::new(["Order", "Largest in a revolution", "Greatest", "at", "Least", "at"]);
+    for finding in findings {
+        let Finding { quantity, order, greatest, least, .. } = finding;
+        table.push(vec![
+            (*order).into(),
+            in_unit(sweep, *quantity),
+            size(greatest.amplitude),
+            greatest.places(sweep),
+            size(least.amplitude),
+            least.places(sweep),
+        ]);
+    }
+    table
+}
+
+fn in_unit(sweep: &Sweep, quantity: Quantity) -> Text {
+    match quantity {
+        Quantity::Moment => phrase!("moment in {}", unit(sweep, quantity)),
+        Quantity::Force | Quantity::Torque => phrase!("force in {}", unit(sweep, quantity)),
+    }
+}
+
+/// Every point: a table of each order that is not zero everywhere, then of what else changes.
+pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
+    let mut folds = Vec::new();
+    for quantity in [Quantity::Force, Quantity::Moment] {
+        let tables = sweep.orders.iter().enumerate().filter_map(|(index, &order)| {
+            let has_value =
+                |point| amplitudes(point, index, quantity).is_some_and(|amplitudes| !amplitudes.largest.vanishes);
+            let about = phrase!("Order {}, in {}:", order, unit(sweep, quantity));
+            let table = sweep.points.iter().any(has_value).then(|| of_order(sweep, quantity, index))?;
+            Some([Block::Paragraph(about), table.into()])
+        });
+        let tables: Vec<Block> = tables.flatten().collect();
+        let summary = match quantity {
+            Quantity::Moment => phrase!("The moment at each of the {} points", sweep.points.len()),
+            Quantity::Force | Quantity::Torque => phrase!("The force at each of the {} points", sweep.points.len()),
+        };
+        folds.extend((!tables.is_empty()).then_some(Fold { summary, blocks: tables }));
+    }
+    let others = others(sweep);
+    if others.header.len() > sweep.parameters.len() {
+        let summary = phrase!("Firing, counterweights and size at each of the {} points", sweep.points.len());
+        folds.push(Fold { summary, blocks: vec![others.into()] });
+    }
+    folds
+}
+
+fn of_order(sweep: &Sweep, quantity: Quantity, index: usize) -> Table {
+    let names = ["largest", "smallest", "along", "across"].map(Text::from);
+    let mut table = Table::new(place_headings(sweep).chain(names));
+    for point in &sweep.points {
+        let parts = amplitudes(point, index, quantity).map(|a| [a.largest, a.smallest, a.along, a.across].map(size));
+        table.push(place_cells(point).chain(parts.unwrap_or_else(|| [(); 4].map(|()| DASH.into()))).collect());
+    }
+    table
+}
+
+/// What stands where a point has no value.
+const DASH: &str = "–";
+
+/// A column of the other values: its heading, and its cell at a point that has one.
+type Column = (Text, Box<dyn Fn(&SweptEngine) -> Option<Text>>);
+
+/// Firing, counterweights and size: the columns in which some point has a value.
+fn others(sweep: &Sweep) -> Table {
+    let mut columns = columns(sweep);
+    columns.retain(|(_, cell)| sweep.points.iter().any(|point| cell(point).is_some()));
+    let mut table = Table::new(place_headings(sweep).chain(columns.iter().map(|(heading, _)| heading.clone())));
+    for point in &sweep.points {
+        let cells = columns.iter().map(|(_, cell)| cell(point).unwrap_or_else(|| DASH.into()));
+        table.push(place_cells(point).chain(cells).collect());
+    }
+    table
+}
+
+fn columns(sweep: &Sweep) -> Vec<Column> {
+    let decimal = |value: f64| Text::from(Number::Decimal(value));
+    let has = |known: fn(&SweptEngine) -> bool| sweep.points.iter().all(known);
+    let firing: [Column; 2] = [
+        (
+            "Firing intervals".into(),
+            Box::new(|point| {
+                let evenness = point.evenness.as_ref()?;
+                Some(phrase!("{} to {}", number::turns(&evenness.shortest), number::turns(&evenness.longest)))
+            }),
+        ),
+        (
+            "longest less shortest".into(),
+            Box::new(|point| Some(number::turns(&point.evenness.as_ref()?.unevenness()).into())),
+        ),
+    ];
+    let counterweight: Column = match has(|point| point.kilograms.is_some()) {
+        true => (
+            "Counterweight in kg at the crank radius".into(),
+            Box::new(move |point| {
+                let (part, kilograms) = point.counterweight.zip(point.kilograms)?;
+                Some(if part.vanishes { Text::zero() } else { decimal(part.value * kilograms) })
+            }),
+        ),
+        false => ("Counterweight in $m r$".into(), Box::new(|point| point.counterweight.map(size))),
+    };
+    let in_millimetres = has(|point| point.envelope.is_some_and(|envelope| envelope.metres.is_some()));
+    let names: [Text; 3] = match in_millimetres {
+        true => ["Length in mm".into(), "Breadth in mm".into(), "Height in mm".into()],
+        false => ["Length in $r$".into(), "Breadth in $r$".into(), "Height in $r$".into()],
+    };
+    let factor = move |metres: Option<f64>| match in_millimetres {
+        true => metres.map(|metres| metres * 1000.0),
+        false => Some(1.0),
+    };
+    let sides: [fn(&crate::sweep::Envelope) -> Option<f64>; 3] =
+        [|envelope| envelope.length, |envelope| Some(envelope.breadth), |envelope| Some(envelope.height)];
+    let side = |(name, side): (Text, fn(&crate::sweep::Envelope) -> Option<f64>)| -> Column {
+        let cell = move |point: &SweptEngine| {
+            let envelope = point.envelope?;
+            Some(decimal(side(&envelope)? * factor(envelope.metres)?))
+        };
+        (name, Box::new(cell))
+    };
+    firing.into_iter().chain([counterweight]).chain(names.into_iter().zip(sides).map(side)).collect()
+}

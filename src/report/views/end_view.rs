@@ -1,0 +1,147 @@
+//! What does the engine look like from its free end? Crank star, rods, pistons and cylinders at θ = 0.
+
+use super::super::figure::{Dash, Figure, Ink, Point, Stroke};
+use super::super::plot::labels::Labels;
+use super::MOST_LABELS;
+use super::below::write_below;
+use super::crop::cropped;
+use super::linkage::{Linkage, linkages};
+use super::names::{name_banks, name_pins, name_pistons};
+use crate::engine::Engine;
+
+/// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
+pub(super) const SKIRT: f64 = 1.7;
+pub(super) const CROWN: f64 = 2.6;
+pub(super) const HEAD: f64 = 1.2;
+/// Half the bore where there is room.
+const WIDEST: f64 = 4.6;
+const NARROWEST: f64 = 1.2;
+/// Colours of the rows of a radial.
+const ROWS: [(Ink, Dash); 3] = [(Ink::Blue, Dash::Solid), (Ink::Orange, Dash::Dashed), (Ink::Green, Dash::DashDotted)];
+
+/// The engine from its free end at θ = 0: angle 0 upwards, angles anticlockwise, cylinders that coincide drawn once.
+pub fn end_view(engine: &Engine) -> Figure {
+    let linkages = linkages(engine);
+    let half = half_bore(&linkages);
+    let mut figure = Figure::new(0.0, 0.0);
+    let mut labels = Labels::anywhere();
+    draw_cylinders(&mut figure, &mut labels, &linkages, half);
+    // The row at the free end lies upon the others.
+    for linkage in linkages.iter().rev() {
+        draw_rod(&mut figure, &mut labels, linkage, half);
+    }
+    draw_crank(&mut figure, &mut labels, &linkages);
+    if linkages.len() <= MOST_LABELS {
+        name_pins(&mut figure, &mut labels, &linkages);
+        name_pistons(&mut figure, &mut labels, &linkages, half);
+        name_banks(&mut figure, &mut labels, &linkages, half);
+    }
+    let mut figure = cropped(figure);
+    write_below(&mut figure, engine);
+    cropped(figure)
+}
+
+/// Half the bore: neighbouring banks leave each other room where the pistons are lowest.
+fn half_bore(linkages: &[Linkage]) -> f64 {
+    let lowest = linkages.iter().map(|linkage| linkage.stroke.0 - SKIRT).fold(f64::INFINITY, f64::min);
+    let mut banks: Vec<f64> = linkages.iter().map(|linkage| linkage.along.arg()).collect();
+    banks.sort_by(f64::total_cmp);
+    banks.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    let around = banks.first().map(|first| first + std::f64::consts::TAU);
+    let next = banks.iter().skip(1).copied().chain(around);
+    let gap = banks.iter().zip(next).map(|(bank, next)| next - bank).fold(f64::INFINITY, f64::min);
+    let room = if gap < std::f64::consts::PI { 0.92 * lowest.max(0.0) * (gap / 2.0).tan() } else { WIDEST };
+    room.clamp(NARROWEST, WIDEST)
+}
+
+/// Axes through the crankshaft's plane, and cylinders with their heads; each once.
+fn draw_cylinders(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], half: f64) {
+    let mut drawn: Vec<Point> = Vec::new();
+    for linkage in linkages {
+        let Linkage { along, across, foot, stroke: (low, high), .. } = linkage;
+        let head = foot + along * (high + CROWN + HEAD);
+        if drawn.iter().any(|other| (other - head).norm() < 1e-6) {
+            continue;
+        }
+        drawn.push(head);
+        let axis = Stroke { ink: Ink::Grey, width: 0.2, dash: Dash::DashDotted };
+        // With an offset the axis is drawn past the crank, so that it is seen on which side of the shaft it passes.
+        let past = if foot.norm() > 0.0 { linkage.pin.norm() + 4.0 } else { 3.0 };
+        figure.line(foot - along * past, head + along * 1.2, axis);
+        let side = across * half;
+        let bottom = foot + along * (low - SKIRT);
+        let walls = vec![bottom + side, head + side, head - side, bottom - side];
+        labels.avoid_path(&walls);
+        figure.path(walls, Stroke::solid(Ink::Grey, 0.35));
+    }
+}
+
+fn draw_rod(figure: &mut Figure, labels: &mut Labels, linkage: &Linkage, half: f64) {
+    let (ink, dash) = ROWS[linkage.row % ROWS.len()];
+    let Linkage { along, across, piston, pin, .. } = linkage;
+    let side = across * (half - 0.45);
+    let (low, high) = (piston - along * SKIRT, piston + along * CROWN);
+    figure.polygon(
+        vec![low + side, high + side, high - side, low - side],
+        Stroke::solid(Ink::Black, 0.25),
+        Some(Ink::Light),
+    );
+    figure.line(*pin, *piston, Stroke { ink, width: 0.45, dash });
+    labels.avoid_path(&[*pin, *piston]);
+    figure.circle(*piston, 0.6, Stroke::solid(ink, 0.3), Some(Ink::Shade(0)));
+}
+
+/// The circle of the pins, the throws, the pins and the shaft, and which way it turns.
+fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]) {
+    let mut radii: Vec<f64> = linkages.iter().map(|linkage| linkage.pin.norm()).collect();
+    radii.sort_by(f64::total_cmp);
+    radii.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    for radius in &radii {
+        figure.circle(Point::default(), *radius, Stroke::solid(Ink::Grey, 0.15), None);
+    }
+    for linkage in linkages.iter().rev() {
+        let (ink, _) = ROWS[linkage.row % ROWS.len()];
+        figure.line(Point::default(), linkage.pin, Stroke::solid(ink, 1.2));
+        labels.avoid_path(&[Point::default(), linkage.pin]);
+    }
+    for linkage in linkages.iter().rev() {
+        let (ink, _) = ROWS[linkage.row % ROWS.len()];
+        figure.circle(linkage.pin, 1.3, Stroke::solid(ink, 0.4), Some(Ink::Light));
+        labels.avoid_sign(linkage.pin, 1.5);
+    }
+    figure.circle(Point::default(), 1.8, Stroke::solid(Ink::Black, 0.35), Some(Ink::Light));
+    labels.avoid_sign(Point::default(), 2.0);
+    draw_offsets(figure, linkages);
+    if let Some(farthest) = radii.last().filter(|radius| **radius > 3.0) {
+        let arc = turning(linkages, farthest * 0.62);
+        labels.avoid_path(&arc);
+        if let [.., before, last] = arc[..] {
+            figure.arrow(before, last, Stroke::solid(Ink::Grey, 0.3));
+        }
+        figure.path(arc, Stroke::solid(Ink::Grey, 0.3));
+    }
+}
+
+/// From the middle of the shaft to each cylinder axis that misses it.
+fn draw_offsets(figure: &mut Figure, linkages: &[Linkage]) {
+    for linkage in linkages.iter().filter(|linkage| linkage.foot.norm() > 0.0) {
+        let Linkage { foot, along, .. } = linkage;
+        figure.line(Point::default(), *foot, Stroke::solid(Ink::Red, 0.5));
+        figure.line(foot - along * 1.2, foot + along * 1.2, Stroke::solid(Ink::Red, 0.25));
+    }
+}
+
+/// An arc in the widest gap between the throws, anticlockwise.
+fn turning(linkages: &[Linkage], radius: f64) -> Vec<Point> {
+    let full = std::f64::consts::TAU;
+    let mut angles: Vec<f64> = linkages.iter().map(|linkage| linkage.pin.arg().rem_euclid(full)).collect();
+    angles.sort_by(f64::total_cmp);
+    let around = angles.first().map(|first| first + full);
+    let next = angles.iter().skip(1).copied().chain(around);
+    let gaps = angles.iter().zip(next).map(|(angle, next)| (next - angle, *angle));
+    // Of equal gaps the one that comes first, whatever floats say.
+    let widest = gaps.reduce(|best, gap| if gap.0 > best.0 + 1e-6 { gap } else { best });
+    let (gap, start) = widest.unwrap_or((full, 0.0));
+    let (middle, arm) = (start + gap / 2.0, (gap * 0.3).min(0.8));
+    (0..=8).map(|step| Point::from_polar(radius, middle - arm + arm * 2.0 * f64::from(step) / 8.0)).collect()
+}

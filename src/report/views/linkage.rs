@@ -1,0 +1,108 @@
+//! Where do pins and pistons stand at θ = 0, seen from the free end? To scale, in millimetres around the shaft.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::super::figure::Point;
+use super::super::star::towards;
+use crate::engine::{Cylinder, Engine, Form, Mechanism};
+use crate::exact::Turn;
+
+/// The rod ratio that is drawn where the engine has none.
+pub(super) const USUAL_RATIO: f64 = 1.0 / 3.5;
+/// Longer rods, against their crank radius, are drawn so long.
+const LONGEST_ROD: f64 = 6.0;
+/// From the shaft to the farthest piston pin, in millimetres.
+const REACH: f64 = 41.0;
+
+/// A piston with its rod and its crankpin; cylinders that coincide in this view are one.
+pub(super) struct Linkage<'a> {
+    pub names: Vec<&'a str>,
+    pub bank: &'a Turn,
+    /// Direction of the cylinder axis, and the one 90° ahead of it.
+    pub along: Point,
+    pub across: Point,
+    /// Where the crankpin stands.
+    pub pin: Point,
+    /// Where the piston pin stands.
+    pub piston: Point,
+    /// The point of the cylinder axis that is nearest to the shaft.
+    pub foot: Point,
+    /// Heights of the piston pin over the foot at both dead centres.
+    pub stroke: (f64, f64),
+    /// Of a radial with several rows: which, from the free end.
+    pub row: usize,
+}
+
+impl Linkage<'_> {
+    /// Height of the piston pin over the foot of its axis.
+    pub fn height(&self) -> f64 {
+        ((self.piston - self.foot) * self.along.conj()).re
+    }
+}
+
+/// The rod of a cylinder for its crank radius: its length and the offset of the axis, both against the crank radius.
+fn rod(cylinder: &Cylinder) -> (f64, f64) {
+    let Some(rod) = cylinder.rod() else { return (1.0 / USUAL_RATIO, 0.0) };
+    let ratio = rod.ratio.to_f64().unwrap_or(USUAL_RATIO);
+    let length = ratio.recip().clamp(1.0, LONGEST_ROD);
+    (length, rod.offset.to_f64().unwrap_or(0.0) * length)
+}
+
+/// Whether some rod is too long to be drawn.
+pub(super) fn is_shortened(engine: &Engine) -> bool {
+    engine.rods().any(|rod| rod.ratio.to_f64().is_none_or(|ratio| ratio * LONGEST_ROD < 1.0))
+}
+
+/// The rows of a radial, from the free end; of other engines none.
+pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
+    let positions: BTreeSet<&BigRational> = match engine.form() {
+        Form::Radial => engine.cylinders().iter().map(|cylinder| &cylinder.position).collect(),
+        Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::General => BTreeSet::new(),
+    };
+    if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
+}
+
+/// What distinguishes a linkage in this view.
+type Seen<'a> = (usize, &'a Turn, &'a Turn, &'a BigRational, &'a Option<Mechanism>);
+
+/// All linkages: by rows, then banks, then throws.
+pub(super) fn linkages(engine: &Engine) -> Vec<Linkage<'_>> {
+    let rows = rows(engine);
+    let mut seen: BTreeMap<Seen, Vec<&Cylinder>> = BTreeMap::new();
+    for cylinder in engine.cylinders() {
+        let row = rows.iter().position(|row| **row == cylinder.position).unwrap_or(0);
+        let key = (row, &cylinder.bank, &cylinder.throw, &cylinder.crank_radius, &cylinder.mechanism);
+        seen.entry(key).or_default().push(cylinder);
+    }
+    let radius = |cylinder: &Cylinder| cylinder.crank_radius.to_f64().unwrap_or(1.0).abs();
+    let reaches = seen.values().map(|cylinders| radius(cylinders[0]) * (1.0 + rod(cylinders[0]).0));
+    let farthest = reaches.fold(0.0, f64::max);
+    let scale = if farthest > 0.0 { REACH / farthest } else { 1.0 };
+    let placed = seen.into_iter().map(|((row, bank, throw, ..), cylinders)| {
+        let radius = radius(cylinders[0]) * scale;
+        let (length, offset) = rod(cylinders[0]);
+        let (length, offset) = (length * radius, offset * radius);
+        let (along, pin) = (towards(bank), towards(throw) * radius);
+        let across = along * Point::i();
+        // The pin in the frame of the cylinder: along its axis, and across it on the side of ψ = 90°.
+        let turned = pin * along.conj();
+        let leg = |hypotenuse: f64, aside: f64| (hypotenuse * hypotenuse - aside * aside).max(0.0).sqrt();
+        let height = turned.re + leg(length, turned.im - offset);
+        let foot = across * offset;
+        Linkage {
+            names: cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect(),
+            bank,
+            along,
+            across,
+            pin,
+            piston: foot + along * height,
+            foot,
+            stroke: (leg(length - radius, offset), leg(length + radius, offset)),
+            row,
+        }
+    });
+    placed.collect()
+}

@@ -1,0 +1,208 @@
+//! Does an engine in motion say what is proved, and is its drawing that of the engine?
+
+use std::collections::BTreeMap;
+
+use crate::support::dice::Dice;
+use crate::support::engines;
+use crankstar::engine::{DELTA, Engine, Family, PHI};
+use crankstar::exact::Turn;
+use crankstar::family;
+use crankstar::file::{self, Layout, parse_layout};
+use crankstar::order;
+use crankstar::proof::{Quantity, Sense};
+use crankstar::report::moving::{
+    MOVING_SCRIPT, MOVING_STYLE, MovingQuantity, MovingSense, Scene, moving_fragment, open_scenes, scene,
+};
+use crankstar::verdict::{Balance, Judgement};
+use num_complex::Complex;
+use num_rational::BigRational;
+
+const ORDERS: [u32; 5] = [1, 2, 3, 4, 6];
+
+fn judged(engine: &Engine) -> Judgement {
+    Judgement::new(engine, &ORDERS, &[Quantity::Force, Quantity::Moment]).expect("orders")
+}
+
+fn open(text: &str) -> Family {
+    match parse_layout("test", text).expect("it reads") {
+        Layout::Open(family) => *family,
+        Layout::Known(..) => panic!("nothing is open in {text}"),
+    }
+}
+
+/// The sum of the vectors as the page draws them, the open angle moved by so many degrees.
+fn drawn(sense: &MovingSense, moved: f64) -> Complex<f64> {
+    let rays = sense.rays.iter();
+    rays.map(|ray| Complex::from_polar(ray.length, (ray.degrees + ray.turns * moved).to_radians())).sum()
+}
+
+fn near(one: Complex<f64>, other: Complex<f64>) -> bool {
+    (one - other).norm() < 1e-9 * (1.0 + one.norm())
+}
+
+fn says_what_is_proved(said: &MovingQuantity, balance: &Balance, exists: bool, text: &str) {
+    assert_eq!(said.words == "0, proved", exists && balance.is_balanced(), "{text}: {}", said.words);
+    for (sense, verdict) in said.senses.iter().zip(balance.verdicts()) {
+        assert_eq!(sense.zero, verdict.vanishes(), "{text}");
+        assert_eq!(sense.words == "0, proved", verdict.vanishes(), "{text}: {}", sense.words);
+        let sum = Complex::from_polar(sense.length, sense.degrees.to_radians());
+        assert!(near(drawn(sense, 0.0), sum), "{text}: {sum} is not what is drawn");
+        assert_eq!(sense.length == 0.0, verdict.vanishes(), "{text}");
+    }
+}
+
+#[test]
+fn words_say_0_exactly_where_it_is_proved_for_random_engines() {
+    let mut dice = Dice::new(12);
+    let mut zeros = 0;
+    for form in engines::FORMS.iter().cycle().take(160) {
+        let text = engines::file(&mut dice, form);
+        let Ok(Layout::Known(engine, _)) = parse_layout("random", &text) else { continue };
+        let judged = judged(&engine);
+        let made = scene(&engine, &judged, None);
+        let parts: Vec<_> = judged.orders.iter().flat_map(|order| &order.parts).collect();
+        assert_eq!(made.orders.len(), parts.len(), "{text}");
+        for (said, part) in made.orders.iter().zip(parts) {
+            says_what_is_proved(&said.force, &part.force, part.exists, &text);
+            says_what_is_proved(&said.moment, &part.moment, part.exists, &text);
+            zeros += usize::from(said.force.words == "0, proved");
+        }
+        assert_eq!(made.bodies.len(), engine.cylinders().len());
+    }
+    assert!(zeros > 100, "only {zeros} zeros");
+}
+
+/// The engine at a value of the unknown that moves, the others as they are held.
+fn member(family: &Family, held: &BTreeMap<String, BigRational>, unknown: &str, turns: BigRational) -> Engine {
+    let mut values = held.clone();
+    values.insert(unknown.to_owned(), turns);
+    family.with(&values).expect("it holds together").only().expect("all is known").expect("it holds together")
+}
+
+/// Every step of the slider and every mark: what the list says, and what is drawn, are those of the engine at that value.
+fn the_slider_is_right(text: &str, held: &[(&str, BigRational)], unknown: &str, which: usize) -> usize {
+    let family = open(text);
+    let held: BTreeMap<String, BigRational> = held.iter().map(|(name, v)| ((*name).to_owned(), v.clone())).collect();
+    let made = &open_scenes(&family, &ORDERS)[which];
+    let angle = made.angle.as_ref().expect("an angle is open");
+    let mut at: Vec<i64> =
+        (0..48).map(|step| angle.low + step * ((angle.high - angle.low) / 48 / angle.step * angle.step)).collect();
+    let quantities = made.orders.iter().flat_map(|order| [&order.force, &order.moment]);
+    at.extend(quantities.flat_map(|quantity| quantity.marks.iter().map(|mark| mark.at)));
+    let mut zeros = 0;
+    for value in at {
+        let engine = member(&family, &held, unknown, BigRational::new(value.into(), (360 * angle.unit).into()));
+        let moved = (value - angle.start.at) as f64 / angle.unit as f64;
+        for body in &made.bodies {
+            let own = engine.cylinders().iter().find(|cylinder| cylinder.name == body.name).expect("the cylinder");
+            let is = |degrees: f64, turn: &Turn| {
+                near(Complex::from_polar(1.0, degrees.to_radians()), crankstar::numbers::direction(turn))
+            };
+            assert!(is(body.throw + body.throw_turns * moved, &own.throw), "{text}: throw of {}", own.name);
+            assert!(is(body.bank + body.bank_turns * moved, &own.bank), "{text}: bank of {}", own.name);
+        }
+        for order in made.orders.iter().filter(|order| order.exists) {
+            for (quantity, of) in [(&order.force, Quantity::Force), (&order.moment, Quantity::Moment)] {
+                for (sense, which) in quantity.senses.iter().zip([Sense::Direct, Sense::Reverse]) {
+                    let star = order::star(&engine, of, order.order, Some(which));
+                    let list = sense.zeros.as_ref().expect("a list");
+                    assert!(near(drawn(sense, moved), crankstar::numbers::evaluate(&star)), "{text} at {value}");
+                    let listed = list.everywhere || list.at.contains(&value);
+                    assert!(!listed || star.vanishes(), "{text}, order {}: not 0 at {value}", order.order);
+                    assert!(!list.complete || listed == star.vanishes(), "{text}, order {}: 0 at {value}", order.order);
+                    zeros += usize::from(listed && !list.everywhere);
+                }
+            }
+        }
+    }
+    zeros
+}
+
+fn fraction(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+#[test]
+fn the_list_of_zeros_is_right_at_every_step_of_the_slider_and_at_every_mark() {
+    const V6_SPLIT: &str = "vee = { bank_angle = 'phi', throws = [0, 120, 240], pin_split = 'delta' }";
+    const SPACED: &str = "vee = { bank_angle = 'phi', throws = [0, 120, 240], spacing = 'a', bank_offset = 'b' }";
+    let lengths = [("a", fraction(1, 1)), ("b", fraction(1, 2))];
+    let zeros = [
+        the_slider_is_right("vee = { bank_angle = 'phi', throws = [0] }", &[], PHI, 0),
+        the_slider_is_right("vee = { bank_angle = 'phi', throws = [0, 270, 90, 180] }", &[], PHI, 0),
+        the_slider_is_right("fan = { banks = ['-phi', 0, 'phi'], throws = [0, 180], positions = [0, 1] }", &[], PHI, 0),
+        the_slider_is_right("vee = { bank_angle = 72, throws = [0, 180], pin_split = 'delta' }", &[], DELTA, 0),
+        the_slider_is_right(V6_SPLIT, &[(DELTA, fraction(0, 1))], PHI, 0),
+        the_slider_is_right(V6_SPLIT, &[(PHI, fraction(1, 4))], DELTA, 1),
+        the_slider_is_right(SPACED, &lengths, PHI, 0),
+    ];
+    assert!(zeros.iter().sum::<usize>() > 100, "{zeros:?}");
+}
+
+#[test]
+fn where_lengths_are_open_the_moment_is_not_said_to_vanish_nowhere_else() {
+    let family = open("vee = { bank_angle = 'phi', throws = [0, 120, 240], spacing = 'a', bank_offset = 'b' }");
+    let made = &open_scenes(&family, &ORDERS)[0];
+    let lists = |of: fn(&crankstar::report::moving::MovingOrder) -> &MovingQuantity| {
+        let senses = made.orders.iter().flat_map(move |order| &of(order).senses);
+        senses.filter_map(|sense| sense.zeros.clone()).filter(|zeros| !zeros.everywhere).collect::<Vec<_>>()
+    };
+    assert!(lists(|order| &order.force).iter().all(|zeros| zeros.complete));
+    let moments = lists(|order| &order.moment);
+    assert!(!moments.is_empty() && moments.iter().all(|zeros| !zeros.complete));
+}
+
+#[test]
+fn a_member_of_a_family_starts_at_the_value_of_its_file() {
+    let text = "values = { phi = '180/7' }\nvee = { bank_angle = 'phi', throws = [0] }";
+    let Ok(Layout::Known(engine, Some(family))) = parse_layout("member", text) else { panic!("a member of a family") };
+    let judged = judged(&engine);
+    let orders = family::classify(&family, &ORDERS).expect("orders");
+    let made = scene(&engine, &judged, Some((&family, &orders)));
+    let angle = made.angle.expect("φ is open");
+    assert_eq!((angle.start.text.as_str(), angle.start.at * 7), ("(180/7)°", 180 * angle.unit));
+    for quantity in made.orders.iter().flat_map(|order| [&order.force, &order.moment]) {
+        for sense in &quantity.senses {
+            let Some(zeros) = &sense.zeros else { continue };
+            assert_eq!(sense.zero, zeros.everywhere || zeros.at.contains(&angle.start.at));
+        }
+    }
+}
+
+#[test]
+fn no_text_of_a_person_ends_the_script_or_begins_markup() {
+    let harm = "</script><script>alert(1)</script><!-- \u{2028}\u{2029} ]]> & \\\"q\\\" ' \\u001b[31m";
+    let text = format!("title = \"{harm}\"\n[[cylinder]]\nname = \"1\"\nthrow = 0\nbank = 0\nposition = 0\n");
+    let engine = file::parse("hostile", &text).expect("it reads");
+    let mut made: Scene = scene(&engine, &judged(&engine), None);
+    made.bodies[0].name = harm.to_owned();
+    made.orders[0].name = harm.to_owned();
+    let page = moving_fragment(&made, "m\" onclick=\"alert(1)");
+    assert_eq!(page.matches("<script").count(), 1, "{page}");
+    assert_eq!(page.matches("</script").count(), 1, "{page}");
+    assert!(!page.contains("<!--") && !page.contains(['\u{2028}', '\u{2029}', '\u{1b}']), "{page}");
+    assert!(!page.contains("onclick=\"alert"), "{page}");
+    let json = page.split_once("data-part=\"scene\">").and_then(|(_, rest)| rest.split_once("</script>"));
+    let read: serde_json::Value = serde_json::from_str(json.expect("a scene").0).expect("JSON");
+    assert_eq!(read["bodies"][0]["name"], harm);
+}
+
+#[test]
+fn the_script_is_small_asks_nothing_of_a_network_and_makes_no_markup_of_data() {
+    assert!(MOVING_SCRIPT.len() < 12 * 1024, "{} bytes", MOVING_SCRIPT.len());
+    for word in [
+        "innerHTML",
+        "eval(",
+        "new Function",
+        "fetch(",
+        "XMLHttpRequest",
+        "import",
+        "insertAdjacent",
+        "document.write",
+        "</",
+    ] {
+        assert!(!MOVING_SCRIPT.contains(word), "{word}");
+    }
+    assert_eq!(MOVING_SCRIPT.matches("http").count(), 1, "the name of SVG is the only address");
+    assert!(!MOVING_STYLE.contains("url(") && !MOVING_STYLE.contains("@import"));
+}

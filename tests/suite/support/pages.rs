@@ -1,0 +1,49 @@
+//! The pages of an engine, as most tests want them.
+
+use crankstar::engine::Engine;
+use crankstar::page::{self, Document, File, Format, Math, Options, Table};
+use crankstar::proof::Quantity;
+use crankstar::report::{self, Contents};
+use crankstar::verdict::Judgement;
+
+/// Markdown for pandoc, in which a formula is easy to look for.
+pub const DOLLARS: Format = Format::Markdown(Math::Dollars);
+
+/// The verdicts at the orders of the layout, as the program judges it.
+pub fn judgement(engine: &Engine) -> Judgement {
+    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders")
+}
+
+/// The report of an engine.
+pub fn document(engine: &Engine) -> Document {
+    let judged = judgement(engine);
+    report::engine_page(Contents {
+        engine,
+        judged: &judged,
+        family: None,
+        needed: None,
+        in_motion: false,
+        accuracy: None,
+    })
+}
+
+/// The files of a page in a format.
+pub fn files(document: &Document, format: Format) -> Vec<File> {
+    page::write(document, format, &Options::default())
+}
+
+/// The main file of a page in a format.
+pub fn text(document: &Document, format: Format) -> String {
+    files(document, format).remove(0).text
+}
+
+/// The tables of a page as plain text.
+pub fn tables(document: &Document) -> Vec<Vec<Vec<String>>> {
+    let cells = |row: &Vec<page::Text>| row.iter().map(|cell| page::text_in(cell, Format::PLAIN)).collect();
+    let rows = |table: &Table| table.rows.iter().map(cells).collect();
+    let table = |block: &page::Block| match block {
+        page::Block::Table(table) => Some(rows(table)),
+        _ => None,
+    };
+    document.blocks.iter().filter_map(table).collect()
+}
