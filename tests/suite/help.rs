@@ -91,3 +91,8 @@ fn the_page_of_commands_tells_every_option() {
     }
     assert!(found > 80, "only {found} options were found");
 }
+
+#[test]
+fn the_console_examples_of_the_readme_are_what_the_program_prints() {
+    trycmd::TestCases::new().case("README.md");
+}
