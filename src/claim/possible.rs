@@ -98,8 +98,8 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
     };
     let left = [force.plus(&added(&|_| BigRational::one())), moment.plus(&added(&|index| arms[index].clone()))];
     let names = [
-        "the direct force of order 1 with these counterweights",
-        "the direct moment of order 1 with these counterweights",
+        "The direct force of order 1 with these counterweights",
+        "The direct moment of order 1 with these counterweights",
     ];
     let asked = match claimed.balanced {
         Balanced::ForceAndMoment => 0..2,

@@ -241,7 +241,7 @@ impl Bearing {
 
 /// A decimal after its sign.
 pub(crate) fn approximate(value: f64) -> String {
-    format!("≈ {}", decimal(value))
+    format!("≈\u{a0}{}", decimal(value))
 }
 
 /// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`, `0.0715`.

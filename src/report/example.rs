@@ -14,9 +14,11 @@ use crate::page::{Block, Number, Picture, Text, phrase};
 use crate::proof::Sense;
 use crate::verdict::OrderBalance;
 
-/// What stands before equations (1) and (2): one cylinder of these sums put into them, with a picture.
+/// What stands before equations (1) and (2): one cylinder of these sums, of order 1 or 2, put into them, with a picture.
 pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
-    let Some((cylinder, weight)) = chosen(engine, balance) else { return Vec::new() };
+    // Above order 2 a coefficient may be negative or imaginary, and the picture would need more words than it explains.
+    let is_shown = balance.exists && balance.order <= 2;
+    let Some((cylinder, weight)) = chosen(engine, balance).filter(|_| is_shown) else { return Vec::new() };
     let mut blocks =
         vec![Block::Paragraph(two_vectors(balance.order)), Block::Paragraph(numbers_of(cylinder, weight, balance))];
     let has_side_part = balance.order == 1 && cylinder.mechanism.as_ref().is_some_and(|one| !one.is_centric());

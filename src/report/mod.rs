@@ -1,6 +1,6 @@
-//! How is it shown? Each question's answers as a document of blocks with drawings, and as JSON.
+//! How is it shown? Reports in Markdown and LaTeX with their diagrams, and the JSON document.
 //!
-//! `verdicts → words, tables, drawings → page::Document → a writer of the room page`
+//! `verdicts → page (finished strings, drawings) → template → files`
 
 mod accuracy;
 mod argument;
@@ -23,7 +23,6 @@ mod multiples;
 mod optimise;
 mod poster;
 mod remedy;
-mod render;
 mod residual;
 mod residual_words;
 mod search;
@@ -36,8 +35,9 @@ mod views;
 
 pub use views::{end_view, side_view};
 
-use crate::page::{figure, number as typeset, plot, svg, tikz};
+use crate::page::{figure, number as typeset, plot};
 
+pub use crate::page::File;
 pub use accuracy::{
     AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
     accuracy_section,

@@ -3,10 +3,10 @@
 use super::calculation::plain;
 use super::catalogue::{Family, Stamp, families};
 use super::figure::{Anchor, Figure, Ink, Point, Stroke};
-use super::{svg, tikz};
 use crate::engine::Engine;
 use crate::file::Entry;
 use crate::page::{self, Document, File, Format, Options, Text, phrase};
+use crate::page::{svg, tikz};
 
 /// A3 upright, in millimetres.
 const SHEET: (f64, f64) = (297.0, 420.0);

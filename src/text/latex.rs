@@ -44,6 +44,7 @@ pub fn latex(text: &str) -> String {
             '½' => "\\textonehalf{}",
             '⁺' => "\\textsuperscript{+}",
             '\u{202f}' => "\\,",
+            '\u{a0}' => "~",
             '≤' => "$\\le$",
             '≥' => "$\\ge$",
             '⁻' => "\\textsuperscript{--}",

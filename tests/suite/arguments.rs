@@ -5,21 +5,16 @@ use std::f64::consts::TAU;
 use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::file;
-use crankstar::page::{Block, Format, Math, text_in};
+use crankstar::page::{Block, Format, text_in};
 use crankstar::proof::{Certificate, Polygon, Quantity};
-use crankstar::report::{verdict_argument, verdict_certificate, worked_example};
+use crankstar::report::{verdict_argument, worked_example};
 use crankstar::verdict::{
-    Balance, Component, Reason, Size, Verdict, corners, drawn_polygons, mirror_partners, opposed_partners, reason,
+    Component, Reason, Size, Verdict, corners, drawn_polygons, mirror_partners, opposed_partners, reason,
 };
-use num_bigint::BigInt;
-use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
-use crate::support::dice::Dice;
-use crate::support::{engines, verdicts};
-
-const ORDERS: [u32; 6] = [1, 2, 3, 4, 6, 8];
+use crate::support::every_verdict::{all_engines, all_verdicts};
+use crate::support::verdicts;
 
 fn written(form: &str) -> Engine {
     file::parse("layout.toml", &format!("title = 'engine'\n{form}")).expect("it reads")
@@ -27,29 +22,6 @@ fn written(form: &str) -> Engine {
 
 fn named(name: &str) -> Engine {
     file::find(name).expect("a name of the catalogue").engine().expect("it reads")
-}
-
-/// The catalogue, and engines of every form at random.
-fn all_engines() -> Vec<Engine> {
-    let mut all: Vec<Engine> = file::catalogue().expect("it reads").into_iter().map(|(_, engine)| engine).collect();
-    let mut dice = Dice::new(12);
-    for form in engines::FORMS.iter().filter(|form| **form != "open") {
-        for _ in 0..12 {
-            all.extend(file::parse("layout.toml", &format!("title = 'engine'\n{}", engines::file(&mut dice, form))));
-        }
-    }
-    all
-}
-
-/// Every verdict on an engine.
-fn all_verdicts(engine: &Engine) -> Vec<Verdict> {
-    let of = |balance: &Balance| balance.verdicts().map(Clone::clone);
-    let orders = verdicts::judged(engine, &ORDERS, true);
-    let parts = orders.iter().flat_map(|order| &order.parts);
-    let mut all: Vec<Verdict> = parts.flat_map(|part| [of(&part.force), of(&part.moment)].concat()).collect();
-    let torques = orders.iter().filter_map(|order| order.torque.as_ref()).flat_map(|torque| &torque.parts);
-    all.extend(torques.map(|part| part.verdict.clone()));
-    all
 }
 
 fn degrees(angle: &Turn) -> f64 {
@@ -202,69 +174,6 @@ fn every_reason_on_the_catalogue_and_on_engines_at_random_is_true() {
     assert!(kinds.get("certificate").copied().unwrap_or(0) == 0, "primes are left to the certificate: {kinds:?}");
 }
 
-/// `9\,e^{i\,40^{\circ}}` and the like.
-fn read_sum(text: &str) -> PhasorSum {
-    let spaced = text.replace(" - ", " + -");
-    let number = |text: &str| -> BigRational {
-        let text = text.replace("\\tfrac{", "").replace("}{", "/").replace('}', "");
-        match text.split_once('.') {
-            Some((whole, places)) => {
-                let scale = BigInt::from(10).pow(places.len() as u32);
-                BigRational::new(format!("{whole}{places}").parse().expect("digits"), scale)
-            }
-            None => text.parse().expect("a fraction"),
-        }
-    };
-    let term = |text: &str| {
-        let (sign, text) = text.strip_prefix('-').map_or((1, text), |rest| (-1, rest));
-        let (weight, angle) = text.split_once("e^{i\\,").expect("a vector");
-        let angle = angle.trim_end_matches("^{\\circ}}").trim_start_matches('(').trim_end_matches(')');
-        let weight = if weight.is_empty() { BigRational::one() } else { number(weight.trim_end_matches("\\,")) };
-        Term { angle: Turn::from_degrees(&number(angle)), weight: weight * BigRational::from_integer(sign.into()) }
-    };
-    PhasorSum::new(spaced.split(" + ").map(term).collect())
-}
-
-/// `2\cdot 3^{4} - 3^{1}` modulo a prime.
-fn read_image(text: &str, prime: &BigInt) -> BigInt {
-    let spaced = text.replace(" - ", " + -");
-    let term = |text: &str| -> BigInt {
-        let (sign, text) = text.strip_prefix('-').map_or((1, text), |rest| (-1, rest));
-        let (factor, power) = text.split_once("\\cdot ").unwrap_or(("1", text));
-        let (base, exponent) = power.split_once("^{").expect("a power");
-        let exponent: BigInt = exponent.trim_end_matches('}').parse().expect("an exponent");
-        let base: BigInt = base.parse().expect("a base");
-        factor.parse::<BigInt>().expect("a factor") * base.modpow(&exponent, prime) * sign
-    };
-    spaced.split(" + ").map(term).sum::<BigInt>().mod_floor(prime)
-}
-
-#[test]
-fn a_residue_certificate_prints_the_sum_and_its_image_and_both_recompute() {
-    let mut printed = 0;
-    for engine in all_engines().into_iter().step_by(3) {
-        for verdict in all_verdicts(&engine) {
-            let Certificate::Residue(claim) = &verdict.certificate else { continue };
-            let text = text_in(&verdict_certificate(&verdict), Format::Markdown(Math::Dollars));
-            let formula = |start: &str| {
-                let rest = text.split_once(start)?.1;
-                Some(rest.split_once('$')?.0.to_owned())
-            };
-            if let Some(sum) = formula("$S = ") {
-                assert_eq!(read_sum(&sum).collected(), verdict.sum.collected(), "{text}");
-                if let Some(image) = formula("S \\mapsto ") {
-                    let image = image.split(" \\equiv").next().expect("an image").to_owned();
-                    assert_eq!(read_image(&image, &claim.prime), claim.residue, "{text}");
-                    printed += 1;
-                }
-            } else {
-                assert!(text.contains("The collected sum $S$ has "), "{text}");
-            }
-        }
-    }
-    assert!(printed > 100, "only {printed}");
-}
-
 fn argued(engine: &Engine, quantity: Quantity, order: u32, sense: usize) -> String {
     let balances = verdicts::pistons(engine, &[order]);
     let balance = if quantity == Quantity::Force { &balances[0].force } else { &balances[0].moment };
@@ -309,10 +218,19 @@ fn each_way_without_primes_has_its_sentences() {
         &["their own mirror image in the line at 72°", " = 1. That is not zero."],
     );
     says(
-        "[inline]\nthrows = [0, 0, 0, 90, 225]",
+        "[inline]\nthrows = [0, 0, 90, 90, 90, 225, 225]",
         1,
-        &["Take the components of the vectors in the direction", "is irrational"],
+        &[
+            "Take the components of the vectors in the direction 135°. The components in that direction add up to 3 cos 45° + 2 cos 135°",
+        ],
     );
+    says(
+        "[inline]\nthrows = [0, 0, 0, 135, 135, 225, 225]",
+        1,
+        &["so their sum lies on that line", "for √2 is irrational."],
+    );
+    let ratio = argued(&named("V6-90-split"), Quantity::Moment, 1, 1);
+    assert!(ratio.ends_with("for the ratio of √2 and √6 is irrational."), "{ratio}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod atlas;
 mod beam;
 mod bearings;
 mod certificate_cheats;
+mod certificate_words;
 mod claims;
 mod claims_files;
 mod claims_of_numbers;
@@ -62,6 +63,7 @@ mod support {
     pub mod dice;
     pub mod engines;
     pub mod every_form;
+    pub mod every_verdict;
     pub mod hard;
     pub mod imports;
     pub mod oracle;

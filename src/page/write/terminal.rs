@@ -31,7 +31,7 @@ impl Writer for Terminal {
     }
 
     fn words(&self, words: &str) -> String {
-        words.to_owned()
+        if self.unbroken { words.to_owned() } else { words.replace('\u{a0}', " ") }
     }
 
     fn person(&self, words: &Untrusted) -> String {

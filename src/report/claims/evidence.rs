@@ -3,7 +3,7 @@
 use super::super::argument;
 use crate::claim::{Answer, Evidence};
 use crate::page::{Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Quantity, Sense};
 
 /// The certificates of an answer.
 pub(super) fn evidence(answer: &Answer) -> Vec<Text> {
@@ -14,15 +14,16 @@ fn one(evidence: &Evidence) -> Text {
     let certificate = argument::certificate_of(evidence.sum(), evidence.certificate());
     let about = match evidence {
         Evidence::Verdict(verdict) => {
-            let quantity = match verdict.quantity {
-                Quantity::Force => "Force",
-                Quantity::Moment => "Moment",
-                Quantity::Torque => "Torque",
+            let words = match (verdict.quantity, verdict.sense) {
+                (Quantity::Force, Some(Sense::Direct)) => "Force, order {}, direct",
+                (Quantity::Force, Some(Sense::Reverse)) => "Force, order {}, reverse",
+                (Quantity::Force, None) => "Force, order {}",
+                (Quantity::Moment, Some(Sense::Direct)) => "Moment, order {}, direct",
+                (Quantity::Moment, Some(Sense::Reverse)) => "Moment, order {}, reverse",
+                (Quantity::Moment, None) => "Moment, order {}",
+                (Quantity::Torque, _) => "Torque, order {}",
             };
-            match verdict.sense {
-                Some(sense) => phrase!("{}, order {}, {}", quantity, verdict.order, sense.name()),
-                None => phrase!("{}, order {}", quantity, verdict.order),
-            }
+            phrase!(words, verdict.order)
         }
         Evidence::Comparison { about, .. } => (*about).into(),
     };

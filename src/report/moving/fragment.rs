@@ -1,8 +1,10 @@
 //! How does a scene stand in a page? As a fragment of HTML with its numbers in JSON beside it.
 
-use serde::Serialize;
+use std::sync::LazyLock;
 
-use super::super::render;
+use serde::Serialize;
+use tera::{Context, Tera};
+
 use super::scene::{Body, MovingAngle, Scene};
 use crate::text;
 
@@ -11,6 +13,16 @@ pub const MOVING_SCRIPT: &str = include_str!("../../../templates/html/moving.js"
 
 /// The style of the fragments: once a page, in its head, between `<style>` and `</style>`.
 pub const MOVING_STYLE: &str = include_str!("../../../templates/html/moving.css");
+
+/// The template is part of the program, so that a mistake in it is a mistake of ours.
+const OURS: &str = "a template of the program";
+
+static TEMPLATE: LazyLock<Tera> = LazyLock::new(|| {
+    let mut tera = Tera::default();
+    tera.autoescape_on(Vec::<&str>::new());
+    tera.add_raw_template("moving", include_str!("../../../templates/html/moving.html")).expect(OURS);
+    tera
+});
 
 /// What the template of the fragment places.
 #[derive(Serialize)]
@@ -53,7 +65,7 @@ pub fn moving_fragment(scene: &Scene, id: &str) -> String {
     let json = serde_json::to_string(scene).unwrap_or_default();
     let strip = scene.bodies.len().max(FEWEST) * COLUMN;
     let inset = (strip - scene.bodies.len() * COLUMN) / 2;
-    render::moving(&Fragment {
+    let fragment = Fragment {
         id: text::xml(id),
         title: text::xml(&scene.title),
         orders: scene.orders.iter().map(|order| text::xml(&order.name)).collect(),
@@ -62,5 +74,7 @@ pub fn moving_fragment(scene: &Scene, id: &str) -> String {
         strip,
         columns: scene.bodies.iter().enumerate().map(|body| column(body, inset)).collect(),
         json: text::json_in_script(&json),
-    })
+    };
+    let context = Context::from_serialize(&fragment).expect(OURS);
+    TEMPLATE.render("moving", &context).expect(OURS)
 }

@@ -75,7 +75,7 @@ fn table(partial: &Partial, scale: Option<&Scale>) -> Table {
 }
 
 /// The largest and the smallest first-order force in a revolution over the balanced part.
-pub(in crate::report) fn picture(remedy: &Remedy) -> Option<Picture> {
+fn picture(remedy: &Remedy) -> Option<Picture> {
     let curve = partial(remedy)?.curve(STEPS);
     let scale = loads::scale(remedy.subject.engine());
     let factor = scale.as_ref().map_or(1.0, Scale::force);

@@ -1,9 +1,9 @@
 //! What do the first stars look like? Each from the free end, with the vectors of an order that it leaves.
 
-use super::super::star::star_figure;
-use super::super::views::end_view;
+use super::super::star::{star_figure, star_legend};
+use super::super::views::{end_view, end_view_caption};
 use crate::order::Masses;
-use crate::page::{Picture, phrase};
+use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
 use crate::search::{FoundStar, Problem};
 use crate::verdict::classify;
@@ -13,10 +13,7 @@ pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Ve
     let Ok(engine) = star.engine(problem) else { return Vec::new() };
     let from_the_end = Picture {
         name: format!("star-{number}"),
-        caption: phrase!(
-            "Star {} from the free end, angle 0 upwards, angles anticlockwise: crankpins inside, cylinders outside.",
-            number
-        ),
+        caption: phrase!("Star {}. {}", number, Text::phrase(end_view_caption(&engine), Vec::new())),
         figure: end_view(&engine),
     };
     let left = star.moments.iter().find(|moment| !moment.sum.vanishes()).or(star.moments.first());
@@ -28,10 +25,10 @@ pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Ve
     let vectors = parts.map(|order| Picture {
         name: format!("star-{number}-order-{}", order.order),
         caption: phrase!(
-            "Star {}, order {}: the two vectors of each cylinder, above for the force and below for the moment. Coloured polygons sum to zero; a \
-             red arrow is what is left.",
+            "Star {}, order {}: the two vectors of each cylinder, of the force and of the moment. {}",
             number,
-            order.order
+            order.order,
+            Text::phrase(star_legend(&engine, order), Vec::new())
         ),
         figure: star_figure(&engine, order),
     });

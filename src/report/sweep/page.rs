@@ -40,9 +40,7 @@ pub fn sweep_answer(sweep: &Sweep) -> Document {
     let mut answer = Document::new("sweep", title(sweep));
     answer.push(Block::Paragraph(swept(sweep)));
     answer.blocks.extend(sentences(sweep, &found, &gone).into_iter().map(Block::Paragraph));
-    if !found.is_empty() {
-        answer.push(tables::extremes(sweep, &found));
-    }
+    answer.blocks.extend(others(sweep, &found));
     answer.blocks.extend(zeros(sweep).into_iter().flatten());
     answer
 }
@@ -55,9 +53,7 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(sentences(sweep, &found, &gone)));
     page.push(Block::Paragraph(swept(sweep)));
-    if !found.is_empty() {
-        page.push(tables::extremes(sweep, &found));
-    }
+    page.blocks.extend(others(sweep, &found));
     let pictures = plots::drawings(sweep);
     if !pictures.is_empty() {
         section(&mut page, "Plots");
@@ -98,6 +94,9 @@ fn swept(sweep: &Sweep) -> Text {
         let show = |at| value(parameter, at, is_angle);
         let key = Text::code(parameter.key.to_string());
         let range = &parameter.range;
+        if range.count() == 1 {
+            return phrase!("{} at {} alone", key, show(&range.value(0)));
+        }
         phrase!("{} from {} to {}, {} values", key, show(&range.value(0)), show(&range.last()), range.count())
     };
     let ranges = Text::joined(sweep.axes().map(range), "; ");
@@ -109,6 +108,11 @@ fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Quantity, u32)]) -> Vec<
     let told = found.iter().take(MOST_SENTENCES).map(|finding| finding.sentence(sweep));
     let rest = (found.len() > MOST_SENTENCES).then(|| "The other orders are in the table below.".into());
     told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).collect()
+}
+
+/// All forces and moments in a table, where there are more than the sentences tell.
+fn others(sweep: &Sweep, found: &[Finding]) -> Option<Block> {
+    (found.len() > MOST_SENTENCES).then(|| tables::extremes(sweep, found).into())
 }
 
 /// Where each vector vanishes, where the parameter is an angle.

@@ -36,9 +36,7 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
             };
-            let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
-            let caption = caption(sweep, quantity, order).and(" ").and(shown);
-            drawn.push(Picture { name, caption, figure });
+            drawn.push(Picture { name, caption: caption(sweep, quantity, order), figure });
         }
     }
     drawn
@@ -46,29 +44,10 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
 
 /// What a reader sees in a drawing.
 fn caption(sweep: &Sweep, quantity: Quantity, order: u32) -> Text {
-    match (sweep.parameters.len(), quantity == Quantity::Moment, sweep.zeros.is_some()) {
-        (1, false, true) => phrase!(
-            "Force of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
-            order
-        ),
-        (1, true, true) => phrase!(
-            "Moment of order {}. Rings mark the exact zeros of a part, dots where one of its two vectors is zero and the other draws a circle.",
-            order
-        ),
-        (1, false, false) => {
-            phrase!("Force of order {}. Rings mark values at which a part is proved to be zero.", order)
-        }
-        (1, true, false) => {
-            phrase!("Moment of order {}. Rings mark values at which a part is proved to be zero.", order)
-        }
-        (_, false, _) => phrase!(
-            "Largest force of order {} over both values. Rings mark points at which it is proved to be zero.",
-            order
-        ),
-        (_, true, _) => phrase!(
-            "Largest moment of order {} over both values. Rings mark points at which it is proved to be zero.",
-            order
-        ),
+    let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
+    match quantity {
+        Quantity::Moment => phrase!("Moment of order {}. {}", order, shown),
+        Quantity::Force | Quantity::Torque => phrase!("Force of order {}. {}", order, shown),
     }
 }
 
@@ -85,7 +64,7 @@ fn value_axis(sweep: &Sweep, quantity: Quantity) -> Axis {
 /// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let parameter = &sweep.parameters[0];
-    let is_angle = sweep.zeros.is_some() || sweep.angles.first().copied().unwrap_or(false);
+    let is_angle = is_angle(sweep, parameter);
     let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
     let label = axis(parameter, is_angle);
     let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
@@ -108,6 +87,12 @@ fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure
         panel(format!("{title}: largest and smallest"), axes, &[Zeros::Largest, Zeros::Direct, Zeros::Reverse]),
         panel(format!("{title}: along and across"), parts, &[Zeros::Largest, Zeros::Along, Zeros::Across]),
     ])
+}
+
+/// Whether the parameter is an angle in degrees.
+fn is_angle(sweep: &Sweep, parameter: &Parameter) -> bool {
+    let known = sweep.axes().any(|(own, is_angle)| own == parameter && is_angle);
+    known && ["", "°", "deg"].contains(&parameter.range.unit())
 }
 
 /// A mark with what vanishes at it.
@@ -171,13 +156,13 @@ fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<ZeroMark> 
 
 fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let [slow, fast] = [&sweep.parameters[0], &sweep.parameters[1]];
-    let is_angle = [0, 1].map(|index| sweep.angles.get(index).copied().unwrap_or(false));
     let columns = fast.range.count();
-    let around = |parameter: &Parameter, is_angle: bool| {
+    let around = |parameter: &Parameter| {
         // Cells reach half a step beyond the outer values.
         let (first, last) = (float(&parameter.range.value(0)), float(&parameter.range.last()));
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
+        let is_angle = is_angle(sweep, parameter);
         let label = axis(parameter, is_angle);
         let (low, high) = (first - half, last + half);
         if is_angle { Axis::degrees(label, low, high) } else { Axis::linear(label).within(low, high) }
@@ -204,8 +189,8 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     }
     let map = Map {
         title: format!("Order {order}: largest {}", quantity_name(quantity)),
-        x: around(fast, is_angle[1]),
-        y: around(slow, is_angle[0]),
+        x: around(fast),
+        y: around(slow),
         value: value_axis(sweep, quantity),
         rows,
         curves: Vec::new(),
@@ -219,5 +204,5 @@ fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Option<PointMa
     let points = sweep.points.iter().filter(|point| largest(point).is_finite());
     let best = points.min_by(|a, b| largest(a).total_cmp(&largest(b)))?;
     let at = (float(best.values.get(1)?), float(best.values.first()?));
-    Some(PointMark::dot(at, format!("≈ {}", typeset::sensible(largest(best)))).of("least on the grid"))
+    Some(PointMark::dot(at, format!("≈ {}", typeset::decimal(largest(best)))).of("least on the grid"))
 }

@@ -99,7 +99,7 @@ pub(super) fn firing_sentence(sweep: &Sweep) -> Option<Text> {
     let at = listed(at.into_iter().map(|point| place(sweep, point)).collect());
     let [shortest, longest] = [&best.shortest, &best.longest].map(number::turns);
     Some(match shortest == longest {
-        true => phrase!("**Firing:** even at {}, every {}.", at, shortest),
-        false => phrase!("**Firing:** most even at {}, at intervals from {} to {}.", at, shortest, longest),
+        true => phrase!("**Firing:** even, every {}, at {}.", shortest, at),
+        false => phrase!("**Firing:** most even, at intervals from {} to {}, at {}.", shortest, longest, at),
     })
 }
