@@ -60,7 +60,7 @@ Exit status: 0 done, whatever the verdicts are; 1 the input is wrong, a certific
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the catalogue, one line per engine
+    /// List the catalogue with the lowest order that each engine leaves
     List,
     /// Judge force and moment of an engine, order by order
     Classify(classify::Classify),
@@ -84,7 +84,7 @@ enum Command {
     Search(search::Search),
     /// Compare engines side by side: what each leaves, its remedy, its firing
     Compare(compare::Compare),
-    /// Write the atlas: the catalogue and the best stars in line, for print and for a spreadsheet
+    /// Write the atlas: the catalogue and the best stars in line, or a poster of the catalogue
     Atlas(atlas::Atlas),
     /// Compute the balance over a range of a bank angle, or of any value of a layout file
     Sweep(sweep::Sweep),

@@ -17,6 +17,8 @@ pub(super) struct Terminal {
 
 /// Columns that stand beside the words of a cell.
 const PADDING: usize = 2;
+/// Columns that a column takes beside its words: where it meets the next one stands one more.
+const GAP: usize = PADDING + 1;
 
 impl Terminal {
     /// Some columns of a table, each as wide as it is told.
@@ -100,7 +102,7 @@ impl Writer for Terminal {
     }
 
     fn table(&self, cells: &Cells) -> Option<String> {
-        let parts = cells.lines(self.width, PADDING);
+        let parts = cells.lines(self.width, GAP);
         Some(parts.iter().map(|columns| self.part(cells, columns) + "\n\n").collect())
     }
 
