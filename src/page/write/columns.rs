@@ -103,7 +103,7 @@ impl Cells {
     fn part(&self, columns: &[usize]) -> Option<Part<'_>> {
         let (natural, least) = (self.natural(columns), self.least(columns));
         let room = |size: &Size| size.capacity.saturating_sub(GAP * columns.len());
-        let whole = [&SMALL, &SMALLER].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
+        let whole = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
         if let Some(size) = whole {
             return Some(self.set(columns, size, &natural));
         }
