@@ -87,7 +87,7 @@ enum Command {
     Search(search::Search),
     /// Put engines side by side
     Compare(compare::Compare),
-    /// Write the catalogue and the best in-line stars, for print
+    /// Write the catalogue and the best in-line stars, or a poster
     Atlas(atlas::Atlas),
     /// Vary the bank angle, or any value of a layout file
     Sweep(sweep::Sweep),

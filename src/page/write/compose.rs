@@ -183,7 +183,7 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let (body, file) = self.writer.picture(picture, &plain(&picture.caption));
+            let (body, file) = self.writer.picture(picture, first_sentence(&plain(&picture.caption)));
             self.files.extend(file);
             drawn.push(Drawn { body, caption: self.text(&picture.caption) });
         }
@@ -279,6 +279,11 @@ impl<'a> Composer<'a> {
 fn plain(text: &Text) -> String {
     let terminal = Terminal { width: usize::MAX, colour: false, unbroken: false };
     Composer::new(&terminal, &Options::default()).text(text)
+}
+
+/// What a picture is called where it is not seen.
+fn first_sentence(caption: &str) -> &str {
+    caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
 }
 
 /// The same with what a line is not broken at as one word: the formulas.
