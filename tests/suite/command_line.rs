@@ -179,7 +179,16 @@ fn a_report_is_written_with_its_diagrams_and_again_over_itself() {
         names.sort();
         assert_eq!(
             names,
-            ["end-view.svg", "order-1.svg", "order-2.svg", "order-4.svg", "order-6.svg", "report.md", "side-view.svg"]
+            [
+                "direct-and-reverse.svg",
+                "end-view.svg",
+                "order-1.svg",
+                "order-2.svg",
+                "order-4.svg",
+                "order-6.svg",
+                "report.md",
+                "side-view.svg"
+            ]
         );
     }
     assert_eq!(
