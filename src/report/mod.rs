@@ -1,6 +1,6 @@
-//! How is it shown? Reports in Markdown and LaTeX with their diagrams, and the JSON document.
+//! What is said, and drawn, of each question? A short answer and a page, both of blocks, and a JSON document.
 //!
-//! `verdicts → page (finished strings, drawings) → template → files`
+//! `verdicts → words, tables, pictures → page::Document`, which [`crate::page`] writes in every format.
 
 mod accuracy;
 mod argument;

@@ -1,6 +1,6 @@
 //! Does the atlas in `reports/atlas` still say what the program writes, and does it hold?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test atlas` writes it anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite atlas` writes it anew.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

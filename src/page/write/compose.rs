@@ -86,7 +86,7 @@ impl<'a> Composer<'a> {
         let body = self.blocks(rest);
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
-            title: self.text(&document.title),
+            title: self.writer.paragraph(self.text(&document.title)),
             plain_title: self.writer.words(&plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),
             before,
@@ -117,7 +117,8 @@ impl<'a> Composer<'a> {
         match block {
             Block::Heading(level, text) => {
                 let id = self.free_id(&plain(text));
-                let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
+                let text = self.writer.paragraph(self.text(text));
+                let heading = Heading { level: *level, text, id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
