@@ -43,11 +43,7 @@ fn text(layout: &Engine, format: Format) -> String {
 fn says(layout: &Engine, lines: &[&str]) {
     let text = text(layout, pages::DOLLARS);
     for line in lines {
-        assert!(
-            text.lines().any(|found| found.contains(line)),
-            "{}: no line {line}",
-            layout.title().written()
-        );
+        assert!(text.lines().any(|found| found.contains(line)), "{}: no line {line}", layout.title().written());
     }
 }
 
