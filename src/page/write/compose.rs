@@ -87,7 +87,7 @@ impl<'a> Composer<'a> {
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
             title: self.text(&document.title),
-            plain_title: plain(&document.title),
+            plain_title: self.writer.words(&plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),
             before,
             body,

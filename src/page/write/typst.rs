@@ -3,7 +3,7 @@
 use super::super::block::Picture;
 use super::super::svg::svg;
 use super::columns::Cells;
-use super::tex::{self, Node};
+use super::tex::{self, Node, Space};
 use super::{File, Writer, templates};
 use crate::text::{self, Format, Untrusted};
 
@@ -28,13 +28,12 @@ impl Writer for Typst {
     }
 
     fn formula(&self, tex: &str) -> String {
-        format!("${}$", formula(&tex::read(tex)).trim())
+        format!("${}$", formula(tex))
     }
 
     fn display(&self, tex: &str, number: Option<u32>) -> String {
         let number = number.map_or_else(|| "none".to_owned(), |number| format!("_ => [({number})]"));
-        let formula = formula(&tex::read(tex));
-        format!("#math.equation(block: true, numbering: {number}, $ {} $)", formula.trim())
+        format!("#math.equation(block: true, numbering: {number}, $ {} $)", formula(tex))
     }
 
     fn strong(&self, inside: &str) -> String {
@@ -85,8 +84,13 @@ fn string(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
-/// A formula in the notation of Typst: letters apart, for two together would be a name, and no sign that acts.
-fn formula(nodes: &[Node]) -> String {
+/// A formula in the notation of Typst.
+fn formula(tex: &str) -> String {
+    printed(&tex::read(tex)).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Letters apart, for two together would be a name, and no sign that acts.
+fn printed(nodes: &[Node]) -> String {
     let mut out = String::new();
     for node in nodes {
         let set = match node {
@@ -99,7 +103,11 @@ fn formula(nodes: &[Node]) -> String {
             Node::Relation(sign) => format!(" {sign} "),
             Node::Function(name) => format!(" op({}) ", string(name)),
             Node::Blank => " ".to_owned(),
-            Node::Space(parts) => format!(" #h({:.3}em) ", f64::from(*parts) / 18.0),
+            Node::Space(Space::Thin) => " thin ".to_owned(),
+            Node::Space(Space::Word) => " med ".to_owned(),
+            Node::Space(Space::Thick) => " thick ".to_owned(),
+            Node::Space(Space::Quad) => " quad ".to_owned(),
+            Node::Space(Space::Wide) => " wide ".to_owned(),
             Node::Column => " & ".to_owned(),
             Node::Line => " \\ ".to_owned(),
             Node::Fraction { small: false, above, below } => format!(" frac({}, {}) ", inner(above), inner(below)),
@@ -113,9 +121,9 @@ fn formula(nodes: &[Node]) -> String {
                 format!(" accent({}, \"\\u{{{:x}}}\") ", inner(inside), u32::from(*accent))
             }
             Node::Fenced(open, inside, close) => {
-                format!(" lr({}{}{}) ", self::sign(*open), formula(inside), self::sign(*close))
+                format!(" lr({}{}{}) ", self::sign(*open), printed(inside), self::sign(*close))
             }
-            Node::Modulo(inside) => format!(" #h(1em) \\( mod {} \\) ", formula(inside)),
+            Node::Modulo(inside) => format!(" med med \\( mod {} \\) ", printed(inside)),
         };
         out.push_str(&set);
     }
@@ -134,7 +142,7 @@ fn script(before: &str, node: &Node, inside: &[Node]) -> String {
 
 /// What a function takes: nothing as an empty text, which it may not lack.
 fn inner(nodes: &[Node]) -> String {
-    let set = formula(nodes);
+    let set = printed(nodes);
     if set.trim().is_empty() { "\"\"".to_owned() } else { set.trim().to_owned() }
 }
 

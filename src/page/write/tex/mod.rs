@@ -14,8 +14,8 @@ pub(super) enum Node<'a> {
     Function(&'a str),
     /// A space of the source, which formats that set formulas leave out.
     Blank,
-    /// A space that is set, in eighteenths of an em.
-    Space(u8),
+    /// A space that is set.
+    Space(Space),
     /// Where the lines of a formula stand under each other.
     Column,
     /// A new line.
@@ -38,6 +38,20 @@ pub(super) enum Node<'a> {
     Fenced(char, Vec<Node<'a>>, char),
     /// By which number remainders are taken.
     Modulo(Vec<Node<'a>>),
+}
+
+/// How wide a space is.
+pub(super) enum Space {
+    /// A sixth of an em.
+    Thin,
+    /// As between words.
+    Word,
+    /// As round a relation.
+    Thick,
+    /// An em.
+    Quad,
+    /// Two ems.
+    Wide,
 }
 
 /// The parts of a formula.
@@ -108,11 +122,11 @@ impl<'a> Reader<'a> {
             "&" => Node::Column,
             "\\\\" => Node::Line,
             " " | "\n" => Node::Blank,
-            "~" | "\\ " => Node::Space(4),
-            "\\," => Node::Space(3),
-            "\\;" => Node::Space(5),
-            "\\quad" => Node::Space(18),
-            "\\qquad" => Node::Space(36),
+            "~" | "\\ " => Node::Space(Space::Word),
+            "\\," => Node::Space(Space::Thin),
+            "\\;" => Node::Space(Space::Thick),
+            "\\quad" => Node::Space(Space::Quad),
+            "\\qquad" => Node::Space(Space::Wide),
             "\\frac" => self.fraction(false),
             "\\tfrac" => self.fraction(true),
             "\\binom" => Node::Binomial(self.argument(), self.argument()),
