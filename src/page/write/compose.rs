@@ -86,7 +86,7 @@ impl<'a> Composer<'a> {
         let body = self.blocks(rest);
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
-            title: self.text(&document.title),
+            title: self.writer.paragraph(self.text(&document.title)),
             plain_title: self.writer.words(&plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),
             before,
@@ -117,7 +117,8 @@ impl<'a> Composer<'a> {
         match block {
             Block::Heading(level, text) => {
                 let id = self.free_id(&plain(text));
-                let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
+                let text = self.writer.paragraph(self.text(text));
+                let heading = Heading { level: *level, text, id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
@@ -182,7 +183,7 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let (body, file) = self.writer.picture(picture, &plain(&picture.caption));
+            let (body, file) = self.writer.picture(picture, first_sentence(&plain(&picture.caption)));
             self.files.extend(file);
             drawn.push(Drawn { body, caption: self.text(&picture.caption) });
         }
@@ -278,6 +279,11 @@ impl<'a> Composer<'a> {
 fn plain(text: &Text) -> String {
     let terminal = Terminal { width: usize::MAX, colour: false, unbroken: false };
     Composer::new(&terminal, &Options::default()).text(text)
+}
+
+/// What a picture is called where it is not seen.
+fn first_sentence(caption: &str) -> &str {
+    caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
 }
 
 /// The same with what a line is not broken at as one word: the formulas.
