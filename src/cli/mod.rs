@@ -7,6 +7,7 @@ mod check;
 mod classify;
 mod compare;
 mod failure;
+mod figure;
 mod folder;
 mod layouts;
 mod list;
@@ -76,6 +77,8 @@ enum Command {
     Optimise(optimise::Optimise),
     /// Write the report with the proofs
     Report(report::Report),
+    /// Write one drawing, for a document of your own
+    Figure(figure::Figure),
     /// Check all that the output of `classify --json` or `remedy --json` says
     Verify(verify::Verify),
     /// Check claims about engines: statements of books, homework
@@ -120,6 +123,11 @@ impl EngineAndOrders {
     }
 }
 
+/// Whose masses are meant says nothing of a family.
+fn masses_of_a_family() -> Failure {
+    Failure::new("--masses needs an engine without unknowns; give them values below [values]")
+}
+
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
@@ -136,6 +144,7 @@ pub fn run() -> ExitCode {
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
+        Command::Figure(figure) => figure.run().map(done),
         Command::Verify(verify) => verify.run().map(done),
         Command::Check(check) => check.run(),
         Command::Search(search) => search.run().map(done),

@@ -57,6 +57,11 @@ pub enum Math {
     Dollars,
 }
 
+/// Program and version, where they are asked for.
+pub fn stamp(asked: bool) -> Option<String> {
+    asked.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")))
+}
+
 impl Look {
     fn format(&self, format: Format) -> page::Format {
         match (format, self.math) {
@@ -70,8 +75,7 @@ impl Look {
 
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
-        let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
-        page::write(document, self.format(format), &Options { fragment: self.fragment, stamp })
+        page::write(document, self.format(format), &Options { fragment: self.fragment, stamp: stamp(self.stamp) })
     }
 
     /// Writes the files into the folder where one is named; says what was written.

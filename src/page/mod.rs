@@ -24,4 +24,4 @@ pub(crate) use text::phrase;
 pub use text::{Piece, Text};
 pub use tikz::tikz;
 pub use unit::Unit;
-pub use write::{File, Format, Math, Options, text_in, write};
+pub use write::{Alone, File, Format, Math, Options, text_in, write};

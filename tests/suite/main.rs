@@ -23,6 +23,7 @@ mod document_mutations;
 mod documents_verify;
 mod examples;
 mod families;
+mod figure_command;
 mod figures;
 mod firmness;
 mod fuzzed;

@@ -275,7 +275,7 @@ impl<'a> Composer<'a> {
 }
 
 /// A text without colours, as it is measured and searched.
-fn plain(text: &Text) -> String {
+pub(super) fn plain(text: &Text) -> String {
     let terminal = Terminal { width: usize::MAX, colour: false, unbroken: false };
     Composer::new(&terminal, &Options::default()).text(text)
 }

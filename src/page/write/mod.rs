@@ -1,5 +1,6 @@
 //! How does a document become files? A composer walks its blocks; a writer per format knows the signs.
 
+mod alone;
 mod columns;
 mod compose;
 mod html;
@@ -11,6 +12,7 @@ mod tex;
 
 use super::block::{Document, Picture};
 use super::text::Text;
+pub use alone::Alone;
 use compose::Composer;
 
 /// A file to be written: its name inside the folder, and its text.

@@ -11,9 +11,9 @@ pub(super) type Set = LazyLock<Tera>;
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
 
-/// One template per kind of block, and one for the document.
+/// One template per kind of block, one for the document, and what a format has besides.
 macro_rules! set {
-    ($folder:literal, $delimiters:expr) => {
+    ($folder:literal, [$($more:literal),*], $delimiters:expr) => {
         LazyLock::new(|| {
             load(
                 &[
@@ -27,6 +27,7 @@ macro_rules! set {
                     ("pictures", include_str!(concat!("../../../templates/", $folder, "/pictures"))),
                     ("table", include_str!(concat!("../../../templates/", $folder, "/table"))),
                     ("verbatim", include_str!(concat!("../../../templates/", $folder, "/verbatim"))),
+                    $(($more, include_str!(concat!("../../../templates/", $folder, "/", $more))),)*
                 ],
                 $delimiters,
             )
@@ -34,10 +35,10 @@ macro_rules! set {
     };
 }
 
-pub(super) static MARKDOWN: Set = set!("markdown", None);
-pub(super) static LATEX: Set = set!("latex", Some(angles()));
-pub(super) static HTML: Set = set!("html", None);
-pub(super) static TERMINAL: Set = set!("terminal", None);
+pub(super) static MARKDOWN: Set = set!("markdown", [], None);
+pub(super) static LATEX: Set = set!("latex", ["alone", "colours"], Some(angles()));
+pub(super) static HTML: Set = set!("html", [], None);
+pub(super) static TERMINAL: Set = set!("terminal", [], None);
 
 /// Delimiters that TeX does not use.
 fn angles() -> Delimiters {
