@@ -15,6 +15,7 @@ use crankstar::text::harmless;
 
 use super::failure::Failure;
 use super::masses::Masses;
+use super::notation::Notation;
 use super::sweep::Ranges;
 use super::{EngineAndOrders, folder, layouts, pages, write};
 
@@ -38,6 +39,8 @@ pub struct Figure {
     /// Name program and version in a comment
     #[arg(long)]
     stamp: bool,
+    #[command(flatten)]
+    notation: Notation,
     #[command(flatten)]
     masses: Masses,
     #[command(flatten, next_help_heading = "For the drawings of a sweep")]
@@ -76,7 +79,8 @@ impl Figure {
             let layout = layouts::shown(&self.about.layout);
             return Err(Failure::new(format!("`{layout}` has no figure `{}`; {there}", harmless(name))));
         };
-        let options = Options { stamp: pages::stamp(self.stamp), ..Options::default() };
+        let stamp = pages::stamp(self.stamp);
+        let options = Options { stamp, symbols: self.notation.read()?, ..Options::default() };
         let text = self.alone()?.write(&figure.picture, &options);
         match &self.output {
             None => write::to_stdout(&text),

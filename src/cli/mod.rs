@@ -13,6 +13,7 @@ mod layouts;
 mod list;
 mod loads;
 mod masses;
+mod notation;
 mod optimise;
 mod pages;
 mod progress;

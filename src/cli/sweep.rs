@@ -80,7 +80,7 @@ impl Sweep {
             Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
             format => {
                 let written = self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Markdown)))?;
-                write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep)) + &written))
+                write::to_stdout(&(self.look.shown(&report::sweep_answer(&sweep))? + &written))
             }
         }
     }
@@ -91,7 +91,7 @@ impl Sweep {
         let json =
             || Ok::<_, Failure>(File { name: "sweep.json".into(), text: super::json(&report::sweep_document(sweep))? });
         let page = |format: pages::Format| {
-            let mut files = self.look.files(&report::sweep_page(sweep), format);
+            let mut files = self.look.files(&report::sweep_page(sweep), format)?;
             files.extend([csv(), json()?]);
             Ok(files)
         };

@@ -53,6 +53,7 @@ mod reports;
 mod rooms;
 mod search;
 mod sweep;
+mod symbols;
 mod theorems;
 mod theory;
 mod thesis;

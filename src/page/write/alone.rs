@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::block::Picture;
 use super::super::svg::svg;
 use super::super::tikz::tikz;
-use super::compose::plain;
+use super::notation::plain;
 use super::{Options, templates};
 
 /// What one picture is written in.
@@ -22,9 +22,10 @@ pub enum Alone {
 impl Alone {
     /// The picture as a text.
     pub fn write(self, picture: &Picture, options: &Options) -> String {
+        let picture = &options.symbols.in_picture(picture);
         match self {
             Alone::Svg => {
-                let drawing = svg(&picture.figure, &plain(&picture.caption));
+                let drawing = svg(&picture.figure, &plain(&picture.caption, options));
                 let stamp = options.stamp.as_ref().map_or_else(String::new, |stamp| format!("<!-- {stamp} -->\n"));
                 drawing + &stamp
             }

@@ -7,13 +7,13 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
-use super::terminal::Terminal;
+use super::notation::plain;
 use super::{File, Options, Writer, templates};
 
 /// Writes one document.
 pub(super) struct Composer<'a> {
-    writer: &'a dyn Writer,
-    options: &'a Options,
+    pub writer: &'a dyn Writer,
+    pub options: &'a Options,
     /// Files that stand beside the main one.
     pub files: Vec<File>,
     /// What was folded, for formats that have it at the end.
@@ -52,7 +52,7 @@ struct Whole<'a> {
     stamp: Option<String>,
     fragment: bool,
     styles: &'a [&'static str],
-    scripts: &'a [&'static str],
+    scripts: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -87,7 +87,7 @@ impl<'a> Composer<'a> {
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
             title: self.text(&document.title),
-            plain_title: plain(&document.title),
+            plain_title: self.plain(&document.title),
             contents: self.headings.iter().filter(listed).collect(),
             before,
             body,
@@ -95,7 +95,7 @@ impl<'a> Composer<'a> {
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
             styles: &self.styles,
-            scripts: &self.scripts,
+            scripts: self.scripts.iter().map(|script| self.options.symbols.in_letters(script)).collect(),
         };
         self.fill("document", &whole)
     }
@@ -116,14 +116,14 @@ impl<'a> Composer<'a> {
         let words = |composer: &Self, text: &Text| Words { text: composer.writer.paragraph(composer.text(text)) };
         match block {
             Block::Heading(level, text) => {
-                let id = self.free_id(&plain(text));
+                let id = self.free_id(&plain(text, &Options::default()));
                 let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
             Block::Paragraph(text) => self.fill("paragraph", &words(self, text)),
             Block::Note(text) => self.fill("note", &words(self, text)),
-            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.writer.display(tex, *number) }),
+            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.display(tex, *number) }),
             Block::Answer(lines) => {
                 let items = lines.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("answer", &Items { items })
@@ -166,7 +166,7 @@ impl<'a> Composer<'a> {
             letters: [&table.header]
                 .into_iter()
                 .chain(&table.rows)
-                .map(|row| row.iter().map(|cell| Letters::of(&unbroken(cell))).collect())
+                .map(|row| row.iter().map(|cell| Letters::of(&self.unbroken(cell))).collect())
                 .collect(),
         };
         match self.writer.table(&cells) {
@@ -182,7 +182,8 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let (body, file) = self.writer.picture(picture, &plain(&picture.caption));
+            let renamed = self.options.symbols.in_picture(picture);
+            let (body, file) = self.writer.picture(&renamed, &self.plain(&picture.caption));
             self.files.extend(file);
             drawn.push(Drawn { body, caption: self.text(&picture.caption) });
         }
@@ -197,7 +198,7 @@ impl<'a> Composer<'a> {
             self.styles.push(live.style);
             self.scripts.push(live.script);
         }
-        live.body.clone()
+        self.options.symbols.in_plain_words(&live.body)
     }
 
     fn folded(&mut self, fold: &Fold) -> String {
@@ -223,26 +224,26 @@ impl<'a> Composer<'a> {
         let writer = self.writer;
         match piece {
             Piece::Phrase(words, values) => self.phrase(words, values),
-            Piece::Label(label) => writer.words(label),
+            Piece::Label(label) => self.words(label),
             Piece::Person(words) => writer.person(words),
             Piece::Number(number) => match number {
                 Number::Zero => writer.zero(),
-                Number::Exact(value) => writer.words(&number::number(value)),
+                Number::Exact(value) => self.words(&number::number(value)),
                 Number::Closed(form, decimal) => {
-                    let exact = writer.exact(&form.tex(), &form.to_string());
-                    format!("{exact} {}", writer.words(&number::approximate(*decimal)))
+                    let exact = self.exact(&form.tex(), &form.to_string());
+                    format!("{exact} {}", self.words(&number::approximate(*decimal)))
                 }
-                Number::Decimal(decimal) => writer.words(&number::approximate(*decimal)),
+                Number::Decimal(decimal) => self.words(&number::approximate(*decimal)),
             },
-            Piece::Form(form) => writer.exact(&form.tex(), &form.to_string()),
+            Piece::Form(form) => self.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
-                Some([tex, plain]) => format!("{} {}", writer.exact(&tex, &plain), writer.words(&bearing.degrees())),
-                None => writer.words(&bearing.degrees()),
+                Some([tex, plain]) => format!("{} {}", self.exact(&tex, &plain), self.words(&bearing.degrees())),
+                None => self.words(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                writer.words(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
+                self.words(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
             }
-            Piece::Formula(tex) => writer.formula(tex),
+            Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
         }
@@ -254,8 +255,8 @@ impl<'a> Composer<'a> {
         let mut bold: Option<String> = None;
         for mark in marks(words) {
             let set = match mark {
-                Mark::Words(words) => self.writer.words(words),
-                Mark::Formula(tex) => self.writer.formula(tex),
+                Mark::Words(words) => self.words(words),
+                Mark::Formula(tex) => self.formula(tex),
                 Mark::Place => values.next().map(|text| self.text(text)).unwrap_or_default(),
                 Mark::Bold => match bold.take() {
                     Some(inside) => {
@@ -272,18 +273,6 @@ impl<'a> Composer<'a> {
         }
         out + &bold.unwrap_or_default()
     }
-}
-
-/// A text without colours, as it is measured and searched.
-pub(super) fn plain(text: &Text) -> String {
-    let terminal = Terminal { width: usize::MAX, colour: false, unbroken: false };
-    Composer::new(&terminal, &Options::default()).text(text)
-}
-
-/// The same with what a line is not broken at as one word: the formulas.
-fn unbroken(text: &Text) -> String {
-    let terminal = Terminal { width: usize::MAX, colour: false, unbroken: true };
-    Composer::new(&terminal, &Options::default()).text(text)
 }
 
 /// The name of a heading, as code-hosting pages make it.

@@ -22,6 +22,11 @@ impl Writer for Latex {
         text::latex(words)
     }
 
+    /// Fonts of text lack most letters of formulas.
+    fn symbol(&self, tex: &str, _plain: &str) -> String {
+        format!("${tex}$")
+    }
+
     fn person(&self, words: &Untrusted) -> String {
         words.escaped(Format::Latex)
     }

@@ -6,11 +6,13 @@ mod compose;
 mod html;
 mod latex;
 mod markdown;
+mod notation;
 mod templates;
 mod terminal;
 mod tex;
 
 use super::block::{Document, Picture};
+use super::symbols::Symbols;
 use super::text::Text;
 pub use alone::Alone;
 use compose::Composer;
@@ -75,6 +77,8 @@ pub struct Options {
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,
+    /// What the reader calls the symbols.
+    pub symbols: Symbols,
 }
 
 /// The files of a document: the main one first.
@@ -100,6 +104,14 @@ trait Writer {
     fn templates(&self) -> &'static templates::Set;
     /// Plain words of the program.
     fn words(&self, words: &str) -> String;
+    /// A symbol by a name of the reader, in TeX and as plain text, among words.
+    fn symbol(&self, _tex: &str, plain: &str) -> String {
+        self.words(plain)
+    }
+    /// Whether formulas are set, and not read as plain text.
+    fn reads_tex(&self) -> bool {
+        true
+    }
     /// A person's words: nothing in them is markup.
     fn person(&self, words: &crate::text::Untrusted) -> String;
     /// A formula in the line, in TeX.

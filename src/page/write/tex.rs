@@ -1,5 +1,6 @@
 //! How does a formula read where there is no TeX? As plain text: `2√10`, `P₂⁺ = 0`, `½(|P⁺| + |P⁻|)`.
 
+use crate::page::symbols::letters::{accent, letter};
 use crate::text::SUPERSCRIPTS;
 
 /// A formula of this program as plain text.
@@ -89,9 +90,7 @@ impl Reader<'_> {
                 return format!("({above} over {below})");
             }
             "sqrt" => return format!("√{}", bracketed(&self.argument())),
-            "mathrm" | "text" | "textbf" | "mathbf" | "operatorname" => return self.argument(),
-            "hat" => return format!("{}\u{302}", self.argument()),
-            "check" => return format!("{}\u{30c}", self.argument()),
+            "text" | "textbf" | "operatorname" => return self.argument(),
             "ddot" => return format!("{}\u{308}", self.argument()),
             "tag" => return format!("  ({})", self.argument()),
             "pmod" => return format!(" (mod {})", self.argument()),
@@ -100,19 +99,6 @@ impl Reader<'_> {
                 return " ".to_owned();
             }
             "left" | "right" => return self.argument().replace('.', ""),
-            "alpha" => "α",
-            "beta" => "β",
-            "gamma" => "γ",
-            "delta" => "δ",
-            "Delta" => "Δ",
-            "varepsilon" | "epsilon" => "ε",
-            "theta" => "θ",
-            "lambda" => "λ",
-            "pi" => "π",
-            "psi" => "ψ",
-            "varphi" | "phi" => "φ",
-            "omega" => "ω",
-            "Sigma" => "Σ",
             "sum" => "Σ",
             "int" => "∫",
             "cdot" => "·",
@@ -137,7 +123,13 @@ impl Reader<'_> {
             "cos" | "sin" | "arctan" | "arccos" => {
                 return format!("{name}{}", if self.letters.get(self.at) == Some(&'(') { "" } else { " " });
             }
-            other => other,
+            // An open and a closed phi are one letter here.
+            "phi" => "φ",
+            "epsilon" => "ε",
+            other => match accent(other) {
+                Some(sign) => return format!("{}{sign}", self.argument()),
+                None => letter(other).unwrap_or(other),
+            },
         };
         sign.to_owned()
     }
