@@ -28,9 +28,15 @@ pub struct Look {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX without a preamble, as a piece of a document that is there
+    /// Write LaTeX without a preamble, as a piece of a document that is there, with captions and labels
     #[arg(long)]
     fragment: bool,
+    /// What the labels of the fragment begin with [default: the title]
+    #[arg(long, value_name = "PREFIX", requires = "fragment", value_parser = prefix)]
+    label: Option<String>,
+    /// Write quantities as \qty of the LaTeX package siunitx
+    #[arg(long)]
+    siunitx: bool,
     /// Name program and version at the foot of the page
     #[arg(long)]
     stamp: bool,
@@ -60,6 +66,15 @@ pub enum Math {
     Dollars,
 }
 
+/// What LaTeX takes in a label.
+fn prefix(text: &str) -> Result<String, String> {
+    let is_meant = |letter: char| letter.is_ascii_alphanumeric() || "-.:".contains(letter);
+    match !text.is_empty() && text.chars().all(is_meant) {
+        true => Ok(text.to_owned()),
+        false => Err("letters, digits, -, . and : such as v8".to_owned()),
+    }
+}
+
 /// Program and version, where they are asked for.
 pub fn stamp(asked: bool) -> Option<String> {
     asked.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")))
@@ -82,7 +97,13 @@ impl Look {
     }
 
     fn options(&self) -> Result<Options, Failure> {
-        Ok(Options { fragment: self.fragment, stamp: stamp(self.stamp), symbols: self.notation.read()? })
+        Ok(Options {
+            fragment: self.fragment,
+            stamp: stamp(self.stamp),
+            symbols: self.notation.read()?,
+            label: self.label.clone(),
+            siunitx: self.siunitx,
+        })
     }
 
     /// Writes the files into the folder where one is named; says what was written.

@@ -1,6 +1,6 @@
 //! Are the symbols of a page those of the reader: in formulas, in words, in drawings, and nowhere the old ones?
 
-use crankstar::file::{Layout, parse_layout};
+use crankstar::file::{Layout, parse, parse_layout};
 use crankstar::page::{self, Document, Format, Options, Symbols};
 use crankstar::{family, report};
 
@@ -41,7 +41,7 @@ fn symbols(text: &str) -> Symbols {
 }
 
 fn engine(text: &str) -> crankstar::engine::Engine {
-    parse_layout("layout.toml", text).expect("it reads").known().expect("an engine")
+    parse("layout.toml", text).expect("it reads")
 }
 
 fn pages() -> Vec<Document> {
@@ -124,7 +124,7 @@ fn a_name_that_is_none_is_told_with_its_place() {
         ("[symbols]\nbeta = [1]", "expected a text in quotes"),
         ("[symbols]\nzeta = \"x\"", "unknown key `zeta`"),
         ("[names]\nbeta = \"x\"", "unknown key `names`"),
-        ("[symbols", "this is not TOML"),
+        ("[symbols", "unclosed table"),
     ];
     for (text, words) in cases {
         let told = refused(text);

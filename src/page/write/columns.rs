@@ -2,11 +2,16 @@
 
 use serde::Serialize;
 
+use super::labels::Caption;
+
 /// A table whose cells are finished strings, and how long they are.
 #[derive(Serialize)]
 pub(super) struct Cells {
     pub header: Vec<String>,
     pub rows: Vec<Vec<String>>,
+    /// Above it, in a fragment.
+    #[serde(skip)]
+    pub caption: Option<Caption>,
     /// Which cells of the rows are no more than a proved zero.
     #[serde(skip)]
     pub zeros: Vec<Vec<bool>>,
@@ -43,6 +48,10 @@ pub(super) struct Part<'a> {
     size: &'static str,
     header: Vec<&'a str>,
     rows: Vec<Vec<&'a str>>,
+    /// Of the first part.
+    caption: Option<&'a Caption>,
+    /// Whether it goes on with a table that has a caption.
+    continued: bool,
 }
 
 /// A size of letters, with how many of them stand on a line.
@@ -63,6 +72,15 @@ const GAP: usize = 3;
 impl Cells {
     /// The table in parts that fit beside the first column, which each part repeats.
     pub fn parts(&self) -> Vec<Part<'_>> {
+        let mut parts = self.fitting();
+        for (index, part) in parts.iter_mut().enumerate() {
+            part.caption = self.caption.as_ref().filter(|_| index == 0);
+            part.continued = self.caption.is_some() && index > 0;
+        }
+        parts
+    }
+
+    fn fitting(&self) -> Vec<Part<'_>> {
         let all: Vec<usize> = (0..self.header.len()).collect();
         if let Some(part) = self.part(&all) {
             return vec![part];
@@ -114,6 +132,8 @@ impl Cells {
             size: size.name,
             header: columns.iter().map(|&at| self.header[at].as_str()).collect(),
             rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
+            caption: None,
+            continued: false,
         }
     }
 }

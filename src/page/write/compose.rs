@@ -7,6 +7,7 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
+use super::labels::{Caption, Labels};
 use super::notation::plain;
 use super::{File, Options, Writer, templates};
 
@@ -20,6 +21,8 @@ pub(super) struct Composer<'a> {
     folds: Vec<Folded>,
     /// Headings so far.
     headings: Vec<Heading>,
+    /// What a fragment is referred to by.
+    pub labels: Labels,
     /// What parts that move look like, and what moves them, each once.
     styles: Vec<&'static str>,
     scripts: Vec<&'static str>,
@@ -32,6 +35,8 @@ struct Heading {
     /// The name that links lead to.
     id: String,
     number: usize,
+    /// The label of a fragment.
+    label: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -39,6 +44,8 @@ struct Folded {
     number: usize,
     summary: String,
     body: String,
+    /// The label of a fragment.
+    label: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -51,6 +58,7 @@ struct Whole<'a> {
     folds: &'a [Folded],
     stamp: Option<String>,
     fragment: bool,
+    siunitx: bool,
     styles: &'a [&'static str],
     scripts: Vec<String>,
 }
@@ -59,6 +67,8 @@ struct Whole<'a> {
 struct Drawn {
     body: String,
     caption: String,
+    /// The label of a fragment.
+    label: Option<String>,
 }
 
 impl<'a> Composer<'a> {
@@ -69,6 +79,7 @@ impl<'a> Composer<'a> {
             files: Vec::new(),
             folds: Vec::new(),
             headings: Vec::new(),
+            labels: Labels::default(),
             styles: Vec::new(),
             scripts: Vec::new(),
         }
@@ -80,6 +91,9 @@ impl<'a> Composer<'a> {
 
     /// The main file.
     pub fn document(&mut self, document: &Document) -> String {
+        if self.options.fragment && self.writer.has_labels() {
+            self.labels = Labels::of_fragment(document, self.text(&document.title), self.options);
+        }
         let first = document.blocks.iter().position(|block| matches!(block, Block::Heading(..)));
         let (before, rest) = document.blocks.split_at(first.unwrap_or(document.blocks.len()));
         let before = self.blocks(before);
@@ -94,6 +108,7 @@ impl<'a> Composer<'a> {
             folds: &self.folds,
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
+            siunitx: self.options.siunitx,
             styles: &self.styles,
             scripts: self.scripts.iter().map(|script| self.options.symbols.in_letters(script)).collect(),
         };
@@ -101,7 +116,12 @@ impl<'a> Composer<'a> {
     }
 
     fn blocks(&mut self, blocks: &[Block]) -> String {
-        blocks.iter().map(|block| self.block(block)).collect()
+        let set = |block| {
+            let set = self.block(block);
+            self.labels.lead(matches!(block, Block::Paragraph(_)).then_some(&set));
+            set
+        };
+        blocks.iter().map(set).collect()
     }
 
     fn block(&mut self, block: &Block) -> String {
@@ -116,14 +136,20 @@ impl<'a> Composer<'a> {
         let words = |composer: &Self, text: &Text| Words { text: composer.writer.paragraph(composer.text(text)) };
         match block {
             Block::Heading(level, text) => {
-                let id = self.free_id(&plain(text, &Options::default()));
-                let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
+                let name = plain(text, &Options::default());
+                let (text, number) = (self.text(text), self.headings.len() + 1);
+                self.labels.topic(&text, name.clone());
+                let label = self.labels.label("sec", &name);
+                let heading = Heading { level: *level, text, id: self.free_id(&name), number, label };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
             Block::Paragraph(text) => self.fill("paragraph", &words(self, text)),
             Block::Note(text) => self.fill("note", &words(self, text)),
-            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.display(tex, *number) }),
+            Block::Formula(tex, number) => {
+                let text = self.display(tex, *number);
+                self.fill("paragraph", &Words { text })
+            }
             Block::Answer(lines) => {
                 let items = lines.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("answer", &Items { items })
@@ -132,7 +158,10 @@ impl<'a> Composer<'a> {
                 let items = items.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("list", &Items { items })
             }
-            Block::Table(table) => self.table(table),
+            Block::Table(table) => {
+                let caption = self.labels.caption();
+                self.table(table, caption)
+            }
             Block::Pictures(pictures) => self.pictures(pictures),
             Block::Folded(fold) => self.folded(fold),
             Block::Live(live) => self.live(live),
@@ -157,11 +186,12 @@ impl<'a> Composer<'a> {
         if taken == 0 { id } else { format!("{id}-{taken}") }
     }
 
-    fn table(&self, table: &Table) -> String {
+    fn table(&self, table: &Table, caption: Option<Caption>) -> String {
         let set = |cells: &[Text]| cells.iter().map(|cell| self.text(cell)).collect::<Vec<_>>();
         let cells = Cells {
             header: set(&table.header),
             rows: table.rows.iter().map(|row| set(row)).collect(),
+            caption,
             zeros: table.rows.iter().map(|row| row.iter().map(Text::is_zero).collect()).collect(),
             letters: [&table.header]
                 .into_iter()
@@ -185,7 +215,8 @@ impl<'a> Composer<'a> {
             let renamed = self.options.symbols.in_picture(picture);
             let (body, file) = self.writer.picture(&renamed, &self.plain(&picture.caption));
             self.files.extend(file);
-            drawn.push(Drawn { body, caption: self.text(&picture.caption) });
+            let label = self.labels.label("fig", &picture.name);
+            drawn.push(Drawn { body, caption: self.text(&picture.caption), label });
         }
         self.fill("pictures", &Beside { pictures: drawn })
     }
@@ -202,12 +233,13 @@ impl<'a> Composer<'a> {
     }
 
     fn folded(&mut self, fold: &Fold) -> String {
-        let folded = Folded {
-            summary: self.text(&fold.summary),
-            body: self.blocks(&fold.blocks),
-            // What is folded inside has its number by now.
-            number: self.folds.len() + 1,
-        };
+        let (summary, name) = (self.text(&fold.summary), plain(&fold.summary, &Options::default()));
+        let label = self.labels.label("sec", &name);
+        self.labels.enter(&summary, name);
+        let body = self.blocks(&fold.blocks);
+        self.labels.leave();
+        // What is folded inside has its number by now.
+        let folded = Folded { summary, body, number: self.folds.len() + 1, label };
         let here = self.fill("folded", &folded);
         if self.writer.folds_at_end() {
             self.folds.push(folded);
@@ -241,7 +273,8 @@ impl<'a> Composer<'a> {
                 None => self.words(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                self.words(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
+                let set = self.options.siunitx.then(|| writer.quantity(*value, *unit)).flatten();
+                set.unwrap_or_else(|| self.words(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
             }
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),

@@ -2,6 +2,7 @@
 
 use super::super::block::Picture;
 use super::super::tikz::tikz;
+use super::super::{Unit, number};
 use super::columns::Cells;
 use super::{File, Writer, templates};
 use crate::text::{self, Format, Untrusted};
@@ -65,6 +66,14 @@ impl Writer for Latex {
     fn table(&self, cells: &Cells) -> Option<String> {
         let parts = cells.parts();
         Some(parts.iter().map(|part| templates::fill(self.templates(), "table", part)).collect())
+    }
+
+    fn quantity(&self, value: f64, unit: Unit) -> Option<String> {
+        unit.siunitx().map(|commands| format!("\\qty{{{}}}{{{commands}}}", number::in_ascii(value)))
+    }
+
+    fn has_labels(&self) -> bool {
+        true
     }
 
     fn folds_at_end(&self) -> bool {

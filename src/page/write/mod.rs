@@ -4,6 +4,7 @@ mod alone;
 mod columns;
 mod compose;
 mod html;
+mod labels;
 mod latex;
 mod markdown;
 mod notation;
@@ -12,6 +13,7 @@ mod terminal;
 mod tex;
 
 use super::block::{Document, Picture};
+use super::Unit;
 use super::symbols::Symbols;
 use super::text::Text;
 pub use alone::Alone;
@@ -79,6 +81,10 @@ pub struct Options {
     pub stamp: Option<String>,
     /// What the reader calls the symbols.
     pub symbols: Symbols,
+    /// What the labels of a fragment begin with; else its title.
+    pub label: Option<String>,
+    /// Whether quantities in LaTeX are left to siunitx.
+    pub siunitx: bool,
 }
 
 /// The files of a document: the main one first.
@@ -139,6 +145,14 @@ trait Writer {
     /// A table whole, where templates cannot set it.
     fn table(&self, _table: &columns::Cells) -> Option<String> {
         None
+    }
+    /// A quantity as a package of the format sets it, where there is one.
+    fn quantity(&self, _value: f64, _unit: Unit) -> Option<String> {
+        None
+    }
+    /// Whether a fragment has labels and captions.
+    fn has_labels(&self) -> bool {
+        false
     }
     /// A paragraph, broken into lines where the format does not do so itself.
     fn paragraph(&self, text: String) -> String {

@@ -22,8 +22,13 @@ impl Composer<'_> {
     }
 
     /// A formula on a line of its own.
-    pub(super) fn display(&self, tex: &str, number: Option<u32>) -> String {
-        self.writer.display(&self.in_notation(tex), number)
+    pub(super) fn display(&mut self, tex: &str, number: Option<u32>) -> String {
+        let label = number.and_then(|number| self.labels.label("eq", &number.to_string()));
+        let tex = self.in_notation(tex);
+        match label {
+            Some(label) => self.writer.display(&format!("{tex} \\label{{{label}}}"), number),
+            None => self.writer.display(&tex, number),
+        }
     }
 
     /// What is exact, in TeX and as plain text.
