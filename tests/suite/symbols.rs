@@ -50,11 +50,7 @@ fn pages() -> Vec<Document> {
     let open = include_str!("../../reports/families/v6-split-pins/layout.toml");
     let Layout::Open(open) = parse_layout("layout.toml", open).expect("it reads") else { panic!("it is a family") };
     let verdicts = family::classify(&open, open.orders()).expect("orders");
-    vec![
-        document(&engine(with_numbers)),
-        document(&engine(with_torque)),
-        report::family_page(&open, &verdicts, true),
-    ]
+    vec![document(&engine(with_numbers)), document(&engine(with_torque)), report::family_page(&open, &verdicts, true)]
 }
 
 /// A page up to the file of the person, which nobody renames.
@@ -71,7 +67,10 @@ fn no_old_symbol_is_left_on_a_page_in_any_format() {
             for file in page::write(&page, format, &options) {
                 let place = |old: &str| {
                     let at = file.text.find(old)?;
-                    Some(file.text[..at].lines().last().unwrap_or_default().to_owned() + &file.text[at..].chars().take(40).collect::<String>())
+                    Some(
+                        file.text[..at].lines().last().unwrap_or_default().to_owned()
+                            + &file.text[at..].chars().take(40).collect::<String>(),
+                    )
                 };
                 for old in OLD.into_iter().chain(OLD_TEX).chain(OLD_INDEXED) {
                     assert_eq!(place(old), None, "{old} in {} as {format:?}", file.name);

@@ -102,7 +102,11 @@ fn symbols(source: &str) -> Result<Symbols, LayoutError> {
     for (index, (symbol, name)) in renamed.iter().enumerate() {
         let place = given.iter().find(|(key, _)| *key == symbol.key).and_then(|(_, given)| place(given));
         let twice = |other: &str, right: String| {
-            Err(LayoutError::new(format!("`{}` would be the name of {} and of {other}", name.tex, symbol.key), right, place.clone()))
+            Err(LayoutError::new(
+                format!("`{}` would be the name of {} and of {other}", name.tex, symbol.key),
+                right,
+                place.clone(),
+            ))
         };
         if let Some((other, _)) = renamed[..index].iter().find(|(_, other)| other == name) {
             return twice(other.key, format!("{} has it already", other.key));
@@ -144,6 +148,8 @@ fn name(symbol: Symbol, given: &Spanned<Given>) -> Result<Name, LayoutError> {
     let text = if symbol.has_index { without_index(text.trim()) } else { text.trim().to_owned() };
     match is_plain(&text) && text.chars().count() <= LONGEST {
         true => Ok(Name { tex: bare, plain: text }),
-        false => wrong(format!("`{text}` cannot stand for a symbol in words"), "at most eight letters and digits, such as ψ"),
+        false => {
+            wrong(format!("`{text}` cannot stand for a symbol in words"), "at most eight letters and digits, such as ψ")
+        }
     }
 }

@@ -7,7 +7,7 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
-use super::labels::{Caption, Labels};
+use super::labels::{Caption, Labels, short};
 use super::notation::plain;
 use super::{File, Options, Writer, templates};
 
@@ -67,6 +67,8 @@ struct Whole<'a> {
 struct Drawn {
     body: String,
     caption: String,
+    /// Its first sentence, where there are more.
+    short: Option<String>,
     /// The label of a fragment.
     label: Option<String>,
 }
@@ -216,7 +218,8 @@ impl<'a> Composer<'a> {
             let (body, file) = self.writer.picture(&renamed, &self.plain(&picture.caption));
             self.files.extend(file);
             let label = self.labels.label("fig", &picture.name);
-            drawn.push(Drawn { body, caption: self.text(&picture.caption), label });
+            let caption = self.text(&picture.caption);
+            drawn.push(Drawn { body, short: short(&caption).map(str::to_owned), caption, label });
         }
         self.fill("pictures", &Beside { pictures: drawn })
     }

@@ -89,6 +89,13 @@ impl Labels {
     }
 }
 
+/// The first sentence of a caption, for a list of figures.
+pub(super) fn short(caption: &str) -> Option<&str> {
+    let (first, _) = caption.split_once(". ")?;
+    let is_whole = first.matches('$').count() % 2 == 0 && first.matches('{').count() == first.matches('}').count();
+    is_whole.then_some(first)
+}
+
 /// Letters and digits with hyphens between them.
 fn slug(text: &str) -> String {
     let lower = text.to_lowercase();

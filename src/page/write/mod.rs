@@ -12,8 +12,8 @@ mod templates;
 mod terminal;
 mod tex;
 
-use super::block::{Document, Picture};
 use super::Unit;
+use super::block::{Document, Picture};
 use super::symbols::Symbols;
 use super::text::Text;
 pub use alone::Alone;
