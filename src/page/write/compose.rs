@@ -7,6 +7,7 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
+use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
 use super::labels::{Caption, Labels, short};
 use super::notation::plain;
 use super::{File, Options, Writer, templates};
@@ -26,51 +27,6 @@ pub(super) struct Composer<'a> {
     /// What parts that move look like, and what moves them, each once.
     styles: Vec<&'static str>,
     scripts: Vec<&'static str>,
-}
-
-#[derive(Clone, Serialize)]
-struct Heading {
-    level: u8,
-    text: String,
-    /// The name that links lead to.
-    id: String,
-    number: usize,
-    /// The label of a fragment.
-    label: Option<String>,
-}
-
-#[derive(Serialize)]
-struct Folded {
-    number: usize,
-    summary: String,
-    body: String,
-    /// The label of a fragment.
-    label: Option<String>,
-}
-
-#[derive(Serialize)]
-struct Whole<'a> {
-    title: String,
-    plain_title: String,
-    contents: Vec<&'a Heading>,
-    before: String,
-    body: String,
-    folds: &'a [Folded],
-    stamp: Option<String>,
-    fragment: bool,
-    siunitx: bool,
-    styles: &'a [&'static str],
-    scripts: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Drawn {
-    body: String,
-    caption: String,
-    /// Its first sentence, where there are more.
-    short: Option<String>,
-    /// The label of a fragment.
-    label: Option<String>,
 }
 
 impl<'a> Composer<'a> {
@@ -309,18 +265,4 @@ impl<'a> Composer<'a> {
         }
         out + &bold.unwrap_or_default()
     }
-}
-
-/// The name of a heading, as code-hosting pages make it.
-fn id(heading: &str) -> String {
-    let kept = heading.to_lowercase();
-    let kept = kept.chars().filter(|letter| letter.is_alphanumeric() || " -_".contains(*letter));
-    kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
-}
-
-/// Backticks that no run in the file is as long as.
-fn fence(lines: &[String]) -> String {
-    let runs = lines.iter().flat_map(|line| line.split(|letter| letter != '`'));
-    let longest = runs.map(str::len).max().unwrap_or(0);
-    "`".repeat((longest + 1).max(3))
 }

@@ -3,6 +3,7 @@
 mod alone;
 mod columns;
 mod compose;
+mod filled;
 mod html;
 mod labels;
 mod latex;
