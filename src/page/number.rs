@@ -8,7 +8,7 @@ use crate::numbers::{self, Direction, Form};
 use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
-const MOST_PLACES: usize = 4;
+const MOST_PLACES: usize = 6;
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
 /// The longest fraction that is shown as one.

@@ -156,8 +156,8 @@ pub fn torque_summary(of: &TorqueVerdict) -> String {
 }
 
 /// What the summaries are counted in.
-pub(super) const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
-                          times the unit of the positions; exact but after ≈.";
+pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless it stands after ≈: forces in \
+                          m r ω² c_k, moments in that times the unit of the positions.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {

@@ -32,6 +32,7 @@ mod fuzzed;
 mod grigoryev;
 mod ground_truth;
 mod hard_cases;
+mod help;
 mod hostile_text;
 mod largest;
 mod layout_files;

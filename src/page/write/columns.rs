@@ -70,9 +70,13 @@ const TEXT_WIDTH: f64 = 166.0;
 const GAP: usize = 3;
 
 impl Cells {
-    /// The table in parts that fit beside the first column, which each part repeats.
+    /// The table in parts for print, each in the largest letters in which it fits.
     pub fn parts(&self) -> Vec<Part<'_>> {
-        let mut parts = self.fitting();
+        let bands = self.bands(|columns| self.part(columns).is_some());
+        let set = |columns: Vec<usize>| {
+            self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns)))
+        };
+        let mut parts: Vec<Part> = bands.into_iter().map(set).collect();
         for (index, part) in parts.iter_mut().enumerate() {
             part.caption = self.caption.as_ref().filter(|_| index == 0);
             part.continued = self.caption.is_some() && index > 0;
@@ -80,35 +84,49 @@ impl Cells {
         parts
     }
 
-    fn fitting(&self) -> Vec<Part<'_>> {
+    /// The columns of each part for a line of so many letters, and how wide they are; `gap` letters stand with each.
+    pub fn lines(&self, width: usize, gap: usize) -> Vec<Vec<(usize, usize)>> {
+        let room = |columns: &[usize]| width.saturating_sub(gap * columns.len());
+        let bands = self.bands(|columns| self.least(columns).iter().sum::<usize>() <= room(columns));
+        let set = |columns: Vec<usize>| {
+            let widths = shared(&self.natural(&columns), &self.least(&columns), room(&columns));
+            columns.into_iter().zip(widths).collect()
+        };
+        bands.into_iter().map(set).collect()
+    }
+
+    /// The columns in parts that fit, each with the first column before it.
+    fn bands(&self, fits: impl Fn(&[usize]) -> bool) -> Vec<Vec<usize>> {
         let all: Vec<usize> = (0..self.header.len()).collect();
-        if let Some(part) = self.part(&all) {
-            return vec![part];
+        let [first, rest @ ..] = all.as_slice() else { return Vec::new() };
+        if rest.is_empty() || fits(&all) {
+            return vec![all];
         }
-        let mut parts = Vec::new();
-        let mut rest = &all[1..];
+        let mut rest = rest;
+        let mut bands = Vec::new();
         while !rest.is_empty() {
-            let with_first = |count: usize| [&all[..1], &rest[..count]].concat();
-            let fitting = (1..=rest.len()).rev().find(|&count| self.part(&with_first(count)).is_some());
-            let count = fitting.unwrap_or(1);
-            let columns = with_first(count);
-            parts.push(self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns))));
+            let with_first = |count: usize| [&[*first], &rest[..count]].concat();
+            let count = (1..=rest.len()).rev().find(|&count| fits(&with_first(count))).unwrap_or(1);
+            bands.push(with_first(count));
             rest = &rest[count..];
         }
-        parts
+        bands
     }
 
     /// Some columns in the largest letters in which they fit.
     fn part(&self, columns: &[usize]) -> Option<Part<'_>> {
-        let natural = self.natural(columns);
-        let least = self.widest(columns, |letters| letters.longest);
+        let (natural, least) = (self.natural(columns), self.least(columns));
         let room = |size: &Size| size.capacity.saturating_sub(GAP * columns.len());
-        let whole = [&SMALL, &SMALLER].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
+        let whole = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
         if let Some(size) = whole {
             return Some(self.set(columns, size, &natural));
         }
         let broken = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| least.iter().sum::<usize>() <= room(size));
         broken.map(|size| self.set(columns, size, &shared(&natural, &least, room(size))))
+    }
+
+    fn least(&self, columns: &[usize]) -> Vec<usize> {
+        self.widest(columns, |letters| letters.longest)
     }
 
     fn natural(&self, columns: &[usize]) -> Vec<usize> {

@@ -58,8 +58,8 @@ impl<'a> Composer<'a> {
         let body = self.blocks(rest);
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
-            title: self.text(&document.title),
-            plain_title: self.plain(&document.title),
+            title: self.writer.paragraph(self.text(&document.title)),
+            plain_title: self.writer.words(&self.plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),
             before,
             body,
@@ -95,7 +95,7 @@ impl<'a> Composer<'a> {
         match block {
             Block::Heading(level, text) => {
                 let name = plain(text, &Options::default());
-                let (text, number) = (self.text(text), self.headings.len() + 1);
+                let (text, number) = (self.writer.paragraph(self.text(text)), self.headings.len() + 1);
                 self.labels.topic(&text, name.clone());
                 let label = self.labels.label("sec", &name);
                 let heading = Heading { level: *level, text, id: self.free_id(&name), number, label };
@@ -171,7 +171,7 @@ impl<'a> Composer<'a> {
         let mut drawn = Vec::new();
         for picture in pictures {
             let renamed = self.options.symbols.in_picture(picture);
-            let (body, file) = self.writer.picture(&renamed, &self.plain(&picture.caption));
+            let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
             self.files.extend(file);
             let label = self.labels.label("fig", &picture.name);
             let caption = self.text(&picture.caption);
@@ -265,4 +265,9 @@ impl<'a> Composer<'a> {
         }
         out + &bold.unwrap_or_default()
     }
+}
+
+/// What a picture is called where it is not seen.
+fn first_sentence(caption: &str) -> &str {
+    caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
 }
