@@ -9,6 +9,7 @@ use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
 use super::terminal::Terminal;
 use super::{File, Options, Writer, templates};
+use crate::text;
 
 /// Writes one document.
 pub(super) struct Composer<'a> {
@@ -144,7 +145,8 @@ impl<'a> Composer<'a> {
                     lines: Vec<String>,
                     fence: String,
                 }
-                let lines = self.writer.verbatim(file);
+                let file = text::harmless_lines(file.written()).replace('\t', "    ");
+                let lines: Vec<String> = file.lines().map(|line| self.writer.line(line)).collect();
                 let fence = fence(&lines);
                 self.fill("verbatim", &Verbatim { language, lines, fence })
             }
