@@ -25,6 +25,7 @@ mod examples;
 mod families;
 mod figures;
 mod firmness;
+mod formulas;
 mod fuzzed;
 mod grigoryev;
 mod ground_truth;

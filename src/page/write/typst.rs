@@ -148,5 +148,9 @@ fn inner(nodes: &[Node]) -> String {
 
 /// A sign that is no more than a sign.
 fn sign(sign: char) -> String {
-    if sign.is_ascii_punctuation() { format!("\\{sign}") } else { sign.to_string() }
+    match sign {
+        '+' | '=' => sign.to_string(),
+        _ if sign.is_ascii_punctuation() => format!("\\{sign}"),
+        _ => sign.to_string(),
+    }
 }
