@@ -27,6 +27,15 @@ impl Document {
     pub fn push(&mut self, block: impl Into<Block>) {
         self.blocks.push(block.into());
     }
+
+    /// All its pictures, those on folds too, in order.
+    pub fn pictures(&self) -> Vec<&Picture> {
+        pictures(&self.blocks)
+    }
+}
+
+fn pictures(blocks: &[Block]) -> Vec<&Picture> {
+    blocks.iter().flat_map(Block::pictures).collect()
 }
 
 /// A part of a document.
@@ -54,6 +63,24 @@ pub enum Block {
     Live(Live),
     /// A person's file as it stands, in a language.
     Verbatim(&'static str, Untrusted),
+}
+
+impl Block {
+    fn pictures(&self) -> Vec<&Picture> {
+        match self {
+            Block::Pictures(drawn) => drawn.iter().collect(),
+            Block::Folded(fold) => pictures(&fold.blocks),
+            Block::Heading(..)
+            | Block::Paragraph(_)
+            | Block::Answer(_)
+            | Block::Table(_)
+            | Block::Formula(..)
+            | Block::List(_)
+            | Block::Note(_)
+            | Block::Live(_)
+            | Block::Verbatim(..) => Vec::new(),
+        }
+    }
 }
 
 /// A part in HTML that moves by a script; formats without scripts leave it out.

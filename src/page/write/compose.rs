@@ -7,59 +7,27 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
-use super::terminal::Terminal;
+use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
+use super::labels::{Caption, Labels, short};
+use super::notation::plain;
 use super::{File, Options, Writer, templates};
 use crate::text;
 
 /// Writes one document.
 pub(super) struct Composer<'a> {
-    writer: &'a dyn Writer,
-    options: &'a Options,
+    pub writer: &'a dyn Writer,
+    pub options: &'a Options,
     /// Files that stand beside the main one.
     pub files: Vec<File>,
     /// What was folded, for formats that have it at the end.
     folds: Vec<Folded>,
     /// Headings so far.
     headings: Vec<Heading>,
+    /// What a fragment is referred to by.
+    pub labels: Labels,
     /// What parts that move look like, and what moves them, each once.
     styles: Vec<&'static str>,
     scripts: Vec<&'static str>,
-}
-
-#[derive(Clone, Serialize)]
-struct Heading {
-    level: u8,
-    text: String,
-    /// The name that links lead to.
-    id: String,
-    number: usize,
-}
-
-#[derive(Serialize)]
-struct Folded {
-    number: usize,
-    summary: String,
-    body: String,
-}
-
-#[derive(Serialize)]
-struct Whole<'a> {
-    title: String,
-    plain_title: String,
-    contents: Vec<&'a Heading>,
-    before: String,
-    body: String,
-    folds: &'a [Folded],
-    stamp: Option<String>,
-    fragment: bool,
-    styles: &'a [&'static str],
-    scripts: &'a [&'static str],
-}
-
-#[derive(Serialize)]
-struct Drawn {
-    body: String,
-    caption: String,
 }
 
 impl<'a> Composer<'a> {
@@ -70,6 +38,7 @@ impl<'a> Composer<'a> {
             files: Vec::new(),
             folds: Vec::new(),
             headings: Vec::new(),
+            labels: Labels::default(),
             styles: Vec::new(),
             scripts: Vec::new(),
         }
@@ -81,6 +50,9 @@ impl<'a> Composer<'a> {
 
     /// The main file.
     pub fn document(&mut self, document: &Document) -> String {
+        if self.options.fragment && self.writer.has_labels() {
+            self.labels = Labels::of_fragment(document, self.text(&document.title), self.options);
+        }
         let first = document.blocks.iter().position(|block| matches!(block, Block::Heading(..)));
         let (before, rest) = document.blocks.split_at(first.unwrap_or(document.blocks.len()));
         let before = self.blocks(before);
@@ -88,21 +60,27 @@ impl<'a> Composer<'a> {
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
             title: self.writer.paragraph(self.text(&document.title)),
-            plain_title: self.writer.words(&plain(&document.title)),
+            plain_title: self.writer.words(&self.plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),
             before,
             body,
             folds: &self.folds,
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
+            siunitx: self.options.siunitx,
             styles: &self.styles,
-            scripts: &self.scripts,
+            scripts: self.scripts.iter().map(|script| self.options.symbols.in_letters(script)).collect(),
         };
         self.fill("document", &whole)
     }
 
     fn blocks(&mut self, blocks: &[Block]) -> String {
-        blocks.iter().map(|block| self.block(block)).collect()
+        let set = |block| {
+            let set = self.block(block);
+            self.labels.lead(matches!(block, Block::Paragraph(_)).then_some(&set));
+            set
+        };
+        blocks.iter().map(set).collect()
     }
 
     fn block(&mut self, block: &Block) -> String {
@@ -117,15 +95,20 @@ impl<'a> Composer<'a> {
         let words = |composer: &Self, text: &Text| Words { text: composer.writer.paragraph(composer.text(text)) };
         match block {
             Block::Heading(level, text) => {
-                let id = self.free_id(&plain(text));
-                let text = self.writer.paragraph(self.text(text));
-                let heading = Heading { level: *level, text, id, number: self.headings.len() + 1 };
+                let name = plain(text, &Options::default());
+                let (text, number) = (self.writer.paragraph(self.text(text)), self.headings.len() + 1);
+                self.labels.topic(&text, name.clone());
+                let label = self.labels.label("sec", &name);
+                let heading = Heading { level: *level, text, id: self.free_id(&name), number, label };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
             Block::Paragraph(text) => self.fill("paragraph", &words(self, text)),
             Block::Note(text) => self.fill("note", &words(self, text)),
-            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.writer.display(tex, *number) }),
+            Block::Formula(tex, number) => {
+                let text = self.display(tex, *number);
+                self.fill("paragraph", &Words { text })
+            }
             Block::Answer(lines) => {
                 let items = lines.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("answer", &Items { items })
@@ -134,7 +117,10 @@ impl<'a> Composer<'a> {
                 let items = items.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("list", &Items { items })
             }
-            Block::Table(table) => self.table(table),
+            Block::Table(table) => {
+                let caption = self.labels.caption();
+                self.table(table, caption)
+            }
             Block::Pictures(pictures) => self.pictures(pictures),
             Block::Folded(fold) => self.folded(fold),
             Block::Live(live) => self.live(live),
@@ -160,16 +146,17 @@ impl<'a> Composer<'a> {
         if taken == 0 { id } else { format!("{id}-{taken}") }
     }
 
-    fn table(&self, table: &Table) -> String {
+    fn table(&self, table: &Table, caption: Option<Caption>) -> String {
         let set = |cells: &[Text]| cells.iter().map(|cell| self.text(cell)).collect::<Vec<_>>();
         let cells = Cells {
             header: set(&table.header),
             rows: table.rows.iter().map(|row| set(row)).collect(),
+            caption,
             zeros: table.rows.iter().map(|row| row.iter().map(Text::is_zero).collect()).collect(),
             letters: [&table.header]
                 .into_iter()
                 .chain(&table.rows)
-                .map(|row| row.iter().map(|cell| Letters::of(&unbroken(cell))).collect())
+                .map(|row| row.iter().map(|cell| Letters::of(&self.unbroken(cell))).collect())
                 .collect(),
         };
         match self.writer.table(&cells) {
@@ -185,9 +172,12 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let (body, file) = self.writer.picture(picture, first_sentence(&plain(&picture.caption)));
+            let renamed = self.options.symbols.in_picture(picture);
+            let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
             self.files.extend(file);
-            drawn.push(Drawn { body, caption: self.text(&picture.caption) });
+            let label = self.labels.label("fig", &picture.name);
+            let caption = self.text(&picture.caption);
+            drawn.push(Drawn { body, short: short(&caption).map(str::to_owned), caption, label });
         }
         self.fill("pictures", &Beside { pictures: drawn })
     }
@@ -200,16 +190,17 @@ impl<'a> Composer<'a> {
             self.styles.push(live.style);
             self.scripts.push(live.script);
         }
-        live.body.clone()
+        self.options.symbols.in_plain_words(&live.body)
     }
 
     fn folded(&mut self, fold: &Fold) -> String {
-        let folded = Folded {
-            summary: self.text(&fold.summary),
-            body: self.blocks(&fold.blocks),
-            // What is folded inside has its number by now.
-            number: self.folds.len() + 1,
-        };
+        let (summary, name) = (self.text(&fold.summary), plain(&fold.summary, &Options::default()));
+        let label = self.labels.label("sec", &name);
+        self.labels.enter(&summary, name);
+        let body = self.blocks(&fold.blocks);
+        self.labels.leave();
+        // What is folded inside has its number by now.
+        let folded = Folded { summary, body, number: self.folds.len() + 1, label };
         let here = self.fill("folded", &folded);
         if self.writer.folds_at_end() {
             self.folds.push(folded);
@@ -226,26 +217,27 @@ impl<'a> Composer<'a> {
         let writer = self.writer;
         match piece {
             Piece::Phrase(words, values) => self.phrase(words, values),
-            Piece::Label(label) => writer.words(label),
+            Piece::Label(label) => self.words(label),
             Piece::Person(words) => writer.person(words),
             Piece::Number(number) => match number {
                 Number::Zero => writer.zero(),
-                Number::Exact(value) => writer.words(&number::number(value)),
+                Number::Exact(value) => self.words(&number::number(value)),
                 Number::Closed(form, decimal) => {
-                    let exact = writer.exact(&form.tex(), &form.to_string());
-                    format!("{exact} {}", writer.words(&number::approximate(*decimal)))
+                    let exact = self.exact(&form.tex(), &form.to_string());
+                    format!("{exact} {}", self.words(&number::approximate(*decimal)))
                 }
-                Number::Decimal(decimal) => writer.words(&number::approximate(*decimal)),
+                Number::Decimal(decimal) => self.words(&number::approximate(*decimal)),
             },
-            Piece::Form(form) => writer.exact(&form.tex(), &form.to_string()),
+            Piece::Form(form) => self.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
-                Some([tex, plain]) => format!("{} {}", writer.exact(&tex, &plain), writer.words(&bearing.degrees())),
-                None => writer.words(&bearing.degrees()),
+                Some([tex, plain]) => format!("{} {}", self.exact(&tex, &plain), self.words(&bearing.degrees())),
+                None => self.words(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                writer.words(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
+                let set = self.options.siunitx.then(|| writer.quantity(*value, *unit)).flatten();
+                set.unwrap_or_else(|| self.words(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
             }
-            Piece::Formula(tex) => writer.formula(tex),
+            Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
         }
@@ -257,8 +249,8 @@ impl<'a> Composer<'a> {
         let mut bold: Option<String> = None;
         for mark in marks(words) {
             let set = match mark {
-                Mark::Words(words) => self.writer.words(words),
-                Mark::Formula(tex) => self.writer.formula(tex),
+                Mark::Words(words) => self.words(words),
+                Mark::Formula(tex) => self.formula(tex),
                 Mark::Place => values.next().map(|text| self.text(text)).unwrap_or_default(),
                 Mark::Bold => match bold.take() {
                     Some(inside) => {
@@ -277,33 +269,7 @@ impl<'a> Composer<'a> {
     }
 }
 
-/// A text without colours, as it is measured and searched.
-fn plain(text: &Text) -> String {
-    let terminal = Terminal { width: usize::MAX, colour: false, unbroken: false };
-    Composer::new(&terminal, &Options::default()).text(text)
-}
-
 /// What a picture is called where it is not seen.
 fn first_sentence(caption: &str) -> &str {
     caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
-}
-
-/// The same with what a line is not broken at as one word: the formulas.
-fn unbroken(text: &Text) -> String {
-    let terminal = Terminal { width: usize::MAX, colour: false, unbroken: true };
-    Composer::new(&terminal, &Options::default()).text(text)
-}
-
-/// The name of a heading, as code-hosting pages make it.
-fn id(heading: &str) -> String {
-    let kept = heading.to_lowercase();
-    let kept = kept.chars().filter(|letter| letter.is_alphanumeric() || " -_".contains(*letter));
-    kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
-}
-
-/// Backticks that no run in the file is as long as.
-fn fence(lines: &[String]) -> String {
-    let runs = lines.iter().flat_map(|line| line.split(|letter| letter != '`'));
-    let longest = runs.map(str::len).max().unwrap_or(0);
-    "`".repeat((longest + 1).max(3))
 }

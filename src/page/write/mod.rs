@@ -1,17 +1,24 @@
 //! How does a document become files? A composer walks its blocks; a writer per format knows the signs.
 
+mod alone;
 mod columns;
 mod compose;
+mod filled;
 mod html;
+mod labels;
 mod latex;
 mod markdown;
+mod notation;
 mod templates;
 mod terminal;
 mod tex;
 mod typst;
 
+use super::Unit;
 use super::block::{Document, Picture};
+use super::symbols::Symbols;
 use super::text::Text;
+pub use alone::Alone;
 use compose::Composer;
 
 /// A file to be written: its name inside the folder, and its text.
@@ -77,6 +84,12 @@ pub struct Options {
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,
+    /// What the reader calls the symbols.
+    pub symbols: Symbols,
+    /// What the labels of a fragment begin with; else its title.
+    pub label: Option<String>,
+    /// Whether quantities in LaTeX are left to siunitx.
+    pub siunitx: bool,
 }
 
 /// The files of a document: the main one first.
@@ -102,6 +115,14 @@ trait Writer {
     fn templates(&self) -> &'static templates::Set;
     /// Plain words of the program.
     fn words(&self, words: &str) -> String;
+    /// A symbol by a name of the reader, in TeX and as plain text, among words.
+    fn symbol(&self, _tex: &str, plain: &str) -> String {
+        self.words(plain)
+    }
+    /// Whether formulas are set, and not read as plain text.
+    fn reads_tex(&self) -> bool {
+        true
+    }
     /// A person's words: nothing in them is markup.
     fn person(&self, words: &crate::text::Untrusted) -> String;
     /// A formula in the line, in TeX.
@@ -129,6 +150,14 @@ trait Writer {
     /// A table whole, where templates cannot set it.
     fn table(&self, _table: &columns::Cells) -> Option<String> {
         None
+    }
+    /// A quantity as a package of the format sets it, where there is one.
+    fn quantity(&self, _value: f64, _unit: Unit) -> Option<String> {
+        None
+    }
+    /// Whether a fragment has labels and captions.
+    fn has_labels(&self) -> bool {
+        false
     }
     /// A paragraph, broken into lines where the format does not do so itself.
     fn paragraph(&self, text: String) -> String {

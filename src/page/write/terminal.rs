@@ -64,6 +64,10 @@ impl Writer for Terminal {
         if self.unbroken { words.to_owned() } else { words.replace('\u{a0}', " ") }
     }
 
+    fn reads_tex(&self) -> bool {
+        false
+    }
+
     fn person(&self, words: &Untrusted) -> String {
         words.escaped(Format::Plain)
     }
