@@ -23,6 +23,11 @@ impl Writer for Typst {
         escaped(words, |sign| "\\#$*_`@<>~[]/\"'".contains(sign))
     }
 
+    /// A reader's symbol is taken as a sign, for its TeX may be any.
+    fn reads_tex(&self) -> bool {
+        false
+    }
+
     fn person(&self, words: &Untrusted) -> String {
         escaped(&words.escaped(Format::Plain), |sign| sign.is_ascii_punctuation())
     }
