@@ -28,7 +28,7 @@ pub struct Look {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX without a preamble, as a piece of a document that is there, with captions and labels
+    /// Write LaTeX or Typst without a preamble, as a piece of a document that is there; LaTeX with captions and labels
     #[arg(long)]
     fragment: bool,
     /// What the labels of the fragment begin with [default: the title]
@@ -53,6 +53,8 @@ pub enum Format {
     Latex,
     /// One file for a browser
     Html,
+    /// Typst with SVG files beside it
+    Typst,
     /// Plain text without pictures
     Text,
 }
@@ -87,6 +89,7 @@ impl Look {
             (Format::Markdown, Math::Dollars) => page::Format::Markdown(page::Math::Dollars),
             (Format::Latex, _) => page::Format::Latex,
             (Format::Html, _) => page::Format::Html,
+            (Format::Typst, _) => page::Format::Typst,
             (Format::Text, _) => page::Format::PLAIN,
         }
     }

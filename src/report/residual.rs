@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 pub(super) use super::residual_words::{sentence, whole_sentence};
-use super::typeset::{self, Amount, Bearing, number, signed_degrees};
+use super::typeset::{self, Amount, Bearing, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -55,15 +55,21 @@ pub fn order_name(order: &OrderBalance) -> String {
     }
 }
 
+/// `= 0.25`, `≈ 0.2748`.
+fn equals(value: &BigRational) -> String {
+    let text = typeset::short(value);
+    if typeset::is_long(value) { text } else { format!("= {text}") }
+}
+
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
     let rod = match &class.factor {
         Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
             let offset = match rod.offset.is_zero() {
                 true => String::new(),
-                false => format!(", δ = {}", number(&rod.offset)),
+                false => format!(", δ {}", equals(&rod.offset)),
             };
-            format!(", λ = {}{offset}", number(&rod.ratio))
+            format!(", λ {}{offset}", equals(&rod.ratio))
         }
         Factor::One | Factor::Open => String::new(),
     };

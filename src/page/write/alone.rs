@@ -5,8 +5,9 @@ use serde::Serialize;
 use super::super::block::Picture;
 use super::super::svg::svg;
 use super::super::tikz::tikz;
+use super::latex::Latex;
 use super::notation::plain;
-use super::{Options, templates};
+use super::{Options, Writer, templates};
 
 /// What one picture is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,5 +49,5 @@ fn in_tex(picture: &Picture, options: &Options, standalone: bool) -> String {
     // The drawing within margins of 2 mm, with room for what a line of text takes below its baseline.
     let paper = [figure.width + 5.0, figure.height + 6.0].map(f64::ceil);
     let drawing = Drawing { drawing: tikz(figure), standalone, paper, stamp: options.stamp.as_deref() };
-    templates::fill(&templates::LATEX, "alone", &drawing)
+    templates::fill(Latex.templates(), "alone", &drawing)
 }

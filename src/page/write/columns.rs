@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::labels::Caption;
+use super::templates;
 
 /// A table whose cells are finished strings, and how long they are.
 #[derive(Serialize)]
@@ -39,13 +40,13 @@ impl Letters {
     }
 }
 
-/// A table that fits, for a template of LaTeX.
+/// A table that fits a printed page, for a template.
 #[derive(Serialize)]
-pub(super) struct Part<'a> {
-    /// The columns, as `longtable` takes them.
-    columns: String,
-    /// The size of the letters.
-    size: &'static str,
+struct Part<'a> {
+    /// Millimetres of each column whose cells are broken into lines; nothing where it is as wide as its cells.
+    widths: Vec<Option<String>>,
+    /// The size of the letters in points.
+    size: u8,
     header: Vec<&'a str>,
     rows: Vec<Vec<&'a str>>,
     /// Of the first part.
@@ -56,13 +57,13 @@ pub(super) struct Part<'a> {
 
 /// A size of letters, with how many of them stand on a line.
 struct Size {
-    name: &'static str,
+    points: u8,
     capacity: usize,
 }
 
-const SMALL: Size = Size { name: "\\small", capacity: 84 };
-const SMALLER: Size = Size { name: "\\footnotesize", capacity: 94 };
-const SMALLEST: Size = Size { name: "\\scriptsize", capacity: 106 };
+const SMALL: Size = Size { points: 10, capacity: 84 };
+const SMALLER: Size = Size { points: 9, capacity: 94 };
+const SMALLEST: Size = Size { points: 8, capacity: 106 };
 
 /// Width of the text in millimetres.
 const TEXT_WIDTH: f64 = 166.0;
@@ -70,8 +71,13 @@ const TEXT_WIDTH: f64 = 166.0;
 const GAP: usize = 3;
 
 impl Cells {
-    /// The table in parts for print, each in the largest letters in which it fits.
-    pub fn parts(&self) -> Vec<Part<'_>> {
+    /// The table as print takes it: in as many tables as it needs to fit.
+    pub fn printed(&self, set: &templates::Set) -> String {
+        self.parts().iter().map(|part| templates::fill(set, "table", part)).collect()
+    }
+
+    /// The table in parts, each in the largest letters in which it fits.
+    fn parts(&self) -> Vec<Part<'_>> {
         let bands = self.bands(|columns| self.part(columns).is_some());
         let set = |columns: Vec<usize>| {
             self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns)))
@@ -141,13 +147,12 @@ impl Cells {
     fn set(&self, columns: &[usize], size: &Size, widths: &[usize]) -> Part<'_> {
         let natural = self.natural(columns);
         let millimetres = TEXT_WIDTH / size.capacity as f64;
-        let column = |(width, natural): (&usize, &usize)| match width < natural {
-            false => "l".to_owned(),
-            true => format!(">{{\\raggedright\\arraybackslash}}p{{{:.1}mm}}", *width as f64 * millimetres),
+        let broken = |(width, natural): (&usize, &usize)| {
+            (width < natural).then(|| format!("{:.1}", *width as f64 * millimetres))
         };
         Part {
-            columns: widths.iter().zip(&natural).map(column).collect(),
-            size: size.name,
+            widths: widths.iter().zip(&natural).map(broken).collect(),
+            size: size.points,
             header: columns.iter().map(|&at| self.header[at].as_str()).collect(),
             rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
             caption: None,

@@ -17,7 +17,7 @@ impl Writer for Html {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::HTML
+        templates::set!("html", None)
     }
 
     fn words(&self, words: &str) -> String {

@@ -16,7 +16,7 @@ impl Writer for Latex {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::LATEX
+        templates::set!("latex" + "alone" + "colours", Some(templates::angles()))
     }
 
     fn words(&self, words: &str) -> String {
@@ -64,8 +64,7 @@ impl Writer for Latex {
     }
 
     fn table(&self, cells: &Cells) -> Option<String> {
-        let parts = cells.parts();
-        Some(parts.iter().map(|part| templates::fill(self.templates(), "table", part)).collect())
+        Some(cells.printed(self.templates()))
     }
 
     fn quantity(&self, value: f64, unit: Unit) -> Option<String> {

@@ -57,7 +57,7 @@ impl Writer for Terminal {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::TERMINAL
+        templates::set!("terminal", None)
     }
 
     fn words(&self, words: &str) -> String {
