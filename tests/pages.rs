@@ -1,6 +1,6 @@
-//! Do the reports look right where they are read: in LaTeX, on a Markdown page, in a browser?
+//! Do the reports look right where they are read: in LaTeX, in Typst, on a Markdown page, in a browser?
 //!
-//! These tests need pdflatex, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
+//! These tests need pdflatex, Typst for Python, pdftotext, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
 
 #[path = "pages/moving.rs"]
@@ -244,6 +244,37 @@ fn pages_of_several_engines_compile_and_the_poster_fits_its_sheet() {
     compile("poster", &folder);
     let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
     assert!(log.contains("report.pdf (1 page"), "{}", folder.display());
+}
+
+/// The margin of a page and its width, in the points of PDF.
+const MARGIN: f64 = 22.0 / 25.4 * 72.0;
+const PAGE: f64 = 210.0 / 25.4 * 72.0;
+/// How far a comma hangs into the margin.
+const HANGING: f64 = 3.0;
+
+/// Compiles a report in Typst without a warning, and looks for words in the margins.
+fn typeset(name: &str, folder: &Path) {
+    let script = "import typst; _, warnings = typst.compile_with_warnings('report.typ', output='report.pdf'); \
+                  print(*(warning.message for warning in warnings), sep='\\n', end='')";
+    let warnings = run(folder, "python3", &["-c", script], "");
+    assert_eq!(warnings, "", "{name}: {}/report.typ", folder.display());
+    let words = run(folder, "pdftotext", &["-bbox", "report.pdf", "-"], "");
+    for line in words.lines().filter(|line| line.contains("<word")) {
+        let place = |name: &str| -> f64 {
+            let (_, rest) = line.split_once(&format!("{name}=\"")).expect("a place");
+            rest.split('"').next().and_then(|number| number.parse().ok()).expect("a number")
+        };
+        let fits = place("xMin") > MARGIN - HANGING && place("xMax") < PAGE - MARGIN + HANGING;
+        assert!(fits, "{name}: {line} stands in the margin of {}/report.pdf", folder.display());
+    }
+}
+
+#[test]
+#[ignore = "needs Typst for Python and pdftotext"]
+fn every_report_is_typeset_by_typst_without_warnings_inside_its_margins() {
+    for (name, page) in reports() {
+        typeset(&name, &write_page(&name, &page, Format::Typst));
+    }
 }
 
 /// Every formula that pandoc finds in a document.

@@ -11,6 +11,7 @@ use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
 use super::labels::{Caption, Labels, short};
 use super::notation::plain;
 use super::{File, Options, Writer, templates};
+use crate::text;
 
 /// Writes one document.
 pub(super) struct Composer<'a> {
@@ -130,7 +131,8 @@ impl<'a> Composer<'a> {
                     lines: Vec<String>,
                     fence: String,
                 }
-                let lines = self.writer.verbatim(file);
+                let file = text::harmless_lines(file.written()).replace('\t', "    ");
+                let lines: Vec<String> = file.lines().map(|line| self.writer.line(line)).collect();
                 let fence = fence(&lines);
                 self.fill("verbatim", &Verbatim { language, lines, fence })
             }

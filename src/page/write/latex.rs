@@ -16,7 +16,7 @@ impl Writer for Latex {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        templates::set!("latex" + "alone" + "colours", Some(templates::angles()))
+        templates::set!("latex", Some(templates::angles()), "alone", "colours")
     }
 
     fn words(&self, words: &str) -> String {
@@ -54,9 +54,8 @@ impl Writer for Latex {
         inside.to_owned()
     }
 
-    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
-        let text = text::harmless_lines(file.written()).replace('\t', "    ");
-        text.lines().map(line).collect()
+    fn line(&self, line: &str) -> String {
+        self::line(line)
     }
 
     fn picture(&self, picture: &Picture, _caption: &str) -> (String, Option<File>) {

@@ -143,8 +143,8 @@ trait Writer {
     fn code(&self, text: &str) -> String;
     /// Words that lead to a file, or to `#` and the name of a heading.
     fn link(&self, inside: &str, target: &str) -> String;
-    /// The lines of a person's file.
-    fn verbatim(&self, file: &crate::text::Untrusted) -> Vec<String>;
+    /// A line of a file as it stands: nothing in it is markup.
+    fn line(&self, line: &str) -> String;
     /// A picture: what stands in the text, and the file beside it if there is one.
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>);
     /// A table whole, where templates cannot set it.

@@ -13,7 +13,7 @@ const OURS: &str = "a template of the program";
 
 /// One template per kind of block, one for the document, and what a format has besides, out of a folder.
 macro_rules! set {
-    ($folder:literal $(+ $more:literal)*, $delimiters:expr) => {{
+    ($folder:literal, $delimiters:expr $(, $more:literal)*) => {{
         static SET: $crate::page::write::templates::Set = std::sync::LazyLock::new(|| {
             $crate::page::write::templates::load(
                 &[
