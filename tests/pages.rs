@@ -3,6 +3,8 @@
 //! These tests need pdflatex, Typst for Python, pdftotext, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
 
+#![allow(clippy::disallowed_types)]
+
 #[path = "pages/moving.rs"]
 mod moving;
 
