@@ -75,7 +75,7 @@ fn by_order(page: &mut Document, rows: &[&EngineRow]) {
 
 const NOTES: [&str; 6] = [
     "**0** is exact and proved; the other numbers are the largest value through a revolution, $\\tfrac{1}{2}(\\lvert P^{+} \\rvert + \\lvert P^{-} \\rvert)$, \
-     exact but after ≈: forces in $m r \\omega^2 c_k$, moments in that times the spacing (the unit of the positions), about the middle of the engine.",
+     exact, but for the decimals after ≈: forces in $m r \\omega^2 c_k$, moments in that times the spacing (the unit of the positions), about the middle of the engine.",
     "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their $c_k$ is 0. **First left** is the \
      lowest order that is left of all that exist with centric cranks: 1 and the even ones.",
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
