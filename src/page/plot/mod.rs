@@ -4,13 +4,13 @@
 //! not finite, or not positive on a logarithmic axis, have no place and break a curve; no input panics.
 //!
 //! ```standalone_crate
-//! use crankstar::report::plot::{Axis, Curve, Plot};
+//! use crankstar::page::plot::{Axis, Curve, Plot};
 //! let force = |degrees: f64| (degrees, 1200.0 * (2.0 * degrees.to_radians()).cos());
 //! let mut plot = Plot::new("Order 2", Axis::angle("Crank angle θ in °", 0.0, 360.0, 90), Axis::linear("Force in N"));
 //! plot.curves.push(Curve::new(0, "in-line four", (0..=360).map(f64::from).map(force).collect()));
 //! let drawing = plot.figure();
-//! assert!(crankstar::report::svg(&drawing, "Order 2").contains(">−1000</text>"));
-//! assert!(crankstar::report::tikz(&drawing).contains("{$-$1000}"));
+//! assert!(crankstar::page::svg(&drawing, "Order 2").contains(">−1000</text>"));
+//! assert!(crankstar::page::tikz(&drawing).contains("{$-$1000}"));
 //! ```
 
 mod axis;
