@@ -61,7 +61,7 @@ Exit status: 0 done, whatever the verdicts are; 1 the input is wrong, a certific
 #[derive(Subcommand)]
 enum Command {
     /// List the catalogue, one line per engine
-    List,
+    List(list::List),
     /// Judge force and moment of an engine, order by order
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
@@ -128,7 +128,7 @@ pub fn run() -> ExitCode {
         Err(told) => return usage(&told),
     };
     let answer = match command {
-        Command::List => list::run().map(done),
+        Command::List(list) => list.run().map(done),
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),

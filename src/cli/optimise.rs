@@ -68,7 +68,7 @@ mod run {
             let page = || report::optimise_page(&engine, &front, &wish.couple);
             let written = self.pages.write(page, || report::optimise_layouts(&front))?;
             let answer = report::optimise_answer(&engine, &front, &wish.couple);
-            write::to_stdout(&(shown(&answer) + &written))
+            write::to_stdout(&(shown(&answer, self.pages.language()) + &written))
         }
     }
 

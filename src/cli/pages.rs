@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use crankstar::page::{self, Document, File, Options};
+use crankstar::page::{self, Document, File, Language, Options};
 
 use super::failure::Failure;
 use super::{folder, write};
@@ -33,6 +33,35 @@ pub struct Look {
     /// Name program and version at the foot of the page
     #[arg(long)]
     stamp: bool,
+    #[command(flatten)]
+    spoken: Spoken,
+}
+
+/// What a person may say of the language.
+#[derive(clap::Args)]
+pub struct Spoken {
+    /// The language of page and answer
+    #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
+    lang: Lang,
+}
+
+/// The language of page and answer.
+#[derive(Clone, Copy, ValueEnum)]
+enum Lang {
+    /// English
+    En,
+    /// German, with decimal commas
+    De,
+}
+
+impl Spoken {
+    /// The language.
+    pub fn language(&self) -> Language {
+        match self.lang {
+            Lang::En => Language::En,
+            Lang::De => Language::De,
+        }
+    }
 }
 
 /// What a page is written in.
@@ -71,7 +100,7 @@ impl Look {
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
-        page::write(document, self.format(format), &Options { fragment: self.fragment, stamp })
+        page::write(document, self.format(format), &Options { fragment: self.fragment, stamp, language: self.spoken.language() })
     }
 
     /// Writes the files into the folder where one is named; says what was written.
@@ -82,6 +111,11 @@ impl Look {
         Ok(format!("\n{}", folder::written(folder, &files)))
     }
 
+    /// The language of page and answer.
+    pub fn language(&self) -> Language {
+        self.spoken.language()
+    }
+
     /// Whether a folder is named.
     pub fn has_folder(&self) -> bool {
         self.output.is_some()
@@ -89,6 +123,11 @@ impl Look {
 }
 
 impl Pages {
+    /// The language of page and answer.
+    pub fn language(&self) -> Language {
+        self.look.language()
+    }
+
     /// Whether the page runs scripts.
     pub fn runs_scripts(&self) -> bool {
         self.format == Format::Html
@@ -102,7 +141,7 @@ impl Pages {
     /// Prints the short answer, and writes the page into the folder where one is named.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
         let written = self.write(page, Vec::new)?;
-        write::to_stdout(&(shown(answer) + &written))
+        write::to_stdout(&(shown(answer, self.look.language()) + &written))
     }
 
     /// Writes the page with other files beside it into the folder where one is named; says what was written.
@@ -119,7 +158,7 @@ impl Pages {
         let files = self.files(page);
         let Some(folder) = &self.look.output else { return write::to_stdout(&files[0].text) };
         folder::write(folder, &files)?;
-        write::to_stdout(&format!("{}\n{}", shown(answer), folder::written(folder, &files)))
+        write::to_stdout(&format!("{}\n{}", shown(answer, self.look.language()), folder::written(folder, &files)))
     }
 }
 
@@ -129,9 +168,9 @@ const USUAL_WIDTH: usize = 80;
 const WIDEST: usize = 140;
 
 /// A document for the terminal that this runs in; colours are taken away where nobody sees them.
-pub fn shown(document: &Document) -> String {
+pub fn shown(document: &Document, language: Language) -> String {
     let width = comfy_table::Table::new().width().map_or(USUAL_WIDTH, usize::from);
     let format = page::Format::Terminal { width: width.clamp(20, WIDEST), colour: true };
-    let files = page::write(document, format, &Options::default());
+    let files = page::write(document, format, &Options { language, ..Options::default() });
     format!("{}\n", files[0].text.trim_end())
 }

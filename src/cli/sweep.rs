@@ -82,7 +82,7 @@ impl Sweep {
             Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
             format => {
                 let written = self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Markdown)))?;
-                write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep)) + &written))
+                write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep), self.look.language()) + &written))
             }
         }
     }

@@ -27,6 +27,7 @@
   const plus = ([a, b], [c, d]) => [a + c, b + d];
   const times = ([a, b], by) => [a * by, b * by];
   const CENTRE = [0, 0];
+  const POINT = (0.5).toLocaleString(document.documentElement.lang || "en").charAt(1);
   const size = (point) => Math.hypot(...point);
   const line = (...points) => `M${points.map((point) => point.map(short).join(" ")).join("L")}`;
   /** An arrow with a head that is shorter than the arrow. */
@@ -36,7 +37,7 @@
     const barb = (turn) => plus(to, [-x - (turn * y) / 2, -y + (turn * x) / 2]);
     return size(along) < 1e-6 ? "" : line(from, to) + line(barb(1), to, barb(-1));
   };
-  const decimal = (value) => `≈ ${value.toFixed(3)}`;
+  const decimal = (value) => `≈ ${value.toFixed(3).replace(".", POINT)}`;
 
   const start = (figure) => {
     const parts = (name) => figure.querySelectorAll(`[data-part="${name}"]`);
@@ -164,7 +165,7 @@
     // What is said: finished words, and for an open angle those of the list.
     const angleText = () => {
       const mark = [angle.start, ...order[quantity].marks].find((one) => one.at === value);
-      return mark ? mark.text : `${value / angle.unit}°`.replace("-", "−");
+      return mark ? mark.text : `${value / angle.unit}°`.replace("-", "−").replace(".", POINT);
     };
     const say = () => {
       const { senses, whole, words: known } = order[quantity];

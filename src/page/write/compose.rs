@@ -51,6 +51,8 @@ struct Whole<'a> {
     folds: &'a [Folded],
     stamp: Option<String>,
     fragment: bool,
+    language: &'static str,
+    hyphenation: &'static str,
     styles: &'a [&'static str],
     scripts: &'a [&'static str],
 }
@@ -87,13 +89,15 @@ impl<'a> Composer<'a> {
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
             title: self.text(&document.title),
-            plain_title: plain(&document.title),
+            plain_title: self.plain(&document.title),
             contents: self.headings.iter().filter(listed).collect(),
             before,
             body,
             folds: &self.folds,
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
+            language: self.options.language.code(),
+            hyphenation: self.options.language.hyphenation(),
             styles: &self.styles,
             scripts: &self.scripts,
         };
@@ -112,25 +116,27 @@ impl<'a> Composer<'a> {
         #[derive(Serialize)]
         struct Items {
             items: Vec<String>,
+            language: &'static str,
         }
         let words = |composer: &Self, text: &Text| Words { text: composer.writer.paragraph(composer.text(text)) };
+        let language = self.options.language.code();
         match block {
             Block::Heading(level, text) => {
-                let id = self.free_id(&plain(text));
+                let id = self.free_id(&self.plain(text));
                 let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
             Block::Paragraph(text) => self.fill("paragraph", &words(self, text)),
             Block::Note(text) => self.fill("note", &words(self, text)),
-            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.writer.display(tex, *number) }),
+            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.display(tex, *number) }),
             Block::Answer(lines) => {
                 let items = lines.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
-                self.fill("answer", &Items { items })
+                self.fill("answer", &Items { items, language })
             }
             Block::List(items) => {
                 let items = items.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
-                self.fill("list", &Items { items })
+                self.fill("list", &Items { items, language })
             }
             Block::Table(table) => self.table(table),
             Block::Pictures(pictures) => self.pictures(pictures),
@@ -166,7 +172,7 @@ impl<'a> Composer<'a> {
             letters: [&table.header]
                 .into_iter()
                 .chain(&table.rows)
-                .map(|row| row.iter().map(|cell| Letters::of(&unbroken(cell))).collect())
+                .map(|row| row.iter().map(|cell| Letters::of(&self.unbroken(cell))).collect())
                 .collect(),
         };
         match self.writer.table(&cells) {
@@ -182,7 +188,8 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let (body, file) = self.writer.picture(picture, &plain(&picture.caption));
+            let picture = &Picture { figure: self.options.language.figure(&picture.figure), ..picture.clone() };
+            let (body, file) = self.writer.picture(picture, &self.plain(&picture.caption));
             self.files.extend(file);
             drawn.push(Drawn { body, caption: self.text(&picture.caption) });
         }
@@ -197,7 +204,7 @@ impl<'a> Composer<'a> {
             self.styles.push(live.style);
             self.scripts.push(live.script);
         }
-        live.body.clone()
+        live.part.body(self.options.language)
     }
 
     fn folded(&mut self, fold: &Fold) -> String {
@@ -214,49 +221,85 @@ impl<'a> Composer<'a> {
         here
     }
 
+    fn display(&self, tex: &str, number: Option<u32>) -> String {
+        self.writer.display(&self.options.language.formula(tex), number)
+    }
+
+    /// A text without colours, as it is measured and searched.
+    fn plain(&self, text: &Text) -> String {
+        self.measured(text, false)
+    }
+
+    /// The same with what a line is not broken at as one word: the formulas.
+    fn unbroken(&self, text: &Text) -> String {
+        self.measured(text, true)
+    }
+
+    fn measured(&self, text: &Text, unbroken: bool) -> String {
+        let terminal = Terminal { width: usize::MAX, colour: false, unbroken };
+        let options = Options { language: self.options.language, ..Options::default() };
+        Composer::new(&terminal, &options).text(text)
+    }
+
     /// A text in the signs of the format.
     pub fn text(&self, text: &Text) -> String {
-        text.pieces().iter().map(|piece| self.piece(piece)).collect()
+        let set: Vec<String> = text.pieces().iter().map(|piece| self.piece(piece)).collect();
+        let language = self.options.language;
+        let between = language.separator();
+        if between == COMMA || !set.iter().any(|piece| has_comma(piece)) {
+            return set.concat();
+        }
+        // Where commas are those of decimals, others stand between the values.
+        let piece = |(piece, set): (&Piece, String)| match piece {
+            Piece::Phrase(words, _) if words == COMMA => self.writer.words(between),
+            _ => set,
+        };
+        text.pieces().iter().zip(set).map(piece).collect()
     }
 
     fn piece(&self, piece: &Piece) -> String {
-        let writer = self.writer;
+        let (writer, language) = (self.writer, self.options.language);
+        let numbers = |text: &str| writer.words(&language.numbers(text));
+        let exact = |tex: &str, plain: &str| writer.exact(&language.formula(tex), &language.numbers(plain));
         match piece {
-            Piece::Phrase(words, values) => self.phrase(words, values),
-            Piece::Label(label) => writer.words(label),
+            Piece::Phrase(words, values) => self.phrase(language.words(words), values),
+            Piece::Label(label) => writer.words(&language.label(label)),
             Piece::Person(words) => writer.person(words),
             Piece::Number(number) => match number {
                 Number::Zero => writer.zero(),
-                Number::Exact(value) => writer.words(&number::number(value)),
+                Number::Exact(value) => numbers(&number::number(value)),
                 Number::Closed(form, decimal) => {
-                    let exact = writer.exact(&form.tex(), &form.to_string());
-                    format!("{exact} {}", writer.words(&number::approximate(*decimal)))
+                    let exact = exact(&form.tex(), &form.to_string());
+                    format!("{exact} {}", numbers(&number::approximate(*decimal)))
                 }
-                Number::Decimal(decimal) => writer.words(&number::approximate(*decimal)),
+                Number::Decimal(decimal) => numbers(&number::approximate(*decimal)),
             },
-            Piece::Form(form) => writer.exact(&form.tex(), &form.to_string()),
+            Piece::Form(form) => exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
-                Some([tex, plain]) => format!("{} {}", writer.exact(&tex, &plain), writer.words(&bearing.degrees())),
-                None => writer.words(&bearing.degrees()),
+                Some([tex, plain]) => format!("{} {}", exact(&tex, &plain), numbers(&bearing.degrees())),
+                None => numbers(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                writer.words(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
+                numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
             }
-            Piece::Formula(tex) => writer.formula(tex),
+            Piece::Formula(tex) => writer.formula(&language.formula(tex)),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
         }
     }
 
     fn phrase(&self, words: &str, values: &[Text]) -> String {
-        let mut values = values.iter();
+        let mut following = values.iter();
         let mut out = String::new();
         let mut bold: Option<String> = None;
         for mark in marks(words) {
             let set = match mark {
                 Mark::Words(words) => self.writer.words(words),
-                Mark::Formula(tex) => self.writer.formula(tex),
-                Mark::Place => values.next().map(|text| self.text(text)).unwrap_or_default(),
+                Mark::Formula(tex) => self.writer.formula(&self.options.language.formula(tex)),
+                Mark::Place(place) => {
+                    let value = place.map_or_else(|| following.next(), |place| values.get(place));
+                    value.map(|text| self.text(text)).unwrap_or_default()
+                }
                 Mark::Bold => match bold.take() {
                     Some(inside) => {
                         out.push_str(&self.writer.strong(&inside));
@@ -274,16 +317,14 @@ impl<'a> Composer<'a> {
     }
 }
 
-/// A text without colours, as it is measured and searched.
-fn plain(text: &Text) -> String {
-    let terminal = Terminal { width: usize::MAX, colour: false, unbroken: false };
-    Composer::new(&terminal, &Options::default()).text(text)
-}
+/// Between values in English.
+const COMMA: &str = ", ";
 
-/// The same with what a line is not broken at as one word: the formulas.
-fn unbroken(text: &Text) -> String {
-    let terminal = Terminal { width: usize::MAX, colour: false, unbroken: true };
-    Composer::new(&terminal, &Options::default()).text(text)
+/// Whether a comma stands between two digits.
+fn has_comma(text: &str) -> bool {
+    let digit = |letter: Option<&u8>| letter.is_some_and(u8::is_ascii_digit);
+    let letters = text.as_bytes();
+    letters.windows(3).any(|three| three[1] == b',' && digit(three.first()) && digit(three.last()))
 }
 
 /// The name of a heading, as code-hosting pages make it.

@@ -9,9 +9,11 @@ mod templates;
 mod terminal;
 mod tex;
 
+use super::Language;
 use super::block::{Document, Picture};
 use super::text::Text;
 use compose::Composer;
+pub(crate) use templates::say;
 
 /// A file to be written: its name inside the folder, and its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,6 +75,8 @@ pub struct Options {
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,
+    /// The language.
+    pub language: Language,
 }
 
 /// The files of a document: the main one first.
@@ -84,7 +88,7 @@ pub fn write(document: &Document, format: Format, options: &Options) -> Vec<File
     [main].into_iter().chain(composer.files).collect()
 }
 
-/// A text by itself in a format.
+/// A text by itself in a format, in English.
 pub fn text_in(text: &Text, format: Format) -> String {
     let writer = format.writer();
     Composer::new(writer.as_ref(), &Options::default()).text(text)

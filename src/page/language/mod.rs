@@ -1,0 +1,171 @@
+//! In which language is a page written? English words are the keys of one list per language; what a list lacks stays English.
+//!
+//! A list says how the language writes decimals, then gives its words: `[words]` for phrases of the program, with the same places
+//! `{}` (or `{1}`, `{2}` in another order) and the same `$formulas$`; `[labels]` for names in drawings and the like, which are
+//! finished signs when they come here and are compared with the patterns of the list.
+
+mod decimals;
+mod pattern;
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use serde::Deserialize;
+
+use super::figure::{Figure, Mark};
+use pattern::Pattern;
+
+/// A language of pages.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// English.
+    #[default]
+    En,
+    /// German.
+    De,
+}
+
+/// The list of a language as its file has it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    code: String,
+    decimal: String,
+    separator: String,
+    hyphenation: String,
+    words: BTreeMap<String, String>,
+    labels: BTreeMap<String, String>,
+}
+
+struct List {
+    written: Written,
+    patterns: Vec<Pattern<'static>>,
+}
+
+/// The lists are part of the program, so that a mistake in one is a mistake of ours.
+const OURS: &str = "a list of words of the program";
+
+static ENGLISH: LazyLock<List> = LazyLock::new(|| read(include_str!("../../../templates/words/en.toml")));
+static GERMAN: LazyLock<List> = LazyLock::new(|| read(include_str!("../../../templates/words/de.toml")));
+
+fn read(file: &'static str) -> List {
+    let written: Written = toml::from_str(file).expect(OURS);
+    let owned = |text: &String| -> &'static str { Box::leak(text.clone().into_boxed_str()) };
+    let patterns = written.labels.iter().map(|(key, words)| Pattern::new(owned(key), owned(words))).collect();
+    List { written, patterns }
+}
+
+impl Language {
+    /// Every language.
+    pub const ALL: [Language; 2] = [Language::En, Language::De];
+
+    fn list(self) -> &'static List {
+        match self {
+            Language::En => &ENGLISH,
+            Language::De => &GERMAN,
+        }
+    }
+
+    /// As `lang` in HTML has it.
+    pub fn code(self) -> &'static str {
+        &self.list().written.code
+    }
+
+    /// What LaTeX calls its patterns of hyphenation.
+    pub(super) fn hyphenation(self) -> &'static str {
+        &self.list().written.hyphenation
+    }
+
+    /// The language of a code; English where there is none.
+    pub(super) fn of_code(code: &str) -> Self {
+        Language::ALL.into_iter().find(|language| language.code() == code).unwrap_or_default()
+    }
+
+    /// Whether these words need no translation or have one.
+    pub fn knows(self, english: &str) -> bool {
+        self == Language::En || self.list().written.words.contains_key(english)
+    }
+
+    /// The entries of its list: English words and its own.
+    pub fn entries(self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let written = &self.list().written;
+        written.words.iter().chain(&written.labels).map(|(key, words)| (key.as_str(), words.as_str()))
+    }
+
+    /// Words of the program.
+    pub fn words(self, english: &str) -> &str {
+        self.list().written.words.get(english).map_or(english, String::as_str)
+    }
+
+    /// Signs that are finished: a name in a drawing, numbers in a row, the reason of a refusal.
+    pub fn label<'a>(self, english: &'a str) -> Cow<'a, str> {
+        match self {
+            Language::En => Cow::Borrowed(english),
+            Language::De => Cow::Owned(self.pattern(english).unwrap_or_else(|| self.numbers(english))),
+        }
+    }
+
+    fn pattern(self, english: &str) -> Option<String> {
+        let list = self.list();
+        if let Some(words) = list.written.words.get(english).filter(|words| !words.contains(['{', '$', '*'])) {
+            return Some(words.clone());
+        }
+        list.patterns.iter().find_map(|pattern| pattern.filled(english, |inside| self.label(inside).into_owned()))
+    }
+
+    /// Decimals as the language writes them, and what stands between them.
+    pub(super) fn numbers(self, text: &str) -> String {
+        let written = &self.list().written;
+        let changed = decimals::with(text, &written.decimal);
+        match changed != text {
+            true => changed.replace(", ", &written.separator),
+            false => changed,
+        }
+    }
+
+    /// What stands between values where some are decimals.
+    pub(super) fn separator(self) -> &'static str {
+        &self.list().written.separator
+    }
+
+    /// A formula in TeX: a decimal sign that is no point is no punctuation either.
+    pub(super) fn formula(self, tex: &str) -> String {
+        match self.list().written.decimal.as_str() {
+            "." => tex.to_owned(),
+            sign => decimals::with(tex, &format!("{{{sign}}}")),
+        }
+    }
+
+    /// What is drawn as prose with `$formulas$`.
+    pub(super) fn prose(self, prose: &str) -> String {
+        let part = |(index, part): (usize, &str)| match index % 2 {
+            0 => self.label(part).into_owned(),
+            _ => format!("${}$", self.formula(part)),
+        };
+        match self.pattern(prose) {
+            Some(words) => words,
+            None => prose.split('$').enumerate().map(part).collect(),
+        }
+    }
+
+    /// A drawing with its words in the language.
+    pub(super) fn figure(self, figure: &Figure) -> Figure {
+        let mut out = figure.clone();
+        for mark in &mut out.marks {
+            match mark {
+                Mark::Text { text, prose, .. } => {
+                    *text = self.label(text).into_owned();
+                    *prose = prose.take().map(|prose| self.prose(&prose));
+                }
+                Mark::Title { text, .. } => *text = self.label(text).into_owned(),
+                Mark::Line { .. }
+                | Mark::Circle { .. }
+                | Mark::Polygon { .. }
+                | Mark::Path { .. }
+                | Mark::Rectangles { .. } => {}
+            }
+        }
+        out
+    }
+}
