@@ -84,7 +84,7 @@ impl Language {
 
     /// Whether these words need no translation or have one.
     pub fn knows(self, english: &str) -> bool {
-        self == Language::En || self.list().written.words.contains_key(english)
+        self == Language::En || self.words(english) != english || self.list().written.words.contains_key(english)
     }
 
     /// The entries of its list: English words and its own.
@@ -93,25 +93,51 @@ impl Language {
         written.words.iter().chain(&written.labels).map(|(key, words)| (key.as_str(), words.as_str()))
     }
 
-    /// Words of the program.
-    pub fn words(self, english: &str) -> &str {
+    /// A fixed word of the program.
+    pub fn fixed(self, english: &str) -> &str {
         self.list().written.words.get(english).map_or(english, String::as_str)
     }
 
-    /// Signs that are finished: a name in a drawing, numbers in a row, the reason of a refusal.
-    pub fn label<'a>(self, english: &'a str) -> Cow<'a, str> {
-        match self {
-            Language::En => Cow::Borrowed(english),
-            Language::De => Cow::Owned(self.pattern(english).unwrap_or_else(|| self.numbers(english))),
+    /// Words of the program: a phrase of the list, or sentences that follow its patterns.
+    pub fn words(self, english: &str) -> Cow<'_, str> {
+        match self.list().written.words.get(english) {
+            Some(words) => Cow::Borrowed(words),
+            None if english.contains(['{', '$', '*']) => Cow::Borrowed(english),
+            None => self.label(english),
         }
     }
 
-    fn pattern(self, english: &str) -> Option<String> {
+    /// Signs that are finished: a name in a drawing, numbers in a row, the sentences of a caption.
+    pub fn label<'a>(self, english: &'a str) -> Cow<'a, str> {
+        match self {
+            Language::En => Cow::Borrowed(english),
+            Language::De => Cow::Owned(self.signs(english)),
+        }
+    }
+
+    fn signs(self, english: &str) -> String {
+        let known = self.pattern(english, |inside| self.signs(inside));
+        known.or_else(|| self.in_parts(english)).unwrap_or_else(|| self.numbers(english))
+    }
+
+    /// Sentence by sentence, or what stands between commas piece by piece, where a pattern has any.
+    fn in_parts(self, english: &str) -> Option<String> {
+        let sentences: Vec<&str> = english.split_inclusive(". ").collect();
+        if sentences.len() > 1 {
+            let one = |sentence: &&str| self.signs(sentence.trim_end());
+            return Some(sentences.iter().map(one).collect::<Vec<_>>().join(" "));
+        }
+        let pieces: Vec<&str> = english.split(", ").collect();
+        let known = pieces.iter().any(|piece| self.pattern(piece, |inside| self.signs(inside)).is_some());
+        (known && pieces.len() > 1).then(|| pieces.into_iter().map(|piece| self.signs(piece)).collect::<Vec<_>>().join(", "))
+    }
+
+    fn pattern(self, english: &str, inside: impl Fn(&str) -> String) -> Option<String> {
         let list = self.list();
         if let Some(words) = list.written.words.get(english).filter(|words| !words.contains(['{', '$', '*'])) {
             return Some(words.clone());
         }
-        list.patterns.iter().find_map(|pattern| pattern.filled(english, |inside| self.label(inside).into_owned()))
+        list.patterns.iter().find_map(|pattern| pattern.filled(english, &inside))
     }
 
     /// Decimals as the language writes them, and what stands between them.
@@ -138,12 +164,12 @@ impl Language {
     }
 
     /// What is drawn as prose with `$formulas$`.
-    pub(super) fn prose(self, prose: &str) -> String {
+    fn prose(self, prose: &str) -> String {
         let part = |(index, part): (usize, &str)| match index % 2 {
-            0 => self.label(part).into_owned(),
+            0 => self.signs(part),
             _ => format!("${}$", self.formula(part)),
         };
-        match self.pattern(prose) {
+        match self.pattern(prose, |inside| self.prose(inside)) {
             Some(words) => words,
             None => prose.split('$').enumerate().map(part).collect(),
         }
@@ -152,13 +178,16 @@ impl Language {
     /// A drawing with its words in the language.
     pub(super) fn figure(self, figure: &Figure) -> Figure {
         let mut out = figure.clone();
+        if self == Language::En {
+            return out;
+        }
         for mark in &mut out.marks {
             match mark {
                 Mark::Text { text, prose, .. } => {
-                    *text = self.label(text).into_owned();
+                    *text = self.signs(text);
                     *prose = prose.take().map(|prose| self.prose(&prose));
                 }
-                Mark::Title { text, .. } => *text = self.label(text).into_owned(),
+                Mark::Title { text, .. } => *text = self.signs(text),
                 Mark::Line { .. }
                 | Mark::Circle { .. }
                 | Mark::Polygon { .. }

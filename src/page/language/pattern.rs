@@ -14,7 +14,7 @@ impl<'a> Pattern<'a> {
     }
 
     /// The other words, with what stands in the places put through `inside`.
-    pub fn filled(&self, text: &str, inside: impl Fn(&str) -> String) -> Option<String> {
+    pub fn filled(&self, text: &str, inside: &impl Fn(&str) -> String) -> Option<String> {
         let values: Vec<String> = self.values(text)?.into_iter().map(inside).collect();
         let mut following = 0..;
         let set = |(words, place): (&str, Option<Option<usize>>)| {

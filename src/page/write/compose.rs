@@ -262,7 +262,7 @@ impl<'a> Composer<'a> {
         let numbers = |text: &str| writer.words(&language.numbers(text));
         let exact = |tex: &str, plain: &str| writer.exact(&language.formula(tex), &language.numbers(plain));
         match piece {
-            Piece::Phrase(words, values) => self.phrase(language.words(words), values),
+            Piece::Phrase(words, values) => self.phrase(&language.words(words), values),
             Piece::Label(label) => writer.words(&language.label(label)),
             Piece::Person(words) => writer.person(words),
             Piece::Number(number) => match number {

@@ -72,5 +72,5 @@ pub(super) fn fill(set: &Set, template: &str, values: &impl Serialize) -> String
 /// Words in a template, in the language of the page: `{{ "Contents" | say(language=language) }}`.
 pub(crate) fn say(words: &str, arguments: Kwargs, _: &State) -> tera::TeraResult<String> {
     let language = Language::of_code(arguments.must_get("language")?);
-    Ok(language.words(words).to_owned())
+    Ok(language.fixed(words).to_owned())
 }

@@ -51,7 +51,7 @@ impl MovingSense {
 
 impl MovingAngle {
     fn speak(&mut self, language: Language) {
-        self.name = language.words(self.name);
+        self.name = language.fixed(self.name);
         self.start.speak(language);
     }
 }
@@ -59,7 +59,7 @@ impl MovingAngle {
 impl Mark {
     fn speak(&mut self, language: Language) {
         label(&mut self.text, language);
-        self.of.iter_mut().for_each(|of| *of = language.words(of));
+        self.of.iter_mut().for_each(|of| *of = language.fixed(of));
     }
 }
 
@@ -68,7 +68,7 @@ impl Words {
         let Words { senses, force, moment, order, zero, not_zero, undecided, together, play, pause } = self;
         let [direct, reverse] = senses;
         for words in [direct, reverse, force, moment, order, zero, not_zero, undecided, together, play, pause] {
-            *words = language.words(words);
+            *words = language.fixed(words);
         }
     }
 }
