@@ -116,27 +116,34 @@ impl Language {
     }
 
     fn signs(self, english: &str) -> String {
-        let known = self.pattern(english, |inside| self.signs(inside));
-        known.or_else(|| self.in_parts(english)).unwrap_or_else(|| self.numbers(english))
+        let parts = || self.sentences(english).or_else(|| self.pieces(english));
+        let known = self.whole(english).or_else(parts);
+        known.or_else(|| self.pattern(english, |inside| self.signs(inside))).unwrap_or_else(|| self.numbers(english))
     }
 
-    /// Sentence by sentence, or what stands between commas piece by piece, where a pattern has any.
-    fn in_parts(self, english: &str) -> Option<String> {
+    /// What the list has as it stands.
+    fn whole(self, english: &str) -> Option<String> {
+        let words = self.list().written.words.get(english).or_else(|| self.list().written.labels.get(english))?;
+        (!words.contains(['{', '$', '*'])).then(|| words.clone())
+    }
+
+    /// Sentence by sentence.
+    fn sentences(self, english: &str) -> Option<String> {
         let sentences: Vec<&str> = english.split_inclusive(". ").collect();
-        if sentences.len() > 1 {
-            let one = |sentence: &&str| self.signs(sentence.trim_end());
-            return Some(sentences.iter().map(one).collect::<Vec<_>>().join(" "));
-        }
+        let one = |sentence: &&str| self.signs(sentence.trim_end());
+        (sentences.len() > 1).then(|| sentences.iter().map(one).collect::<Vec<_>>().join(" "))
+    }
+
+    /// Piece by piece between commas, where the list knows every one.
+    fn pieces(self, english: &str) -> Option<String> {
         let pieces: Vec<&str> = english.split(", ").collect();
-        let known = pieces.iter().any(|piece| self.pattern(piece, |inside| self.signs(inside)).is_some());
-        (known && pieces.len() > 1).then(|| pieces.into_iter().map(|piece| self.signs(piece)).collect::<Vec<_>>().join(", "))
+        let one = |piece: &&str| self.whole(piece).or_else(|| self.pattern(piece, |inside| self.signs(inside)));
+        let known: Option<Vec<String>> = pieces.iter().map(one).collect();
+        known.filter(|known| known.len() > 1).map(|known| known.join(", "))
     }
 
     fn pattern(self, english: &str, inside: impl Fn(&str) -> String) -> Option<String> {
         let list = self.list();
-        if let Some(words) = list.written.words.get(english).filter(|words| !words.contains(['{', '$', '*'])) {
-            return Some(words.clone());
-        }
         list.patterns.iter().find_map(|pattern| pattern.filled(english, &inside))
     }
 
@@ -169,7 +176,7 @@ impl Language {
             0 => self.signs(part),
             _ => format!("${}$", self.formula(part)),
         };
-        match self.pattern(prose, |inside| self.prose(inside)) {
+        match self.whole(prose).or_else(|| self.pattern(prose, |inside| self.prose(inside))) {
             Some(words) => words,
             None => prose.split('$').enumerate().map(part).collect(),
         }
