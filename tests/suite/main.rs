@@ -30,6 +30,7 @@ mod grigoryev;
 mod ground_truth;
 mod hard_cases;
 mod hostile_text;
+mod languages;
 mod largest;
 mod layout_files;
 mod layout_mistakes;

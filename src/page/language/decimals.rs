@@ -15,3 +15,9 @@ pub(super) fn with(text: &str, sign: &str) -> String {
     }
     out
 }
+
+/// Whether a comma stands between two digits.
+pub(in crate::page) fn has_comma(text: &str) -> bool {
+    let digit = |letter: Option<&u8>| letter.is_some_and(u8::is_ascii_digit);
+    text.as_bytes().windows(3).any(|three| three[1] == b',' && digit(three.first()) && digit(three.last()))
+}

@@ -8,12 +8,14 @@ mod decimals;
 mod pattern;
 
 use std::borrow::Cow;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
 
 use super::figure::{Figure, Mark};
+pub(super) use decimals::has_comma;
 use pattern::Pattern;
 
 /// A language of pages.
@@ -52,7 +54,10 @@ static GERMAN: LazyLock<List> = LazyLock::new(|| read(include_str!("../../../tem
 fn read(file: &'static str) -> List {
     let written: Written = toml::from_str(file).expect(OURS);
     let owned = |text: &String| -> &'static str { Box::leak(text.clone().into_boxed_str()) };
-    let patterns = written.labels.iter().map(|(key, words)| Pattern::new(owned(key), owned(words))).collect();
+    let mut labels: Vec<(&String, &String)> = written.labels.iter().collect();
+    // The pattern that says the most comes first.
+    labels.sort_by_key(|(key, _)| Reverse(key.len()));
+    let patterns = labels.into_iter().map(|(key, words)| Pattern::new(owned(key), owned(words))).collect();
     List { written, patterns }
 }
 
@@ -134,12 +139,16 @@ impl Language {
         (sentences.len() > 1).then(|| sentences.iter().map(one).collect::<Vec<_>>().join(" "))
     }
 
-    /// Piece by piece between commas, where the list knows every one.
+    /// Piece by piece between commas, where the list knows every one that has letters.
     fn pieces(self, english: &str) -> Option<String> {
         let pieces: Vec<&str> = english.split(", ").collect();
-        let one = |piece: &&str| self.whole(piece).or_else(|| self.pattern(piece, |inside| self.signs(inside)));
-        let known: Option<Vec<String>> = pieces.iter().map(one).collect();
-        known.filter(|known| known.len() > 1).map(|known| known.join(", "))
+        let known = |piece: &str| self.whole(piece).or_else(|| self.pattern(piece, |inside| self.signs(inside)));
+        let bare = |piece: &str| (!piece.contains(char::is_alphabetic)).then(|| self.numbers(piece));
+        let one = |piece: &&str| known(piece).or_else(|| bare(piece));
+        let is_list = pieces.len() > 1 && english.contains(char::is_alphabetic);
+        let set: Vec<String> = is_list.then(|| pieces.iter().map(one).collect())??;
+        let between = if set.iter().any(|piece| has_comma(piece)) { self.separator() } else { ", " };
+        Some(set.join(between))
     }
 
     fn pattern(self, english: &str, inside: impl Fn(&str) -> String) -> Option<String> {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::super::block::{Block, Document, Fold, Live, Picture, Table};
+use super::super::language::has_comma;
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
@@ -319,13 +320,6 @@ impl<'a> Composer<'a> {
 
 /// Between values in English.
 const COMMA: &str = ", ";
-
-/// Whether a comma stands between two digits.
-fn has_comma(text: &str) -> bool {
-    let digit = |letter: Option<&u8>| letter.is_some_and(u8::is_ascii_digit);
-    let letters = text.as_bytes();
-    letters.windows(3).any(|three| three[1] == b',' && digit(three.first()) && digit(three.last()))
-}
 
 /// The name of a heading, as code-hosting pages make it.
 fn id(heading: &str) -> String {
