@@ -45,10 +45,10 @@
 //!
 //! # Features
 //!
-//! All are on by default. Without any (`default-features = false`) the crate is the library without `report` and `optimise`: it
+//! All are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
 //! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
 //!
-//! - `report`: the room `report`, pages and documents.
+//! - `report`: the rooms `page` and `report`, pages and documents.
 //! - `optimise`: the room `optimise`, with its solver for convex problems.
 //! - `cli`: the program; it takes `report` along.
 //!

@@ -12,6 +12,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crankstar::claim::parse_claims;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
@@ -87,26 +88,43 @@ fn atlas() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/atlas")
 }
 
-/// A page of a comparison in a fresh folder, and the number of its pictures.
-fn comparison() -> (PathBuf, usize) {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-comparison");
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
+/// A comparison of engines in line, in V and round.
+fn comparison() -> Document {
     let orders = [1, 2, 4];
-    let engines = file::catalogue()
-        .expect("the catalogue reads")
-        .into_iter()
-        .map(|(entry, engine)| (entry.name.to_owned(), engine));
-    let engines: Vec<(String, Engine)> = engines.collect();
-    let few = engines.iter().filter(|(name, _)| name.starts_with("I5") || name.starts_with("strange"));
+    let catalogue = file::catalogue().expect("the catalogue reads");
+    let few =
+        catalogue.iter().filter(|(entry, _)| ["I5", "V6", "ra"].iter().any(|begin| entry.name.starts_with(begin)));
     let compared: Vec<Compared> = few
-        .map(|(name, layout)| Compared::new(Untrusted::new(name.as_str()), layout, &orders).expect("orders"))
+        .map(|(entry, layout)| Compared::new(Untrusted::new(entry.name), layout, &orders).expect("orders"))
         .collect();
-    let files = page::write(&report::compare_page(&compared), Format::GITHUB, &Options::default());
-    for file in &files {
-        fs::write(folder.join(&file.name), &file.text).expect("a file");
-    }
-    (folder, files.len() - 1)
+    report::compare_page(&compared)
+}
+
+/// The stored claims, answered.
+fn claims() -> Document {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/claims");
+    let text = fs::read_to_string(folder.join("claims.toml")).expect("the claims");
+    let find = |name: &str| match file::find(name) {
+        Some(entry) => entry.engine().map_err(|error| error.to_string()),
+        None => {
+            let text = fs::read_to_string(folder.join(name)).map_err(|error| error.to_string())?;
+            file::parse(name, &text).map_err(|error| error.to_string())
+        }
+    };
+    report::claims_page(&parse_claims("claims.toml", &text, &find).unwrap_or_else(|error| panic!("{error}")))
+}
+
+/// The pages that are about several engines.
+fn wide_pages() -> [(&'static str, Document); 3] {
+    let index = report::catalogue_page(&file::catalogue().expect("the catalogue reads"));
+    [("comparison", comparison()), ("claims", claims()), ("catalogue", index)]
+        .map(|(name, page)| (name, Document { name: "report", ..page }))
+}
+
+/// The number of drawings beside a page.
+fn drawings(folder: &Path) -> usize {
+    let names = fs::read_dir(folder).expect("the folder").map(|file| file.expect("a file").file_name());
+    names.filter(|name| name.to_string_lossy().ends_with(".svg")).count()
 }
 
 /// Compiles a report and looks for complaints in the log.
@@ -156,6 +174,21 @@ fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
     fs::create_dir_all(&folder).expect("a folder");
     fs::copy(atlas().join("atlas.tex"), folder.join("report.tex")).expect("the atlas");
     compile("atlas", &folder);
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn pages_of_several_engines_compile_and_the_poster_fits_its_sheet() {
+    for (name, page) in wide_pages() {
+        compile(name, &write_page(name, &page, Format::Latex));
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-poster");
+    fs::create_dir_all(&folder).expect("a folder");
+    let poster = report::poster(&file::catalogue().expect("the catalogue reads"));
+    fs::write(folder.join("report.tex"), &poster[1].text).expect("the poster");
+    compile("poster", &folder);
+    let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
+    assert!(log.contains("report.pdf (1 page"), "{}", folder.display());
 }
 
 /// Every formula that pandoc finds in a document.
@@ -233,8 +266,18 @@ fn every_page_shows_its_pictures_and_fits_a_browser_window() {
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");
     fs::create_dir_all(&folder).expect("a folder");
-    fs::copy(atlas().join("README.md"), folder.join("README.md")).expect("the atlas");
-    look("atlas", &folder, "README.md", 0);
-    let (folder, pictures) = comparison();
-    look("comparison", &folder, "compare.md", pictures);
+    for file in fs::read_dir(atlas()).expect("the atlas") {
+        let file = file.expect("a file");
+        fs::copy(file.path(), folder.join(file.file_name())).expect("a copy");
+    }
+    look("atlas", &folder, "README.md", drawings(&atlas()));
+}
+
+#[test]
+#[ignore = "needs pandoc 3 and Chromium"]
+fn pages_of_several_engines_show_their_pictures_and_fit_a_browser_window() {
+    for (name, page) in wide_pages() {
+        let folder = write_page(name, &page, Format::GITHUB);
+        look(name, &folder, "report.md", drawings(&folder));
+    }
 }

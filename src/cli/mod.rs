@@ -15,6 +15,7 @@ mod masses;
 mod optimise;
 mod pages;
 mod progress;
+mod questions;
 mod remedy;
 mod report;
 mod search;
@@ -22,10 +23,11 @@ mod sweep;
 mod verify;
 mod write;
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
@@ -34,7 +36,7 @@ use failure::Failure;
 
 /// Decides exactly how a reciprocating engine balances, and writes the proof.
 #[derive(Parser)]
-#[command(version, after_help = EXAMPLES)]
+#[command(version, after_help = EXAMPLES, max_term_width = 80)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -44,9 +46,9 @@ const EXAMPLES: &str = "\
 Examples:
   crankstar list                                     the engines known by name
   crankstar classify V8-crossplane                   a table of verdicts
-  crankstar classify my-engine.toml --orders 1,2,4   for a layout file of your own
-  crankstar report I4 --output I4-report             a report with its diagrams
-  crankstar search --cylinders 8 --cycle two-stroke  the crank stars that balance best
+  crankstar classify my-engine.toml --orders 1,2,4   a layout file of your own
+  crankstar report I4 --output I4-report             a report with its pictures
+  crankstar search --cylinders 8 --cycle two-stroke  the best crank stars
   crankstar compare I5-12453 I5-15234 V6-60-even     engines side by side
   crankstar sweep V6-60-shared --bank-angle 0..180:10 --output V6
   crankstar classify I4 --json > i4.json && crankstar verify i4.json
@@ -56,39 +58,39 @@ A layout file in its shortest form:
   [inline]
   throws = [0, 180, 180, 0]
 
-Exit status: 0 done, whatever the verdicts are; 1 the input is wrong, a certificate fails or a claim does not hold; 2 wrong usage.";
+Exit status: 0 done, whatever the verdicts are; 1 the input is wrong,
+a certificate fails or a claim does not hold; 2 wrong usage.";
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the catalogue, one line per engine
+    /// List the engines known by name, and the first order each leaves
     List(list::List),
-    /// Judge force and moment of an engine, order by order
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
-    /// Compute what the main bearings feel, order by order and through a revolution
+    /// Compute what the main bearings feel
     Bearings(bearings::Bearings),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
-    /// Find counterweights and balancer shafts that take away what is left
+    /// Find counterweights and balancer shafts that cancel what is left
     Remedy(remedy::Remedy),
-    /// Find the counterweights with the least bearing load for each crankshaft mass
+    /// Find the counterweights with the least bearing loads
     Optimise(optimise::Optimise),
-    /// Write the report with the proofs
+    /// Write the report, with pictures and proofs
     Report(report::Report),
-    /// Check all that the output of `classify --json` or `remedy --json` says
+    /// Check a JSON document of this program and its certificates
     Verify(verify::Verify),
-    /// Check claims about engines: statements of books, homework
+    /// Check claims about engines: of books, of homework
     Check(check::Check),
     /// Find the crank stars that balance best
     Search(search::Search),
-    /// Compare engines side by side: what each leaves, its remedy, its firing
+    /// Put engines side by side
     Compare(compare::Compare),
-    /// Write the atlas: the catalogue and the best stars in line, for print and for a spreadsheet
+    /// Write the catalogue and the best in-line stars, or a poster
     Atlas(atlas::Atlas),
-    /// Compute the balance over a range of a bank angle, or of any value of a layout file
+    /// Vary the bank angle, or any value of a layout file
     Sweep(sweep::Sweep),
-    /// Print a completion script for a shell
+    /// Print completions for a shell
     Completions {
         /// Which shell
         shell: clap_complete::Shell,
@@ -123,8 +125,8 @@ impl EngineAndOrders {
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
-    let command = match Arguments::try_parse_from(loads::spelled_out(std::env::args_os())) {
-        Ok(arguments) => arguments.command,
+    let command = match command_of(loads::spelled_out(std::env::args_os())) {
+        Ok(command) => command,
         Err(told) => return usage(&told),
     };
     let answer = match command {
@@ -151,6 +153,12 @@ pub fn run() -> ExitCode {
             ExitCode::from(1)
         }
     }
+}
+
+/// What is asked for, read with the help that groups the commands.
+fn command_of(arguments: Vec<OsString>) -> Result<Command, clap::Error> {
+    let asked = questions::by_question(Arguments::command()).try_get_matches_from(arguments)?;
+    Ok(Arguments::from_arg_matches(&asked)?.command)
 }
 
 /// Help, or what is wrong with the arguments, which may be repeated in it.

@@ -27,7 +27,7 @@ pub struct Look {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX without a preamble, as a piece of a document that is there
+    /// Write LaTeX or Typst without a preamble, as a piece of a document that is there
     #[arg(long)]
     fragment: bool,
     /// Name program and version at the foot of the page
@@ -73,6 +73,8 @@ pub enum Format {
     Latex,
     /// One file for a browser
     Html,
+    /// Typst with SVG files beside it
+    Typst,
     /// Plain text without pictures
     Text,
 }
@@ -93,6 +95,7 @@ impl Look {
             (Format::Markdown, Math::Dollars) => page::Format::Markdown(page::Math::Dollars),
             (Format::Latex, _) => page::Format::Latex,
             (Format::Html, _) => page::Format::Html,
+            (Format::Typst, _) => page::Format::Typst,
             (Format::Text, _) => page::Format::PLAIN,
         }
     }

@@ -1,8 +1,10 @@
 //! `sweep`: how does the balance change with a value of the layout file?
 
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
 use crankstar::file::Template;
 use crankstar::page::File;
@@ -49,20 +51,30 @@ pub struct Sweep {
     look: Look,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+/// Data, or a page in any of its formats.
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Format {
-    /// One row per point
     Csv,
-    /// The points, and the exact zeros
     Json,
-    /// Markdown with SVG files beside it
-    Markdown,
-    /// LaTeX for pdflatex
-    Latex,
-    /// One file for a browser
-    Html,
-    /// Plain text without pictures
-    Text,
+    Page(pages::Format),
+}
+
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
+            let pages = pages::Format::value_variants().iter().copied().map(Format::Page);
+            [Format::Csv, Format::Json].into_iter().chain(pages).collect()
+        });
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Format::Csv => Some(PossibleValue::new("csv").help("One row per point")),
+            Format::Json => Some(PossibleValue::new("json").help("The points, and the exact zeros")),
+            Format::Page(format) => format.to_possible_value(),
+        }
+    }
 }
 
 impl Sweep {
@@ -81,7 +93,8 @@ impl Sweep {
         match self.format {
             Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
             format => {
-                let written = self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Markdown)))?;
+                let written =
+                    self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Page(pages::Format::Markdown))))?;
                 write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep), self.look.language()) + &written))
             }
         }
@@ -92,18 +105,14 @@ impl Sweep {
         let csv = || report::sweep_csv(sweep);
         let json =
             || Ok::<_, Failure>(File { name: "sweep.json".into(), text: super::json(&report::sweep_document(sweep))? });
-        let page = |format: pages::Format| {
-            let mut files = self.look.files(&report::sweep_page(sweep), format);
-            files.extend([csv(), json()?]);
-            Ok(files)
-        };
         match format {
             Format::Csv => Ok(vec![csv()]),
             Format::Json => Ok(vec![json()?]),
-            Format::Markdown => page(pages::Format::Markdown),
-            Format::Latex => page(pages::Format::Latex),
-            Format::Html => page(pages::Format::Html),
-            Format::Text => page(pages::Format::Text),
+            Format::Page(format) => {
+                let mut files = self.look.files(&report::sweep_page(sweep), format);
+                files.extend([csv(), json()?]);
+                Ok(files)
+            }
         }
     }
 

@@ -8,7 +8,7 @@ use crate::numbers::{self, Direction, Form};
 use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
-const MOST_PLACES: usize = 4;
+const MOST_PLACES: usize = 6;
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
 /// The longest fraction that is shown as one.
@@ -27,6 +27,11 @@ pub(crate) fn number(value: &BigRational) -> String {
     if value.is_negative() { format!("−{text}") } else { text }
 }
 
+/// An exact number in little room: decimals after ≈ where it is long.
+pub(crate) fn short(value: &BigRational) -> String {
+    if is_long(value) { approximate(value.to_f64().unwrap_or(f64::NAN)) } else { number(value) }
+}
+
 /// Whether an exact number is shown in decimals, for it is too long.
 pub(crate) fn is_rounded(value: &BigRational) -> bool {
     exact_text(value).len() > MOST_LETTERS
@@ -38,7 +43,7 @@ fn exact_text(value: &BigRational) -> String {
 }
 
 /// Whether an exact number is too long to be read: a fraction of large numbers tells less than its decimals.
-fn is_long(value: &BigRational) -> bool {
+pub(crate) fn is_long(value: &BigRational) -> bool {
     let text = exact_text(value);
     text.len() > if text.contains('/') { LONGEST_FRACTION } else { MOST_LETTERS }
 }

@@ -1,6 +1,6 @@
-//! How is it shown? Reports in Markdown and LaTeX with their diagrams, and the JSON document.
+//! What is said, and drawn, of each question? A short answer and a page, both of blocks, and a JSON document.
 //!
-//! `verdicts → page (finished strings, drawings) → template → files`
+//! `verdicts → words, tables, pictures → page::Document`, which [`crate::page`] writes in every format.
 
 mod accuracy;
 mod argument;
@@ -59,7 +59,7 @@ pub use multiples::{Column, multiples};
 pub use optimise::{
     OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
-pub use poster::poster;
+pub use poster::{poster, poster_sheet};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{force_summary, moment_summary, order_name, torque_summary, whole_summary};
 pub use search::{search_answer, search_page};

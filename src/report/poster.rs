@@ -21,7 +21,7 @@ const MOST_COLUMNS: usize = 16;
 
 /// The poster: a drawing for a browser, and a file for pdflatex.
 pub fn poster(engines: &[(Entry, Engine)]) -> Vec<File> {
-    let figure = sheet(&families(engines), engines.len());
+    let figure = poster_sheet(engines);
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
     vec![file("poster.svg", svg(&figure, &plain(title(engines.len())))), file("poster.tex", in_latex(&figure))]
 }
@@ -42,18 +42,20 @@ const FOOTER: [&str; 4] = [
     "Elliptical: neither; of order 1, counterweights remove the part that turns with the crank, and a shaft against the crank removes the rest.",
 ];
 
-fn sheet(families: &[Family], engines: usize) -> Figure {
+/// The sheet itself.
+pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
+    let families = families(engines);
     let (width, height) = SHEET;
     let mut figure = Figure::new(width, height);
-    figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), plain(title(engines)), 13.0, Anchor::Middle);
+    figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), plain(title(engines.len())), 13.0, Anchor::Middle);
     for (index, line) in SUBTITLE.iter().enumerate() {
         figure.text(Point::new(width / 2.0, height - MARGIN - 17.0 - 4.4 * index as f64), *line, Anchor::Middle);
     }
-    let columns = columns(families);
+    let columns = columns(&families);
     let cell = (width - 2.0 * MARGIN) / columns as f64;
-    let row = row_height(families, columns);
+    let row = row_height(&families, columns);
     let mut y = height - MARGIN - HEAD;
-    for family in families {
+    for family in &families {
         figure.title(Point::new(MARGIN, y - 3.6), family.heading, 5.0, Anchor::Start);
         let rule = Stroke::solid(Ink::Grey, 0.3);
         figure.line(Point::new(MARGIN, y - 6.6), Point::new(width - MARGIN, y - 6.6), rule);

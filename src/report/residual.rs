@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 pub(super) use super::residual_words::{sentence, whole_sentence};
-use super::typeset::{self, Amount, Bearing, number, signed_degrees};
+use super::typeset::{self, Amount, Bearing, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -55,15 +55,21 @@ pub fn order_name(order: &OrderBalance) -> String {
     }
 }
 
+/// `= 0.25`, `≈ 0.2748`.
+fn equals(value: &BigRational) -> String {
+    let text = typeset::short(value);
+    if typeset::is_long(value) { text } else { format!("= {text}") }
+}
+
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
     let rod = match &class.factor {
         Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
             let offset = match rod.offset.is_zero() {
                 true => String::new(),
-                false => format!(", δ = {}", number(&rod.offset)),
+                false => format!(", δ {}", equals(&rod.offset)),
             };
-            format!(", λ = {}{offset}", number(&rod.ratio))
+            format!(", λ {}{offset}", equals(&rod.ratio))
         }
         Factor::One | Factor::Open => String::new(),
     };
@@ -156,8 +162,8 @@ pub fn torque_summary(of: &TorqueVerdict) -> String {
 }
 
 /// What the summaries are counted in.
-pub(super) const LEGEND: &str = "0 is exact and proved; else the largest value ½(|P⁺| + |P⁻|): forces in m r ω² c_k, moments in that \
-                          times the unit of the positions; exact but after ≈.";
+pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless it stands after ≈: forces in \
+                          m r ω² c_k, moments in that times the unit of the positions.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {

@@ -1,6 +1,6 @@
 //! Do the errors of the methods come out as told, do the guarantees hold, and is the published page as stored?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test accuracy` writes the page anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite accuracy` writes the page anew.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

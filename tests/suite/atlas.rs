@@ -1,6 +1,6 @@
 //! Does the atlas in `reports/atlas` still say what the program writes, and does it hold?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test atlas` writes it anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite atlas` writes it anew.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -11,6 +11,8 @@ use std::{env, fs};
 
 use crankstar::engine::Cycle;
 use crankstar::file;
+use crankstar::page::Block;
+use crankstar::report;
 use crankstar::search::{self, Best, Options, Problem};
 
 fn best(cylinders: u32, cycle: Cycle) -> Best {
@@ -46,12 +48,45 @@ fn the_atlas_is_as_stored() {
             fs::write(folder().join(name), text).expect("a file");
         }
     }
-    assert_eq!(written().len(), 3);
+    for name in ["README.md", "atlas.tex", "atlas.html", "atlas.csv", "stars-in-line.svg"] {
+        assert!(written().contains_key(name), "{name} is not written");
+    }
     assert_eq!(fs::read_dir(folder()).expect("the folder").count(), written().len());
     for (name, text) in written() {
         let stored = fs::read_to_string(folder().join(name)).expect("a file");
         let first = stored.lines().zip(text.lines()).position(|(old, new)| old != new);
         assert!(&stored == text, "{name} differs, first in line {:?}", first.map(|line| line + 1));
+    }
+}
+
+#[test]
+fn every_engine_of_the_catalogue_stands_on_the_poster_and_no_text_lies_on_another() {
+    let engines = file::catalogue().expect("it reads");
+    let files = report::poster(&engines);
+    assert_eq!(files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), ["poster.svg", "poster.tex"]);
+    for (entry, _) in &engines {
+        assert!(files[0].text.contains(&format!(">{}</text>", entry.name)), "{}", entry.name);
+        assert!(files[1].text.contains(&format!("{{{}}};", entry.name)), "{}", entry.name);
+    }
+    assert!(files[1].text.starts_with("\\documentclass[a3paper]{article}"));
+    let sheet = report::poster_sheet(&engines);
+    assert_eq!((sheet.width, sheet.height), (297.0, 420.0));
+    assert!(sheet.overlaps().is_empty() && sheet.leaving().is_empty(), "{:?} {:?}", sheet.overlaps(), sheet.leaving());
+}
+
+#[test]
+fn the_pictures_of_the_catalogue_show_every_engine_and_no_text_lies_on_another() {
+    let engines = file::catalogue().expect("it reads");
+    let page = report::catalogue_page(&engines);
+    let pictures = page.blocks.iter().filter_map(|block| match block {
+        Block::Pictures(pictures) => Some(pictures),
+        _ => None,
+    });
+    let figures: Vec<_> = pictures.flatten().map(|picture| &picture.figure).collect();
+    let texts: Vec<&str> = figures.iter().flat_map(|figure| figure.text_boxes()).map(|(text, _)| text).collect();
+    assert!(engines.iter().all(|(entry, _)| texts.contains(&entry.name)), "{texts:?}");
+    for figure in figures {
+        assert!(figure.overlaps().is_empty() && figure.leaving().is_empty(), "{:?}", figure.overlaps());
     }
 }
 

@@ -1,6 +1,6 @@
 //! Do the pages of the study in `reports/grigoryev` say what the program finds, and what the paper does?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test grigoryev` writes them anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite grigoryev` writes them anew.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;

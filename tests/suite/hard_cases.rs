@@ -1,6 +1,6 @@
 //! Do the numbers stay right where floats are at their worst, and does a verdict never change with them?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test hard_cases` writes `reports/stability` anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite hard_cases` writes `reports/stability` anew.
 use std::fmt::Write;
 use std::path::Path;
 use std::{env, fs};

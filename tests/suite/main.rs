@@ -29,6 +29,7 @@ mod fuzzed;
 mod grigoryev;
 mod ground_truth;
 mod hard_cases;
+mod help;
 mod hostile_text;
 mod languages;
 mod largest;

@@ -1,9 +1,8 @@
 //! Are the counterweights that `optimise` finds the best, exact, and written as it says?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test optimise the_ -- --test-threads=1` writes the pages in `reports/optimise` anew, one after the
-//! other. They hold the figures of the stored
-//! layout files, measured: so they are the same on every machine, though the last digit of a solver may not be. The tests
-//! solve anew and hold the stored points to that.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite optimise::the_ -- --test-threads=1` writes the pages in `reports/optimise` anew, one
+//! after the other. They hold the figures of the stored layout files, measured: so they are the same on every machine, though the
+//! last digit of a solver may not be. The tests solve anew and hold the stored points to that.
 
 use std::path::PathBuf;
 use std::process::{Command, Output};

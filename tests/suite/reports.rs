@@ -1,6 +1,6 @@
 //! Do the reports in `reports/` still say, byte for byte, what the program writes?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test reports` writes them anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite reports` writes them anew.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Does `reports/thesis` say of chapter 6 of the thesis what an independent computation says, and is it as stored?
 //!
-//! `CRANKSTAR_RENEW=1 cargo test --test thesis` writes its pages anew.
+//! `CRANKSTAR_RENEW=1 cargo test --test suite thesis` writes its pages anew.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};

@@ -145,8 +145,10 @@ impl Language {
         let known = |piece: &str| self.whole(piece).or_else(|| self.pattern(piece, |inside| self.signs(inside)));
         let bare = |piece: &str| (!piece.contains(char::is_alphabetic)).then(|| self.numbers(piece));
         let one = |piece: &&str| known(piece).or_else(|| bare(piece));
-        let is_list = pieces.len() > 1 && english.contains(char::is_alphabetic);
-        let set: Vec<String> = is_list.then(|| pieces.iter().map(one).collect())??;
+        if pieces.len() < 2 || !english.contains(char::is_alphabetic) {
+            return None;
+        }
+        let set = pieces.iter().map(one).collect::<Option<Vec<String>>>()?;
         let between = if set.iter().any(|piece| has_comma(piece)) { self.separator() } else { ", " };
         Some(set.join(between))
     }

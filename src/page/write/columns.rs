@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::templates;
+
 /// A table whose cells are finished strings, and how long they are.
 #[derive(Serialize)]
 pub(super) struct Cells {
@@ -34,26 +36,26 @@ impl Letters {
     }
 }
 
-/// A table that fits, for a template of LaTeX.
+/// A table that fits a printed page, for a template.
 #[derive(Serialize)]
-pub(super) struct Part<'a> {
-    /// The columns, as `longtable` takes them.
-    columns: String,
-    /// The size of the letters.
-    size: &'static str,
+struct Part<'a> {
+    /// Millimetres of each column whose cells are broken into lines; nothing where it is as wide as its cells.
+    widths: Vec<Option<String>>,
+    /// The size of the letters in points.
+    size: u8,
     header: Vec<&'a str>,
     rows: Vec<Vec<&'a str>>,
 }
 
 /// A size of letters, with how many of them stand on a line.
 struct Size {
-    name: &'static str,
+    points: u8,
     capacity: usize,
 }
 
-const SMALL: Size = Size { name: "\\small", capacity: 84 };
-const SMALLER: Size = Size { name: "\\footnotesize", capacity: 94 };
-const SMALLEST: Size = Size { name: "\\scriptsize", capacity: 106 };
+const SMALL: Size = Size { points: 10, capacity: 84 };
+const SMALLER: Size = Size { points: 9, capacity: 94 };
+const SMALLEST: Size = Size { points: 8, capacity: 106 };
 
 /// Width of the text in millimetres.
 const TEXT_WIDTH: f64 = 166.0;
@@ -61,36 +63,63 @@ const TEXT_WIDTH: f64 = 166.0;
 const GAP: usize = 3;
 
 impl Cells {
-    /// The table in parts that fit beside the first column, which each part repeats.
-    pub fn parts(&self) -> Vec<Part<'_>> {
+    /// The table as print takes it: in as many tables as it needs to fit.
+    pub fn printed(&self, set: &templates::Set) -> String {
+        self.parts().iter().map(|part| templates::fill(set, "table", part)).collect()
+    }
+
+    /// The table in parts, each in the largest letters in which it fits.
+    fn parts(&self) -> Vec<Part<'_>> {
+        let bands = self.bands(|columns| self.part(columns).is_some());
+        let set = |columns: Vec<usize>| {
+            self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns)))
+        };
+        bands.into_iter().map(set).collect()
+    }
+
+    /// The columns of each part for a line of so many letters, and how wide they are; `gap` letters stand with each.
+    pub fn lines(&self, width: usize, gap: usize) -> Vec<Vec<(usize, usize)>> {
+        let room = |columns: &[usize]| width.saturating_sub(gap * columns.len());
+        let bands = self.bands(|columns| self.least(columns).iter().sum::<usize>() <= room(columns));
+        let set = |columns: Vec<usize>| {
+            let widths = shared(&self.natural(&columns), &self.least(&columns), room(&columns));
+            columns.into_iter().zip(widths).collect()
+        };
+        bands.into_iter().map(set).collect()
+    }
+
+    /// The columns in parts that fit, each with the first column before it.
+    fn bands(&self, fits: impl Fn(&[usize]) -> bool) -> Vec<Vec<usize>> {
         let all: Vec<usize> = (0..self.header.len()).collect();
-        if let Some(part) = self.part(&all) {
-            return vec![part];
+        let [first, rest @ ..] = all.as_slice() else { return Vec::new() };
+        if rest.is_empty() || fits(&all) {
+            return vec![all];
         }
-        let mut parts = Vec::new();
-        let mut rest = &all[1..];
+        let mut rest = rest;
+        let mut bands = Vec::new();
         while !rest.is_empty() {
-            let with_first = |count: usize| [&all[..1], &rest[..count]].concat();
-            let fitting = (1..=rest.len()).rev().find(|&count| self.part(&with_first(count)).is_some());
-            let count = fitting.unwrap_or(1);
-            let columns = with_first(count);
-            parts.push(self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns))));
+            let with_first = |count: usize| [&[*first], &rest[..count]].concat();
+            let count = (1..=rest.len()).rev().find(|&count| fits(&with_first(count))).unwrap_or(1);
+            bands.push(with_first(count));
             rest = &rest[count..];
         }
-        parts
+        bands
     }
 
     /// Some columns in the largest letters in which they fit.
     fn part(&self, columns: &[usize]) -> Option<Part<'_>> {
-        let natural = self.natural(columns);
-        let least = self.widest(columns, |letters| letters.longest);
+        let (natural, least) = (self.natural(columns), self.least(columns));
         let room = |size: &Size| size.capacity.saturating_sub(GAP * columns.len());
-        let whole = [&SMALL, &SMALLER].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
+        let whole = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| natural.iter().sum::<usize>() <= room(size));
         if let Some(size) = whole {
             return Some(self.set(columns, size, &natural));
         }
         let broken = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| least.iter().sum::<usize>() <= room(size));
         broken.map(|size| self.set(columns, size, &shared(&natural, &least, room(size))))
+    }
+
+    fn least(&self, columns: &[usize]) -> Vec<usize> {
+        self.widest(columns, |letters| letters.longest)
     }
 
     fn natural(&self, columns: &[usize]) -> Vec<usize> {
@@ -105,13 +134,12 @@ impl Cells {
     fn set(&self, columns: &[usize], size: &Size, widths: &[usize]) -> Part<'_> {
         let natural = self.natural(columns);
         let millimetres = TEXT_WIDTH / size.capacity as f64;
-        let column = |(width, natural): (&usize, &usize)| match width < natural {
-            false => "l".to_owned(),
-            true => format!(">{{\\raggedright\\arraybackslash}}p{{{:.1}mm}}", *width as f64 * millimetres),
+        let broken = |(width, natural): (&usize, &usize)| {
+            (width < natural).then(|| format!("{:.1}", *width as f64 * millimetres))
         };
         Part {
-            columns: widths.iter().zip(&natural).map(column).collect(),
-            size: size.name,
+            widths: widths.iter().zip(&natural).map(broken).collect(),
+            size: size.points,
             header: columns.iter().map(|&at| self.header[at].as_str()).collect(),
             rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
         }

@@ -89,8 +89,8 @@ impl<'a> Composer<'a> {
         let body = self.blocks(rest);
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
-            title: self.text(&document.title),
-            plain_title: self.plain(&document.title),
+            title: self.writer.paragraph(self.text(&document.title)),
+            plain_title: self.writer.words(&self.plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),
             before,
             body,
@@ -124,7 +124,8 @@ impl<'a> Composer<'a> {
         match block {
             Block::Heading(level, text) => {
                 let id = self.free_id(&self.plain(text));
-                let heading = Heading { level: *level, text: self.text(text), id, number: self.headings.len() + 1 };
+                let text = self.writer.paragraph(self.text(text));
+                let heading = Heading { level: *level, text, id, number: self.headings.len() + 1 };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
@@ -190,7 +191,7 @@ impl<'a> Composer<'a> {
         let mut drawn = Vec::new();
         for picture in pictures {
             let picture = &Picture { figure: self.options.language.figure(&picture.figure), ..picture.clone() };
-            let (body, file) = self.writer.picture(picture, &self.plain(&picture.caption));
+            let (body, file) = self.writer.picture(picture, first_sentence(&self.plain(&picture.caption)));
             self.files.extend(file);
             drawn.push(Drawn { body, caption: self.text(&picture.caption) });
         }
@@ -320,6 +321,12 @@ impl<'a> Composer<'a> {
 
 /// Between values in English.
 const COMMA: &str = ", ";
+
+/// What a picture is called where it is not seen.
+fn first_sentence(caption: &str) -> &str {
+    caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
+}
+
 
 /// The name of a heading, as code-hosting pages make it.
 fn id(heading: &str) -> String {

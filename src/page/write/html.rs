@@ -17,7 +17,7 @@ impl Writer for Html {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::HTML
+        templates::set!("html", None)
     }
 
     fn words(&self, words: &str) -> String {
@@ -29,7 +29,9 @@ impl Writer for Html {
     }
 
     fn formula(&self, tex: &str) -> String {
-        mathml(tex, DisplayMode::Inline)
+        let formula = mathml(tex, DisplayMode::Inline);
+        // What is wider than a phone is moved under the finger.
+        if tex.len() > LONG { format!("<span class=\"long\">{formula}</span>") } else { formula }
     }
 
     fn display(&self, tex: &str, number: Option<u32>) -> String {
@@ -65,6 +67,9 @@ impl Writer for Html {
         (svg(&picture.figure, caption), None)
     }
 }
+
+/// Longer formulas may be wider than a narrow page.
+const LONG: usize = 60;
 
 /// A formula of this program in MathML; as its TeX where the library does not know a command.
 fn mathml(tex: &str, display_mode: DisplayMode) -> String {

@@ -15,7 +15,7 @@ impl Writer for Latex {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::LATEX
+        templates::set!("latex", Some(templates::angles()))
     }
 
     fn words(&self, words: &str) -> String {
@@ -58,8 +58,7 @@ impl Writer for Latex {
     }
 
     fn table(&self, cells: &Cells) -> Option<String> {
-        let parts = cells.parts();
-        Some(parts.iter().map(|part| templates::fill(self.templates(), "table", part)).collect())
+        Some(cells.printed(self.templates()))
     }
 
     fn folds_at_end(&self) -> bool {

@@ -16,7 +16,7 @@ impl Writer for Markdown {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::MARKDOWN
+        templates::set!("markdown", None)
     }
 
     fn words(&self, words: &str) -> String {

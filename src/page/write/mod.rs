@@ -8,6 +8,7 @@ mod markdown;
 mod templates;
 mod terminal;
 mod tex;
+mod typst;
 
 use super::Language;
 use super::block::{Document, Picture};
@@ -33,6 +34,8 @@ pub enum Format {
     Latex,
     /// One page for a browser, pictures inside.
     Html,
+    /// Typst, with pictures beside it.
+    Typst,
     /// Plain text of so many columns, in colours or not, without pictures.
     Terminal {
         /// Columns of the terminal.
@@ -63,6 +66,7 @@ impl Format {
             Format::Markdown(math) => Box::new(markdown::Markdown { math }),
             Format::Latex => Box::new(latex::Latex),
             Format::Html => Box::new(html::Html),
+            Format::Typst => Box::new(typst::Typst),
             Format::Terminal { width, colour } => Box::new(terminal::Terminal { width, colour, unbroken: false }),
         }
     }
@@ -71,7 +75,7 @@ impl Format {
 /// What a person may choose of a page beside its format.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Whether LaTeX is a piece for a document that is there, without a preamble.
+    /// Whether LaTeX or Typst is a piece for a document that is there, without a preamble.
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,

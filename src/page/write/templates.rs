@@ -13,11 +13,11 @@ pub(super) type Set = LazyLock<Tera>;
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
 
-/// One template per kind of block, and one for the document.
+/// One template per kind of block, and one for the document, out of a folder.
 macro_rules! set {
-    ($folder:literal, $delimiters:expr) => {
-        LazyLock::new(|| {
-            load(
+    ($folder:literal, $delimiters:expr) => {{
+        static SET: $crate::page::write::templates::Set = std::sync::LazyLock::new(|| {
+            $crate::page::write::templates::load(
                 &[
                     ("answer", include_str!(concat!("../../../templates/", $folder, "/answer"))),
                     ("document", include_str!(concat!("../../../templates/", $folder, "/document"))),
@@ -32,17 +32,15 @@ macro_rules! set {
                 ],
                 $delimiters,
             )
-        })
-    };
+        });
+        &SET
+    }};
 }
 
-pub(super) static MARKDOWN: Set = set!("markdown", None);
-pub(super) static LATEX: Set = set!("latex", Some(angles()));
-pub(super) static HTML: Set = set!("html", None);
-pub(super) static TERMINAL: Set = set!("terminal", None);
+pub(super) use set;
 
 /// Delimiters that TeX does not use.
-fn angles() -> Delimiters {
+pub(super) fn angles() -> Delimiters {
     Delimiters {
         block_start: "<%".into(),
         block_end: "%>".into(),
@@ -53,7 +51,7 @@ fn angles() -> Delimiters {
     }
 }
 
-fn load(templates: &[(&'static str, &'static str)], delimiters: Option<Delimiters>) -> Tera {
+pub(super) fn load(templates: &[(&'static str, &'static str)], delimiters: Option<Delimiters>) -> Tera {
     let mut tera = Tera::default();
     tera.autoescape_on(Vec::<&str>::new());
     if let Some(delimiters) = delimiters {

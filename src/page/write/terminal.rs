@@ -1,6 +1,6 @@
 //! Which signs does a terminal show? Plain text in lines that fit, tables ruled under their head, zeros in colour where there are colours.
 
-use comfy_table::{Cell, Color, ContentArrangement, LineStyle, Table, TableStyle};
+use comfy_table::{Cell, Color, ColumnConstraint, ContentArrangement, LineStyle, Table, TableStyle, Width};
 
 use super::super::block::Picture;
 use super::columns::Cells;
@@ -15,7 +15,37 @@ pub(super) struct Terminal {
     pub unbroken: bool,
 }
 
+/// Columns that stand beside the words of a cell.
+const PADDING: usize = 2;
+/// Columns that a column takes beside its words: where it meets the next one stands one more.
+const GAP: usize = PADDING + 1;
+
 impl Terminal {
+    /// Some columns of a table, each as wide as it is told.
+    fn part(&self, cells: &Cells, columns: &[(usize, usize)]) -> String {
+        let mut table = Table::new();
+        table.load_style(RULE_UNDER_HEAD);
+        table.set_header(columns.iter().map(|&(at, _)| &cells.header[at]));
+        for (row, zeros) in cells.rows.iter().zip(&cells.zeros) {
+            table.add_row(columns.iter().map(|&(at, _)| match zeros[at] && self.colour {
+                true => Cell::new(&row[at]).fg(Color::Green),
+                false => Cell::new(&row[at]),
+            }));
+        }
+        let width = |letters: usize| Width::Fixed(u16::try_from(letters + PADDING).unwrap_or(u16::MAX));
+        table.set_constraints(columns.iter().map(|&(_, letters)| ColumnConstraint::Absolute(width(letters))));
+        table.set_content_arrangement(ContentArrangement::Dynamic);
+        table.set_width(u16::try_from(self.width).unwrap_or(u16::MAX));
+        // The space behind a word has no colour, so that it can be cut off.
+        table.style_text_only();
+        if self.colour {
+            table.enforce_styling();
+        } else {
+            table.force_no_tty();
+        }
+        table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
+    }
+
     fn joined(&self, formula: String) -> String {
         if self.unbroken { formula.replace(' ', "\u{a0}") } else { formula }
     }
@@ -27,7 +57,7 @@ impl Writer for Terminal {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        &templates::TERMINAL
+        templates::set!("terminal", None)
     }
 
     fn words(&self, words: &str) -> String {
@@ -72,25 +102,8 @@ impl Writer for Terminal {
     }
 
     fn table(&self, cells: &Cells) -> Option<String> {
-        let mut table = Table::new();
-        table.load_style(RULE_UNDER_HEAD).set_content_arrangement(ContentArrangement::Dynamic);
-        table.set_width(u16::try_from(self.width).unwrap_or(u16::MAX));
-        table.set_header(&cells.header);
-        for (row, zeros) in cells.rows.iter().zip(&cells.zeros) {
-            table.add_row(row.iter().zip(zeros).map(|(text, is_zero)| match *is_zero && self.colour {
-                true => Cell::new(text).fg(Color::Green),
-                false => Cell::new(text),
-            }));
-        }
-        // The space behind a word has no colour, so that it can be cut off.
-        table.style_text_only();
-        if self.colour {
-            table.enforce_styling();
-        } else {
-            table.force_no_tty();
-        }
-        let lines = table.lines().map(|line| line.trim_end().to_owned());
-        Some(lines.collect::<Vec<_>>().join("\n") + "\n\n")
+        let parts = cells.lines(self.width, GAP);
+        Some(parts.iter().map(|columns| self.part(cells, columns) + "\n\n").collect())
     }
 
     fn paragraph(&self, text: String) -> String {

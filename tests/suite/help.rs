@@ -1,0 +1,98 @@
+//! Does the help fit a terminal, and do the help, the README and the page of commands name every command and option?
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+fn succeeds(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+/// The commands, as the completions know them.
+fn commands() -> Vec<String> {
+    let script = succeeds(&["completions", "fish"]);
+    let offered = script.lines().filter(|line| line.contains("__fish_crankstar_needs_command"));
+    let named = offered.filter_map(|line| line.split("-a \"").nth(1)?.split('"').next());
+    let commands: Vec<String> = named.filter(|name| *name != "help").map(str::to_owned).collect();
+    assert!(commands.len() > 10, "{commands:?}");
+    commands
+}
+
+/// The options that the help of a command lists.
+fn options(command: &str) -> Vec<String> {
+    let help = succeeds(&[command, "-h"]);
+    let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with("--"));
+    lines.map(|line| first_word(line).to_owned()).collect()
+}
+
+fn first_word(line: &str) -> &str {
+    line.split_whitespace().next().unwrap_or_default()
+}
+
+fn text(file: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).expect("a text")
+}
+
+#[test]
+fn no_line_of_help_is_longer_than_eighty_columns() {
+    let commands = commands();
+    let mut asked = vec![vec!["-h"], vec!["--help"]];
+    asked.extend(commands.iter().flat_map(|name| [vec![name, "-h"], vec![name, "--help"]]));
+    for arguments in asked {
+        for line in succeeds(&arguments).lines() {
+            assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
+        }
+    }
+}
+
+#[test]
+fn help_names_every_command_once_below_a_question() {
+    let help = succeeds(&["--help"]);
+    let below = help.find("Which engine?").expect("a question");
+    let list: Vec<&str> = help[below..].lines().take_while(|line| !line.starts_with("Options")).collect();
+    let named: Vec<&str> = list.iter().filter(|line| line.starts_with("  ")).map(|line| first_word(line)).collect();
+    for command in commands() {
+        assert_eq!(named.iter().filter(|name| **name == command).count(), 1, "{command} in\n{help}");
+    }
+    assert_eq!(named.len(), commands().len(), "{help}");
+}
+
+#[test]
+fn the_readme_names_every_command_once() {
+    let readme = text("README.md");
+    for command in commands() {
+        let row = format!("| [`{command}`](docs/commands.md#{command}) | ");
+        assert_eq!(readme.matches(&row).count(), 1, "{row}");
+    }
+}
+
+#[test]
+fn the_page_of_commands_tells_every_option() {
+    let page = text("docs/commands.md");
+    let section = |name: &str| {
+        let (_, rest) = page.split_once(&format!("\n## {name}\n")).unwrap_or_else(|| panic!("no section of {name}"));
+        rest.split("\n## ").next().unwrap_or_default().to_owned()
+    };
+    let every_page = section("Every page");
+    let mut found = 0;
+    for command in commands() {
+        let own = section(&command);
+        let told = match own.contains("[every page](#every-page)") {
+            true => own + &every_page,
+            false => own,
+        };
+        for option in options(&command) {
+            let is_told = told.match_indices(&option).any(|(at, _)| !told[at + option.len()..].starts_with(['-', 's']));
+            assert!(is_told, "{option} of {command} is not told");
+            found += 1;
+        }
+    }
+    assert!(found > 80, "only {found} options were found");
+}
+
+#[test]
+fn the_console_examples_of_the_readme_are_what_the_program_prints() {
+    trycmd::TestCases::new().case("README.md");
+}
