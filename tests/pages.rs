@@ -16,7 +16,7 @@ use crankstar::claim::parse_claims;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
-use crankstar::page::{self, Document, Format, Math, Options};
+use crankstar::page::{self, Document, Format, Language, Math, Options};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Compared, Contents};
 use crankstar::text::Untrusted;
@@ -189,6 +189,20 @@ fn pages_of_several_engines_compile_and_the_poster_fits_its_sheet() {
     compile("poster", &folder);
     let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
     assert!(log.contains("report.pdf (1 page"), "{}", folder.display());
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn a_german_report_compiles_without_errors_missing_references_or_overfull_lines() {
+    let layout = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/examples/v8-small-block/layout.toml");
+    let engine = file::parse("layout.toml", &fs::read_to_string(layout).expect("a layout file")).expect("an engine");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-german");
+    fs::create_dir_all(&folder).expect("a folder");
+    let options = Options { language: Language::De, ..Options::default() };
+    for file in page::write(&report_of(&engine), Format::Latex, &options) {
+        fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    compile("german", &folder);
 }
 
 /// Every formula that pandoc finds in a document.

@@ -103,7 +103,11 @@ impl Look {
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
-        page::write(document, self.format(format), &Options { fragment: self.fragment, stamp, language: self.spoken.language() })
+        page::write(
+            document,
+            self.format(format),
+            &Options { fragment: self.fragment, stamp, language: self.spoken.language() },
+        )
     }
 
     /// Writes the files into the folder where one is named; says what was written.

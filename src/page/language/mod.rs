@@ -87,9 +87,14 @@ impl Language {
         Language::ALL.into_iter().find(|language| language.code() == code).unwrap_or_default()
     }
 
-    /// Whether these words need no translation or have one.
+    /// Whether these words need no translation or have one, sentence by sentence.
     pub fn knows(self, english: &str) -> bool {
-        self == Language::En || self.words(english) != english || self.list().written.words.contains_key(english)
+        let one = |sentence: &str| {
+            let known = self.whole(sentence).or_else(|| self.pieces(sentence));
+            known.is_some() || self.pattern(sentence, |inside| self.signs(inside)).is_some()
+        };
+        let is_listed = || self.list().written.words.contains_key(english);
+        self == Language::En || is_listed() || english.split_inclusive(". ").all(|sentence| one(sentence.trim_end()))
     }
 
     /// The entries of its list: English words and its own.

@@ -281,9 +281,7 @@ impl<'a> Composer<'a> {
                 Some([tex, plain]) => format!("{} {}", exact(&tex, &plain), numbers(&bearing.degrees())),
                 None => numbers(&bearing.degrees()),
             },
-            Piece::Quantity(value, unit) => {
-                numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit)))
-            }
+            Piece::Quantity(value, unit) => numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit))),
             Piece::Formula(tex) => writer.formula(&language.formula(tex)),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
@@ -326,7 +324,6 @@ const COMMA: &str = ", ";
 fn first_sentence(caption: &str) -> &str {
     caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
 }
-
 
 /// The name of a heading, as code-hosting pages make it.
 fn id(heading: &str) -> String {
