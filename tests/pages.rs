@@ -1,6 +1,6 @@
-//! Do the reports look right where they are read: in LaTeX, on a Markdown page, in a browser?
+//! Do the reports look right where they are read: in LaTeX, in Typst, on a Markdown page, in a browser?
 //!
-//! These tests need pdflatex, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
+//! These tests need pdflatex, Typst for Python, pdftotext, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
 
 #[path = "pages/moving.rs"]
@@ -16,7 +16,7 @@ use crankstar::claim::parse_claims;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
-use crankstar::page::{self, Document, Format, Language, Math, Options};
+use crankstar::page::{self, Alone, Document, Format, Language, Math, Options, Symbols};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Compared, Contents};
 use crankstar::text::Untrusted;
@@ -176,6 +176,61 @@ fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
     compile("atlas", &folder);
 }
 
+/// The notation of another book.
+const NOTATION: &str = r#"
+[symbols]
+alpha = "\\gamma_{b}"
+beta = "\\hat\\chi"
+gamma = "\\tau"
+lambda = "\\mu"
+theta = "\\vartheta"
+phi = "\\Phi"
+psi = "\\xi"
+omega = "\\Omega"
+c_k = "b_k"
+P_k = "\\Pi_k"
+F_k = "\\mathbf{Q}'_k"
+Q_k = "D_k"
+"#;
+
+fn in_another_notation() -> Options {
+    Options { symbols: Symbols::read("symbols.toml", NOTATION).expect("it reads"), ..Options::default() }
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn fragments_compile_inside_one_document_in_another_notation_too() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-fragments");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    let mut host = include_str!("pages/host.tex").to_owned();
+    for (name, page) in reports().into_iter().filter(|(name, _)| name.starts_with("strange") || name.starts_with("V8"))
+    {
+        let options = Options { fragment: true, label: Some(name.clone()), ..in_another_notation() };
+        for file in page::write(&page, Format::Latex, &options) {
+            fs::write(folder.join(format!("{name}.tex")), file.text).expect("a file");
+        }
+        host.push_str(&format!("\\input{{{name}}}\n"));
+    }
+    fs::write(folder.join("report.tex"), host + "\\end{document}\n").expect("a file");
+    compile("fragments", &folder);
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn a_drawing_of_its_own_fits_its_paper() {
+    let (_, page) = reports().remove(0);
+    for (index, picture) in page.pictures().into_iter().enumerate() {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pages-alone-{index}"));
+        fs::create_dir_all(&folder).expect("a folder");
+        let text = Alone::TikzDocument.write(picture, &in_another_notation());
+        fs::write(folder.join("report.tex"), text).expect("a file");
+        compile(&picture.name, &folder);
+        let log = fs::read_to_string(folder.join("report.log")).expect("a log");
+        assert!(log.contains("(1 page"), "{}", picture.name);
+    }
+}
+
 #[test]
 #[ignore = "needs pdflatex"]
 fn pages_of_several_engines_compile_and_the_poster_fits_its_sheet() {
@@ -189,6 +244,37 @@ fn pages_of_several_engines_compile_and_the_poster_fits_its_sheet() {
     compile("poster", &folder);
     let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
     assert!(log.contains("report.pdf (1 page"), "{}", folder.display());
+}
+
+/// The margin of a page and its width, in the points of PDF.
+const MARGIN: f64 = 22.0 / 25.4 * 72.0;
+const PAGE: f64 = 210.0 / 25.4 * 72.0;
+/// How far a comma hangs into the margin.
+const HANGING: f64 = 3.0;
+
+/// Compiles a report in Typst without a warning, and looks for words in the margins.
+fn typeset(name: &str, folder: &Path) {
+    let script = "import typst; _, warnings = typst.compile_with_warnings('report.typ', output='report.pdf'); \
+                  print(*(warning.message for warning in warnings), sep='\\n', end='')";
+    let warnings = run(folder, "python3", &["-c", script], "");
+    assert_eq!(warnings, "", "{name}: {}/report.typ", folder.display());
+    let words = run(folder, "pdftotext", &["-bbox", "report.pdf", "-"], "");
+    for line in words.lines().filter(|line| line.contains("<word")) {
+        let place = |name: &str| -> f64 {
+            let (_, rest) = line.split_once(&format!("{name}=\"")).expect("a place");
+            rest.split('"').next().and_then(|number| number.parse().ok()).expect("a number")
+        };
+        let fits = place("xMin") > MARGIN - HANGING && place("xMax") < PAGE - MARGIN + HANGING;
+        assert!(fits, "{name}: {line} stands in the margin of {}/report.pdf", folder.display());
+    }
+}
+
+#[test]
+#[ignore = "needs Typst for Python and pdftotext"]
+fn every_report_is_typeset_by_typst_without_warnings_inside_its_margins() {
+    for (name, page) in reports() {
+        typeset(&name, &write_page(&name, &page, Format::Typst));
+    }
 }
 
 #[test]
@@ -240,6 +326,14 @@ fn every_formula_is_found_by_pandoc_and_read_by_katex() {
     let stored = families().into_iter().map(|folder| (folder, "report.md"));
     for (folder, page) in stored.chain([(atlas(), "README.md")]) {
         let json = run(&folder, "pandoc", &["-f", "gfm", "-t", "json", page], "");
+        let mut found = Vec::new();
+        formulas(&serde_json::from_str(&json).expect("JSON"), &mut found);
+        all.extend(found);
+    }
+    for (_, page) in reports() {
+        let text = page::write(&page, Format::Markdown(Math::Dollars), &in_another_notation()).remove(0).text;
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+        let json = run(folder, "pandoc", &["-f", "markdown", "-t", "json"], &text);
         let mut found = Vec::new();
         formulas(&serde_json::from_str(&json).expect("JSON"), &mut found);
         all.extend(found);

@@ -9,7 +9,8 @@ use crankstar::verdict;
 
 use super::failure::Failure;
 use super::masses::Masses;
-use super::pages::{Spoken, shown};
+use super::pages::shown;
+use super::spoken::Spoken;
 use super::verify::proved;
 use super::{EngineAndOrders, write};
 

@@ -4,7 +4,8 @@ use crankstar::file;
 use crankstar::report;
 
 use super::failure::Failure;
-use super::pages::{Spoken, shown};
+use super::pages::shown;
+use super::spoken::Spoken;
 use super::write;
 
 /// Arguments of `list`.

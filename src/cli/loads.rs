@@ -8,7 +8,8 @@ use crankstar::loads::{self, Needed};
 use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
-use super::pages::{Spoken, shown};
+use super::pages::shown;
+use super::spoken::Spoken;
 use super::verify::proved_or_without;
 use super::{EngineAndOrders, write};
 

@@ -7,11 +7,13 @@ mod check;
 mod classify;
 mod compare;
 mod failure;
+mod figure;
 mod folder;
 mod layouts;
 mod list;
 mod loads;
 mod masses;
+mod notation;
 mod optimise;
 mod pages;
 mod progress;
@@ -19,6 +21,7 @@ mod questions;
 mod remedy;
 mod report;
 mod search;
+mod spoken;
 mod sweep;
 mod verify;
 mod write;
@@ -78,6 +81,8 @@ enum Command {
     Optimise(optimise::Optimise),
     /// Write the report, with pictures and proofs
     Report(report::Report),
+    /// Write one drawing, for a document of your own
+    Figure(figure::Figure),
     /// Check a JSON document of this program and its certificates
     Verify(verify::Verify),
     /// Check claims about engines: of books, of homework
@@ -122,6 +127,11 @@ impl EngineAndOrders {
     }
 }
 
+/// Whose masses are meant says nothing of a family.
+fn masses_of_a_family() -> Failure {
+    Failure::new("--masses needs an engine without unknowns; give them values below [values]")
+}
+
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
@@ -138,6 +148,7 @@ pub fn run() -> ExitCode {
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
         Command::Report(report) => report.run().map(done),
+        Command::Figure(figure) => figure.run().map(done),
         Command::Verify(verify) => verify.run().map(done),
         Command::Check(check) => check.run(),
         Command::Search(search) => search.run().map(done),

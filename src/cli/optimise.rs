@@ -38,7 +38,6 @@ mod run {
     use crankstar::report;
     use num_traits::Signed;
 
-    use super::super::pages::shown;
     use super::super::{print_json, progress, write};
     use super::{Failure, Optimise};
 
@@ -68,7 +67,7 @@ mod run {
             let page = || report::optimise_page(&engine, &front, &wish.couple);
             let written = self.pages.write(page, || report::optimise_layouts(&front))?;
             let answer = report::optimise_answer(&engine, &front, &wish.couple);
-            write::to_stdout(&(shown(&answer, self.pages.language()) + &written))
+            write::to_stdout(&(self.pages.shown(&answer)? + &written))
         }
     }
 

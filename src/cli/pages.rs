@@ -6,6 +6,8 @@ use clap::ValueEnum;
 use crankstar::page::{self, Document, File, Language, Options};
 
 use super::failure::Failure;
+use super::notation::Notation;
+use super::spoken::Spoken;
 use super::{folder, write};
 
 /// What a person may say of a page.
@@ -27,41 +29,22 @@ pub struct Look {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX or Typst without a preamble, as a piece of a document that is there
+    /// Write LaTeX or Typst without a preamble, as a piece of a document that is there; LaTeX with captions and labels
     #[arg(long)]
     fragment: bool,
+    /// What the labels of the fragment begin with [default: the title]
+    #[arg(long, value_name = "PREFIX", requires = "fragment", value_parser = prefix)]
+    label: Option<String>,
+    /// Write quantities as \qty of the LaTeX package siunitx
+    #[arg(long)]
+    siunitx: bool,
     /// Name program and version at the foot of the page
     #[arg(long)]
     stamp: bool,
     #[command(flatten)]
+    notation: Notation,
+    #[command(flatten)]
     spoken: Spoken,
-}
-
-/// What a person may say of the language.
-#[derive(clap::Args)]
-pub struct Spoken {
-    /// The language of page and answer
-    #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
-    lang: Lang,
-}
-
-/// The language of page and answer.
-#[derive(Clone, Copy, ValueEnum)]
-enum Lang {
-    /// English
-    En,
-    /// German, with decimal commas
-    De,
-}
-
-impl Spoken {
-    /// The language.
-    pub fn language(&self) -> Language {
-        match self.lang {
-            Lang::En => Language::En,
-            Lang::De => Language::De,
-        }
-    }
 }
 
 /// What a page is written in.
@@ -88,6 +71,20 @@ pub enum Math {
     Dollars,
 }
 
+/// What LaTeX takes in a label.
+fn prefix(text: &str) -> Result<String, String> {
+    let is_meant = |letter: char| letter.is_ascii_alphanumeric() || "-.:".contains(letter);
+    match !text.is_empty() && text.chars().all(is_meant) {
+        true => Ok(text.to_owned()),
+        false => Err("letters, digits, -, . and : such as v8".to_owned()),
+    }
+}
+
+/// Program and version, where they are asked for.
+pub fn stamp(asked: bool) -> Option<String> {
+    asked.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")))
+}
+
 impl Look {
     fn format(&self, format: Format) -> page::Format {
         match (format, self.math) {
@@ -101,13 +98,19 @@ impl Look {
     }
 
     /// The files of a page, the main one first.
-    pub fn files(&self, document: &Document, format: Format) -> Vec<File> {
-        let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
-        page::write(
-            document,
-            self.format(format),
-            &Options { fragment: self.fragment, stamp, language: self.spoken.language() },
-        )
+    pub fn files(&self, document: &Document, format: Format) -> Result<Vec<File>, Failure> {
+        Ok(page::write(document, self.format(format), &self.options()?))
+    }
+
+    fn options(&self) -> Result<Options, Failure> {
+        Ok(Options {
+            fragment: self.fragment,
+            stamp: stamp(self.stamp),
+            symbols: self.notation.read()?,
+            label: self.label.clone(),
+            siunitx: self.siunitx,
+            language: self.spoken.language(),
+        })
     }
 
     /// Writes the files into the folder where one is named; says what was written.
@@ -118,9 +121,12 @@ impl Look {
         Ok(format!("\n{}", folder::written(folder, &files)))
     }
 
-    /// The language of page and answer.
-    pub fn language(&self) -> Language {
-        self.spoken.language()
+    /// A short answer for the terminal, in the notation of the reader.
+    pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
+        Ok(shown_with(
+            answer,
+            &Options { symbols: self.notation.read()?, language: self.spoken.language(), ..Options::default() },
+        ))
     }
 
     /// Whether a folder is named.
@@ -130,25 +136,25 @@ impl Look {
 }
 
 impl Pages {
-    /// The language of page and answer.
-    pub fn language(&self) -> Language {
-        self.look.language()
-    }
-
     /// Whether the page runs scripts.
     pub fn runs_scripts(&self) -> bool {
         self.format == Format::Html
     }
 
     /// The files of a page, the main one first.
-    pub fn files(&self, document: &Document) -> Vec<File> {
+    pub fn files(&self, document: &Document) -> Result<Vec<File>, Failure> {
         self.look.files(document, self.format)
+    }
+
+    /// A short answer for the terminal, in the notation of the reader.
+    pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
+        self.look.shown(answer)
     }
 
     /// Prints the short answer, and writes the page into the folder where one is named.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
         let written = self.write(page, Vec::new)?;
-        write::to_stdout(&(shown(answer, self.look.language()) + &written))
+        write::to_stdout(&(self.shown(answer)? + &written))
     }
 
     /// Writes the page with other files beside it into the folder where one is named; says what was written.
@@ -157,15 +163,15 @@ impl Pages {
         page: impl FnOnce() -> Document,
         beside: impl FnOnce() -> Vec<File>,
     ) -> Result<String, Failure> {
-        self.look.write(|| Ok(self.files(&page()).into_iter().chain(beside()).collect()))
+        self.look.write(|| Ok(self.files(&page())?.into_iter().chain(beside()).collect()))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
     pub fn show_page(&self, answer: &Document, page: &Document) -> Result<(), Failure> {
-        let files = self.files(page);
+        let files = self.files(page)?;
         let Some(folder) = &self.look.output else { return write::to_stdout(&files[0].text) };
         folder::write(folder, &files)?;
-        write::to_stdout(&format!("{}\n{}", shown(answer, self.look.language()), folder::written(folder, &files)))
+        write::to_stdout(&format!("{}\n{}", self.shown(answer)?, folder::written(folder, &files)))
     }
 }
 
@@ -176,8 +182,12 @@ const WIDEST: usize = 140;
 
 /// A document for the terminal that this runs in; colours are taken away where nobody sees them.
 pub fn shown(document: &Document, language: Language) -> String {
+    shown_with(document, &Options { language, ..Options::default() })
+}
+
+fn shown_with(document: &Document, options: &Options) -> String {
     let width = comfy_table::Table::new().width().map_or(USUAL_WIDTH, usize::from);
     let format = page::Format::Terminal { width: width.clamp(20, WIDEST), colour: true };
-    let files = page::write(document, format, &Options { language, ..Options::default() });
+    let files = page::write(document, format, options);
     format!("{}\n", files[0].text.trim_end())
 }

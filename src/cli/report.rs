@@ -65,9 +65,7 @@ impl Report {
                 };
                 (report::engine_page(subject), report::engine_answer(engine, &judged))
             }
-            Layout::Open(_) if self.masses.are_given() => {
-                return Err(Failure::new("--masses needs an engine without unknowns; give them values below [values]"));
-            }
+            Layout::Open(_) if self.masses.are_given() => return Err(super::masses_of_a_family()),
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders).map_err(Failure::new)?;

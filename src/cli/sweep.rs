@@ -1,6 +1,6 @@
 //! `sweep`: how does the balance change with a value of the layout file?
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use clap::ValueEnum;
@@ -20,6 +20,21 @@ use super::{layouts, progress, write};
 pub struct Sweep {
     /// A name of the catalogue, or the path of a layout file
     layout: PathBuf,
+    #[command(flatten)]
+    ranges: Ranges,
+    /// The orders to judge [default: those of the layout file, else 1,2,4,6]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
+    orders: Vec<u32>,
+    /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    #[command(flatten)]
+    look: Look,
+}
+
+/// The values that are swept.
+#[derive(clap::Args)]
+pub struct Ranges {
     /// The angle between the banks of a V: 0..180:10
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     bank_angle: Option<String>,
@@ -41,14 +56,6 @@ pub struct Sweep {
     /// Any key of the layout file: vee.bank_offset=0..0.02:0.001, vee.throws.2=0..120:10; a second sweep makes a map
     #[arg(long, value_name = "KEY=RANGE")]
     set: Vec<String>,
-    /// The orders to judge [default: those of the layout file, else 1,2,4,6]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
-    orders: Vec<u32>,
-    /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
-    #[arg(long, value_enum)]
-    format: Option<Format>,
-    #[command(flatten)]
-    look: Look,
 }
 
 /// Data, or a page in any of its formats.
@@ -80,22 +87,13 @@ impl ValueEnum for Format {
 impl Sweep {
     /// Prints the points, or writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let (name, text) = layouts::source(&self.layout)?;
-        let template = Template::new(&name, &text)?;
-        let parameters = self.parameters(&template)?;
-        let mut orders = self.orders.clone();
-        orders.sort_unstable();
-        orders.dedup();
-        let spinner = progress::spinner("sweeping");
-        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
-        spinner.finish_and_clear();
-        let sweep = sweep.map_err(Failure::new)?;
+        let sweep = self.ranges.sweep(&self.layout, &self.orders)?;
         match self.format {
             Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
             format => {
                 let written =
                     self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Page(pages::Format::Markdown))))?;
-                write::to_stdout(&(pages::shown(&report::sweep_answer(&sweep), self.look.language()) + &written))
+                write::to_stdout(&(self.look.shown(&report::sweep_answer(&sweep))? + &written))
             }
         }
     }
@@ -109,23 +107,48 @@ impl Sweep {
             Format::Csv => Ok(vec![csv()]),
             Format::Json => Ok(vec![json()?]),
             Format::Page(format) => {
-                let mut files = self.look.files(&report::sweep_page(sweep), format);
+                let mut files = self.look.files(&report::sweep_page(sweep), format)?;
                 files.extend([csv(), json()?]);
                 Ok(files)
             }
         }
     }
+}
 
+impl Ranges {
+    /// Whether some value is swept.
+    pub fn are_given(&self) -> bool {
+        !self.set.is_empty() || self.flags().iter().any(|(_, range)| range.is_some())
+    }
+
+    /// Sweeps a layout.
+    pub fn sweep(&self, layout: &Path, orders: &[u32]) -> Result<sweep::Sweep, Failure> {
+        let (name, text) = layouts::source(layout)?;
+        let template = Template::new(&name, &text)?;
+        let parameters = self.parameters(&template)?;
+        let mut orders = orders.to_vec();
+        orders.sort_unstable();
+        orders.dedup();
+        let spinner = progress::spinner("sweeping");
+        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
+        spinner.finish_and_clear();
+        sweep.map_err(Failure::new)
+    }
+
+    fn flags(&self) -> [(&'static str, Option<&String>); 6] {
+        [
+            ("bank-angle", self.bank_angle.as_ref()),
+            ("pin-split", self.pin_split.as_ref()),
+            ("spacing", self.spacing.as_ref()),
+            ("rod-ratio", self.rod_ratio.as_ref()),
+            ("balance-factor", self.balance_factor.as_ref()),
+            ("speed", self.speed.as_ref()),
+        ]
+    }
+
+    /// The sweeps of the flags, then those of the keys.
     fn parameters(&self, template: &Template) -> Result<Vec<Parameter>, Failure> {
-        let flags = [
-            ("bank-angle", &self.bank_angle),
-            ("pin-split", &self.pin_split),
-            ("spacing", &self.spacing),
-            ("rod-ratio", &self.rod_ratio),
-            ("balance-factor", &self.balance_factor),
-            ("speed", &self.speed),
-        ];
-        let given = flags.into_iter().filter_map(|(flag, range)| Some((flag, range.as_ref()?)));
+        let given = self.flags().into_iter().filter_map(|(flag, range)| Some((flag, range?)));
         let short = given.map(|(flag, range)| Parameter::short_cut(flag, range, template));
         let set = self.set.iter().map(|text| Parameter::parse(text));
         short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)

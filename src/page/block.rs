@@ -40,6 +40,15 @@ impl Document {
     pub fn push(&mut self, block: impl Into<Block>) {
         self.blocks.push(block.into());
     }
+
+    /// All its pictures, those on folds too, in order.
+    pub fn pictures(&self) -> Vec<&Picture> {
+        pictures(&self.blocks)
+    }
+}
+
+fn pictures(blocks: &[Block]) -> Vec<&Picture> {
+    blocks.iter().flat_map(Block::pictures).collect()
 }
 
 /// A part of a document.
@@ -84,6 +93,22 @@ impl Block {
                 fold.blocks.iter().for_each(|block| block.collect_phrases(found));
             }
             Block::Formula(..) | Block::Live(_) | Block::Verbatim(..) => {}
+        }
+    }
+
+    fn pictures(&self) -> Vec<&Picture> {
+        match self {
+            Block::Pictures(drawn) => drawn.iter().collect(),
+            Block::Folded(fold) => pictures(&fold.blocks),
+            Block::Heading(..)
+            | Block::Paragraph(_)
+            | Block::Answer(_)
+            | Block::Table(_)
+            | Block::Formula(..)
+            | Block::List(_)
+            | Block::Note(_)
+            | Block::Live(_)
+            | Block::Verbatim(..) => Vec::new(),
         }
     }
 }

@@ -265,6 +265,19 @@ pub fn sensible(value: f64) -> String {
     text.replace('-', "−")
 }
 
+/// The same in letters that other programs read: `-4.13e-4`.
+pub(crate) fn in_ascii(value: f64) -> String {
+    let letter = |letter: char| match letter {
+        '−' | '⁻' => '-',
+        letter => SUPERSCRIPTS.iter().position(|sign| *sign == letter).map_or(letter, digit),
+    };
+    sensible(value).replace("·10", "e").chars().map(letter).collect()
+}
+
+fn digit(value: usize) -> char {
+    char::from_digit(value as u32, 10).unwrap_or('0')
+}
+
 /// So many places and a power of ten: `4.13·10⁻⁴`.
 fn scientific(value: f64, places: usize) -> String {
     let text = format!("{value:.places$e}");

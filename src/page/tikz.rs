@@ -12,7 +12,7 @@ const LONGEST_PATH: usize = 500;
 /// Points on a line of the file.
 const POINTS_A_LINE: usize = 12;
 
-/// The drawing as a `tikzpicture`; the colours are defined in the template.
+/// The drawing as a `tikzpicture`; the colours are defined in a template.
 pub fn tikz(figure: &Figure) -> String {
     let (letters, line) = (coordinate(figure.letters), coordinate(1.2 * figure.letters));
     let mut out =

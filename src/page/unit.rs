@@ -28,4 +28,20 @@ impl Unit {
     pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
     /// Parts of a hundred.
     pub const PERCENT: Unit = Unit { name: "%", tex: "\\%" };
+
+    /// By the commands of siunitx; none of what is no unit, such as `m r ω²`.
+    pub fn siunitx(&self) -> Option<&'static str> {
+        let known = [
+            (Unit::NEWTON, "\\newton"),
+            (Unit::NEWTON_METRE, "\\newton\\metre"),
+            (Unit::KILOGRAM, "\\kilogram"),
+            (Unit::KILOGRAM_METRE, "\\kilogram\\metre"),
+            (Unit::KILOGRAM_MILLIMETRE, "\\kilogram\\milli\\metre"),
+            (Unit::METRE, "\\metre"),
+            (Unit::MILLIMETRE, "\\milli\\metre"),
+            (Unit::DEGREE, "\\degree"),
+            (Unit::PERCENT, "\\percent"),
+        ];
+        known.into_iter().find(|(unit, _)| unit.name == self.name).map(|(_, commands)| commands)
+    }
 }

@@ -15,6 +15,7 @@ mod engine_cells;
 mod engine_page;
 mod example;
 mod family_page;
+mod figures;
 mod firmness;
 mod loads_document;
 pub mod moving;
@@ -53,6 +54,7 @@ pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
 pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
+pub use figures::{NamedPicture, figures, sweep_figures};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]

@@ -3,7 +3,7 @@
   "use strict";
   const RADIANS = Math.PI / 180;
   const RADIUS = 78; // of a star, in its units
-  const SPEED = 0.06; // degrees a millisecond
+  const SPEED = 0.06; // degrees per ms
 
   const short = (number) => String(Math.round(number * 1000) / 1000);
   const set = (element, attributes) => {

@@ -8,10 +8,10 @@ use crankstar::page::{Format, Options};
 
 use crate::support::program::{call, scratch};
 
-/// What does harm somewhere: to a terminal, Markdown, HTML, LaTeX, a spreadsheet.
+/// What does harm somewhere: to a terminal, Markdown, HTML, LaTeX, Typst, a spreadsheet.
 const HARM: &str = "=cmd()|x \u{1b}[31m\u{7}\u{9b}31m\u{202e}\u{2066}\u{200b}\u{7f} | `a` ```` $`b`$ $\\input{/etc/hostname}$ \
     <script>alert(1)</script> <!-- [x](javascript:alert(1)) ![y](z) % # & _ ^ ~ {} {{ title }} {% if %} << title >> \"q\" 'r' \
-    \n# heading\n\n- item\r\n| a | b |\n\\\\[2em] \\end{document} ]]> @all **b** \u{feff}end";
+    \n# heading\n\n- item\r\n| a | b |\n\\\\[2em] \\end{document} ]]> @all **b** #panic(1) // /*  \u{feff}end";
 
 /// A TOML string.
 fn quoted(text: &str) -> String {
@@ -114,6 +114,33 @@ fn html_is_whole(what: &str, text: &str) {
     assert_eq!(text.matches("<table").count(), text.matches("</table>").count(), "{what}");
 }
 
+/// Typst without its strings, in which nothing is markup; the quotes have to be in pairs.
+fn without_strings(what: &str, text: &str) -> String {
+    let (mut rest, mut inside, mut letters) = (String::new(), false, text.chars());
+    while let Some(letter) = letters.next() {
+        match letter {
+            '\\' if inside => drop(letters.next()),
+            '\\' => rest.extend([letter].into_iter().chain(letters.next())),
+            '"' => inside = !inside,
+            _ if inside => {}
+            _ => rest.push(letter),
+        }
+    }
+    assert!(!inside, "{what}: a string is open at the end");
+    rest
+}
+
+fn typst_is_whole(what: &str, text: &str) {
+    let text = without_strings(what, text);
+    for piece in ["#panic", "@all", "`a`", "$`b`$", "<script", "<!--", "**b**", "# heading", "//", "/*"] {
+        assert!(!bare(&text, piece), "{what}: {piece} is markup");
+    }
+    // What is escaped no longer counts.
+    let plain = text.replace("\\\\", "").replace("\\[", "").replace("\\]", "").replace("\\$", "");
+    assert_eq!(plain.matches('[').count(), plain.matches(']').count(), "{what}");
+    assert!(plain.matches('$').count().is_multiple_of(2), "{what}");
+}
+
 fn csv_is_inert(what: &str, text: &str) {
     for field in text.lines().flat_map(|line| line.split(',')) {
         let begin = field.trim_start_matches('"');
@@ -129,6 +156,7 @@ fn file_is_harmless(path: &Path) {
         Some("md") => markdown_is_whole(&what, &text),
         Some("tex") => latex_is_whole(&what, &text),
         Some("html") => html_is_whole(&what, &text),
+        Some("typ") => typst_is_whole(&what, &text),
         Some("txt") => {}
         Some("csv") => csv_is_inert(&what, &text),
         Some("svg") => {
@@ -152,6 +180,15 @@ fn answered(arguments: &[&str]) -> String {
     out
 }
 
+/// The formats that the program names when it is asked for one that it does not have.
+fn formats() -> Vec<String> {
+    let output = call(&["report", "I4", "--format", "none"]);
+    let error = String::from_utf8(output.stderr).expect("UTF-8");
+    let (_, names) = error.split_once("[possible values: ").expect("a list");
+    let (names, _) = names.split_once(']').expect("its end");
+    names.split(", ").map(str::to_owned).collect()
+}
+
 fn hostile_layout(folder: &Path) -> PathBuf {
     let file = folder.join("=cmd|<script>`$\u{1b}[31m\u{202e}\n.toml");
     fs::write(&file, layout_text()).expect("a file");
@@ -173,6 +210,8 @@ fn no_text_of_a_layout_file_acts_in_the_output_of_any_command() {
     markdown_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "markdown"]));
     latex_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "latex"]));
     html_is_whole("report --format html", &answered(&["report", file, "--format", "html"]));
+    typst_is_whole("report --format typst", &answered(&["report", file, "--format", "typst"]));
+    typst_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "typst"]));
     html_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "html"]));
     csv_is_inert("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "csv"]));
     for command in [
@@ -210,8 +249,8 @@ fn no_text_of_a_layout_file_acts_in_the_output_of_any_command() {
             arguments.extend(["--points", "2"]);
         }
         // A page is written in every format; what takes long in one is enough.
-        for format in ["latex", "html", "text", "markdown"] {
-            let chosen = ["--format", format];
+        for format in formats() {
+            let chosen = ["--format", &format];
             if format == "markdown" || !["accuracy", "optimise"].contains(&command) {
                 answered(&arguments.iter().copied().chain(chosen).collect::<Vec<_>>());
             }
@@ -359,8 +398,7 @@ fn a_persons_text_leaves_its_type_unescaped_in_few_places() {
         "report/bearings/document.rs: ", "report/remedy/document.rs: ", "report/optimise/document.rs: ",
         "report/compare/document.rs: ", "report/sweep/document.rs: ",
         // a layout file that is written again, and one that is shown line by line
-        "optimise/file.rs: ", "report/optimise/layouts.rs: ", "page/write/markdown.rs: ", "page/write/latex.rs: ",
-        "page/write/html.rs: ", "page/write/terminal.rs: ",
+        "optimise/file.rs: ", "report/optimise/layouts.rs: ", "page/write/compose.rs: ",
         // a claim that is read
         "claim/file.rs: ",
     ]);

@@ -14,7 +14,8 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use super::figure::{Figure, Mark};
+use super::block::Picture;
+use super::figure::Mark;
 pub(super) use decimals::has_comma;
 use pattern::Pattern;
 
@@ -89,10 +90,7 @@ impl Language {
 
     /// Whether these words need no translation or have one, sentence by sentence.
     pub fn knows(self, english: &str) -> bool {
-        let one = |sentence: &str| {
-            let known = self.whole(sentence).or_else(|| self.pieces(sentence));
-            known.is_some() || self.pattern(sentence, |inside| self.signs(inside)).is_some()
-        };
+        let one = |sentence: &str| self.whole(sentence).or_else(|| self.sentence(sentence)).is_some();
         let is_listed = || self.list().written.words.contains_key(english);
         self == Language::En || is_listed() || english.split_inclusive(". ").all(|sentence| one(sentence.trim_end()))
     }
@@ -126,9 +124,8 @@ impl Language {
     }
 
     fn signs(self, english: &str) -> String {
-        let parts = || self.sentences(english).or_else(|| self.pieces(english));
-        let known = self.whole(english).or_else(parts);
-        known.or_else(|| self.pattern(english, |inside| self.signs(inside))).unwrap_or_else(|| self.numbers(english))
+        let known = self.whole(english).or_else(|| self.sentences(english)).or_else(|| self.sentence(english));
+        known.unwrap_or_else(|| self.numbers(english))
     }
 
     /// What the list has as it stands.
@@ -156,6 +153,14 @@ impl Language {
         let set = pieces.iter().map(one).collect::<Option<Vec<String>>>()?;
         let between = if set.iter().any(|piece| has_comma(piece)) { self.separator() } else { ", " };
         Some(set.join(between))
+    }
+
+    /// A pattern that has commas itself, else piece by piece between them, else any pattern.
+    fn sentence(self, english: &str) -> Option<String> {
+        let inside = |inside: &str| self.signs(inside);
+        let long = self.list().patterns.iter().filter(|pattern| pattern.has_commas());
+        let known = long.into_iter().find_map(|pattern| pattern.filled(english, &inside));
+        known.or_else(|| self.pieces(english)).or_else(|| self.pattern(english, inside))
     }
 
     fn pattern(self, english: &str, inside: impl Fn(&str) -> String) -> Option<String> {
@@ -198,13 +203,13 @@ impl Language {
         }
     }
 
-    /// A drawing with its words in the language.
-    pub(super) fn figure(self, figure: &Figure) -> Figure {
-        let mut out = figure.clone();
+    /// A picture whose drawing has its words in the language; its caption is a text as others.
+    pub(super) fn picture(self, picture: &Picture) -> Picture {
+        let mut out = picture.clone();
         if self == Language::En {
             return out;
         }
-        for mark in &mut out.marks {
+        for mark in &mut out.figure.marks {
             match mark {
                 Mark::Text { text, prose, .. } => {
                     *text = self.signs(text);

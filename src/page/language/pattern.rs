@@ -13,6 +13,11 @@ impl<'a> Pattern<'a> {
         Pattern { between: english.split("{}").collect(), words }
     }
 
+    /// Whether commas stand in it.
+    pub fn has_commas(&self) -> bool {
+        self.between.iter().any(|words| words.contains(", "))
+    }
+
     /// The other words, with what stands in the places put through `inside`.
     pub fn filled(&self, text: &str, inside: &impl Fn(&str) -> String) -> Option<String> {
         let values: Vec<String> = self.values(text)?.into_iter().map(inside).collect();

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::labels::Caption;
 use super::templates;
 
 /// A table whose cells are finished strings, and how long they are.
@@ -9,6 +10,9 @@ use super::templates;
 pub(super) struct Cells {
     pub header: Vec<String>,
     pub rows: Vec<Vec<String>>,
+    /// Above it, in a fragment.
+    #[serde(skip)]
+    pub caption: Option<Caption>,
     /// Which cells of the rows are no more than a proved zero.
     #[serde(skip)]
     pub zeros: Vec<Vec<bool>>,
@@ -45,6 +49,10 @@ struct Part<'a> {
     size: u8,
     header: Vec<&'a str>,
     rows: Vec<Vec<&'a str>>,
+    /// Of the first part.
+    caption: Option<&'a Caption>,
+    /// Whether it goes on with a table that has a caption.
+    continued: bool,
 }
 
 /// A size of letters, with how many of them stand on a line.
@@ -74,7 +82,12 @@ impl Cells {
         let set = |columns: Vec<usize>| {
             self.part(&columns).unwrap_or_else(|| self.set(&columns, &SMALLEST, &self.natural(&columns)))
         };
-        bands.into_iter().map(set).collect()
+        let mut parts: Vec<Part> = bands.into_iter().map(set).collect();
+        for (index, part) in parts.iter_mut().enumerate() {
+            part.caption = self.caption.as_ref().filter(|_| index == 0);
+            part.continued = self.caption.is_some() && index > 0;
+        }
+        parts
     }
 
     /// The columns of each part for a line of so many letters, and how wide they are; `gap` letters stand with each.
@@ -142,6 +155,8 @@ impl Cells {
             size: size.points,
             header: columns.iter().map(|&at| self.header[at].as_str()).collect(),
             rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
+            caption: None,
+            continued: false,
         }
     }
 }

@@ -8,60 +8,27 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::columns::{Cells, Letters};
-use super::terminal::Terminal;
+use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
+use super::labels::{Caption, Labels, short};
+use super::notation::plain;
 use super::{File, Options, Writer, templates};
+use crate::text;
 
 /// Writes one document.
 pub(super) struct Composer<'a> {
-    writer: &'a dyn Writer,
-    options: &'a Options,
+    pub writer: &'a dyn Writer,
+    pub options: &'a Options,
     /// Files that stand beside the main one.
     pub files: Vec<File>,
     /// What was folded, for formats that have it at the end.
     folds: Vec<Folded>,
     /// Headings so far.
     headings: Vec<Heading>,
+    /// What a fragment is referred to by.
+    pub labels: Labels,
     /// What parts that move look like, and what moves them, each once.
     styles: Vec<&'static str>,
     scripts: Vec<&'static str>,
-}
-
-#[derive(Clone, Serialize)]
-struct Heading {
-    level: u8,
-    text: String,
-    /// The name that links lead to.
-    id: String,
-    number: usize,
-}
-
-#[derive(Serialize)]
-struct Folded {
-    number: usize,
-    summary: String,
-    body: String,
-}
-
-#[derive(Serialize)]
-struct Whole<'a> {
-    title: String,
-    plain_title: String,
-    contents: Vec<&'a Heading>,
-    before: String,
-    body: String,
-    folds: &'a [Folded],
-    stamp: Option<String>,
-    fragment: bool,
-    language: &'static str,
-    hyphenation: &'static str,
-    styles: &'a [&'static str],
-    scripts: &'a [&'static str],
-}
-
-#[derive(Serialize)]
-struct Drawn {
-    body: String,
-    caption: String,
 }
 
 impl<'a> Composer<'a> {
@@ -72,6 +39,7 @@ impl<'a> Composer<'a> {
             files: Vec::new(),
             folds: Vec::new(),
             headings: Vec::new(),
+            labels: Labels::default(),
             styles: Vec::new(),
             scripts: Vec::new(),
         }
@@ -83,6 +51,9 @@ impl<'a> Composer<'a> {
 
     /// The main file.
     pub fn document(&mut self, document: &Document) -> String {
+        if self.options.fragment && self.writer.has_labels() {
+            self.labels = Labels::of_fragment(document, self.text(&document.title), self.options);
+        }
         let first = document.blocks.iter().position(|block| matches!(block, Block::Heading(..)));
         let (before, rest) = document.blocks.split_at(first.unwrap_or(document.blocks.len()));
         let before = self.blocks(before);
@@ -97,16 +68,22 @@ impl<'a> Composer<'a> {
             folds: &self.folds,
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
+            siunitx: self.options.siunitx,
             language: self.options.language.code(),
             hyphenation: self.options.language.hyphenation(),
             styles: &self.styles,
-            scripts: &self.scripts,
+            scripts: self.scripts.iter().map(|script| self.options.symbols.in_letters(script)).collect(),
         };
         self.fill("document", &whole)
     }
 
     fn blocks(&mut self, blocks: &[Block]) -> String {
-        blocks.iter().map(|block| self.block(block)).collect()
+        let set = |block| {
+            let set = self.block(block);
+            self.labels.lead(matches!(block, Block::Paragraph(_)).then_some(&set));
+            set
+        };
+        blocks.iter().map(set).collect()
     }
 
     fn block(&mut self, block: &Block) -> String {
@@ -123,15 +100,21 @@ impl<'a> Composer<'a> {
         let language = self.options.language.code();
         match block {
             Block::Heading(level, text) => {
-                let id = self.free_id(&self.plain(text));
-                let text = self.writer.paragraph(self.text(text));
-                let heading = Heading { level: *level, text, id, number: self.headings.len() + 1 };
+                let name = plain(text, &Options::default());
+                let shown = plain(text, &self.options.in_language());
+                let (text, number) = (self.writer.paragraph(self.text(text)), self.headings.len() + 1);
+                self.labels.topic(&text, name.clone());
+                let label = self.labels.label("sec", &name);
+                let heading = Heading { level: *level, text, id: self.free_id(&shown), number, label };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
             Block::Paragraph(text) => self.fill("paragraph", &words(self, text)),
             Block::Note(text) => self.fill("note", &words(self, text)),
-            Block::Formula(tex, number) => self.fill("paragraph", &Words { text: self.display(tex, *number) }),
+            Block::Formula(tex, number) => {
+                let text = self.display(tex, *number);
+                self.fill("paragraph", &Words { text })
+            }
             Block::Answer(lines) => {
                 let items = lines.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("answer", &Items { items, language })
@@ -140,7 +123,10 @@ impl<'a> Composer<'a> {
                 let items = items.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
                 self.fill("list", &Items { items, language })
             }
-            Block::Table(table) => self.table(table),
+            Block::Table(table) => {
+                let caption = self.labels.caption();
+                self.table(table, caption)
+            }
             Block::Pictures(pictures) => self.pictures(pictures),
             Block::Folded(fold) => self.folded(fold),
             Block::Live(live) => self.live(live),
@@ -151,7 +137,8 @@ impl<'a> Composer<'a> {
                     lines: Vec<String>,
                     fence: String,
                 }
-                let lines = self.writer.verbatim(file);
+                let file = text::harmless_lines(file.written()).replace('\t', "    ");
+                let lines: Vec<String> = file.lines().map(|line| self.writer.line(line)).collect();
                 let fence = fence(&lines);
                 self.fill("verbatim", &Verbatim { language, lines, fence })
             }
@@ -165,11 +152,12 @@ impl<'a> Composer<'a> {
         if taken == 0 { id } else { format!("{id}-{taken}") }
     }
 
-    fn table(&self, table: &Table) -> String {
+    fn table(&self, table: &Table, caption: Option<Caption>) -> String {
         let set = |cells: &[Text]| cells.iter().map(|cell| self.text(cell)).collect::<Vec<_>>();
         let cells = Cells {
             header: set(&table.header),
             rows: table.rows.iter().map(|row| set(row)).collect(),
+            caption,
             zeros: table.rows.iter().map(|row| row.iter().map(Text::is_zero).collect()).collect(),
             letters: [&table.header]
                 .into_iter()
@@ -190,10 +178,12 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let picture = &Picture { figure: self.options.language.figure(&picture.figure), ..picture.clone() };
-            let (body, file) = self.writer.picture(picture, first_sentence(&self.plain(&picture.caption)));
+            let renamed = self.options.symbols.in_picture(&self.options.language.picture(picture));
+            let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
             self.files.extend(file);
-            drawn.push(Drawn { body, caption: self.text(&picture.caption) });
+            let label = self.labels.label("fig", &picture.name);
+            let caption = self.text(&picture.caption);
+            drawn.push(Drawn { body, short: short(&caption).map(str::to_owned), caption, label });
         }
         self.fill("pictures", &Beside { pictures: drawn })
     }
@@ -206,16 +196,17 @@ impl<'a> Composer<'a> {
             self.styles.push(live.style);
             self.scripts.push(live.script);
         }
-        live.part.body(self.options.language)
+        self.options.symbols.in_plain_words(&live.part.body(self.options.language))
     }
 
     fn folded(&mut self, fold: &Fold) -> String {
-        let folded = Folded {
-            summary: self.text(&fold.summary),
-            body: self.blocks(&fold.blocks),
-            // What is folded inside has its number by now.
-            number: self.folds.len() + 1,
-        };
+        let (summary, name) = (self.text(&fold.summary), plain(&fold.summary, &Options::default()));
+        let label = self.labels.label("sec", &name);
+        self.labels.enter(&summary, name);
+        let body = self.blocks(&fold.blocks);
+        self.labels.leave();
+        // What is folded inside has its number by now.
+        let folded = Folded { summary, body, number: self.folds.len() + 1, label };
         let here = self.fill("folded", &folded);
         if self.writer.folds_at_end() {
             self.folds.push(folded);
@@ -223,37 +214,16 @@ impl<'a> Composer<'a> {
         here
     }
 
-    fn display(&self, tex: &str, number: Option<u32>) -> String {
-        self.writer.display(&self.options.language.formula(tex), number)
-    }
-
-    /// A text without colours, as it is measured and searched.
-    fn plain(&self, text: &Text) -> String {
-        self.measured(text, false)
-    }
-
-    /// The same with what a line is not broken at as one word: the formulas.
-    fn unbroken(&self, text: &Text) -> String {
-        self.measured(text, true)
-    }
-
-    fn measured(&self, text: &Text, unbroken: bool) -> String {
-        let terminal = Terminal { width: usize::MAX, colour: false, unbroken };
-        let options = Options { language: self.options.language, ..Options::default() };
-        Composer::new(&terminal, &options).text(text)
-    }
-
     /// A text in the signs of the format.
     pub fn text(&self, text: &Text) -> String {
         let set: Vec<String> = text.pieces().iter().map(|piece| self.piece(piece)).collect();
-        let language = self.options.language;
-        let between = language.separator();
+        let between = self.options.language.separator();
         if between == COMMA || !set.iter().any(|piece| has_comma(piece)) {
             return set.concat();
         }
         // Where commas are those of decimals, others stand between the values.
         let piece = |(piece, set): (&Piece, String)| match piece {
-            Piece::Phrase(words, _) if words == COMMA => self.writer.words(between),
+            Piece::Phrase(words, _) if words == COMMA => self.words(between),
             _ => set,
         };
         text.pieces().iter().zip(set).map(piece).collect()
@@ -261,28 +231,29 @@ impl<'a> Composer<'a> {
 
     fn piece(&self, piece: &Piece) -> String {
         let (writer, language) = (self.writer, self.options.language);
-        let numbers = |text: &str| writer.words(&language.numbers(text));
-        let exact = |tex: &str, plain: &str| writer.exact(&language.formula(tex), &language.numbers(plain));
         match piece {
             Piece::Phrase(words, values) => self.phrase(&language.words(words), values),
-            Piece::Label(label) => writer.words(&language.label(label)),
+            Piece::Label(label) => self.words(&language.label(label)),
             Piece::Person(words) => writer.person(words),
             Piece::Number(number) => match number {
                 Number::Zero => writer.zero(),
-                Number::Exact(value) => numbers(&number::number(value)),
+                Number::Exact(value) => self.numbers(&number::number(value)),
                 Number::Closed(form, decimal) => {
-                    let exact = exact(&form.tex(), &form.to_string());
-                    format!("{exact} {}", numbers(&number::approximate(*decimal)))
+                    let exact = self.exact(&form.tex(), &form.to_string());
+                    format!("{exact} {}", self.numbers(&number::approximate(*decimal)))
                 }
-                Number::Decimal(decimal) => numbers(&number::approximate(*decimal)),
+                Number::Decimal(decimal) => self.numbers(&number::approximate(*decimal)),
             },
-            Piece::Form(form) => exact(&form.tex(), &form.to_string()),
+            Piece::Form(form) => self.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
-                Some([tex, plain]) => format!("{} {}", exact(&tex, &plain), numbers(&bearing.degrees())),
-                None => numbers(&bearing.degrees()),
+                Some([tex, plain]) => format!("{} {}", self.exact(&tex, &plain), self.numbers(&bearing.degrees())),
+                None => self.numbers(&bearing.degrees()),
             },
-            Piece::Quantity(value, unit) => numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit))),
-            Piece::Formula(tex) => writer.formula(&language.formula(tex)),
+            Piece::Quantity(value, unit) => {
+                let set = self.options.siunitx.then(|| writer.quantity(*value, *unit)).flatten();
+                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
+            }
+            Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
         }
@@ -294,8 +265,8 @@ impl<'a> Composer<'a> {
         let mut bold: Option<String> = None;
         for mark in marks(words) {
             let set = match mark {
-                Mark::Words(words) => self.writer.words(words),
-                Mark::Formula(tex) => self.writer.formula(&self.options.language.formula(tex)),
+                Mark::Words(words) => self.words(words),
+                Mark::Formula(tex) => self.formula(tex),
                 Mark::Place(place) => {
                     let value = place.map_or_else(|| following.next(), |place| values.get(place));
                     value.map(|text| self.text(text)).unwrap_or_default()
@@ -323,18 +294,4 @@ const COMMA: &str = ", ";
 /// What a picture is called where it is not seen.
 fn first_sentence(caption: &str) -> &str {
     caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
-}
-
-/// The name of a heading, as code-hosting pages make it.
-fn id(heading: &str) -> String {
-    let kept = heading.to_lowercase();
-    let kept = kept.chars().filter(|letter| letter.is_alphanumeric() || " -_".contains(*letter));
-    kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
-}
-
-/// Backticks that no run in the file is as long as.
-fn fence(lines: &[String]) -> String {
-    let runs = lines.iter().flat_map(|line| line.split(|letter| letter != '`'));
-    let longest = runs.map(str::len).max().unwrap_or(0);
-    "`".repeat((longest + 1).max(3))
 }

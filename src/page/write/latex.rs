@@ -2,6 +2,7 @@
 
 use super::super::block::Picture;
 use super::super::tikz::tikz;
+use super::super::{Unit, number};
 use super::columns::Cells;
 use super::{File, Writer, templates};
 use crate::text::{self, Format, Untrusted};
@@ -15,11 +16,16 @@ impl Writer for Latex {
     }
 
     fn templates(&self) -> &'static templates::Set {
-        templates::set!("latex", Some(templates::angles()))
+        templates::set!("latex", Some(templates::angles()), "alone", "colours")
     }
 
     fn words(&self, words: &str) -> String {
         text::latex(words)
+    }
+
+    /// Fonts of text lack most letters of formulas.
+    fn symbol(&self, tex: &str, _plain: &str) -> String {
+        format!("${tex}$")
     }
 
     fn person(&self, words: &Untrusted) -> String {
@@ -48,9 +54,8 @@ impl Writer for Latex {
         inside.to_owned()
     }
 
-    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
-        let text = text::harmless_lines(file.written()).replace('\t', "    ");
-        text.lines().map(line).collect()
+    fn line(&self, line: &str) -> String {
+        self::line(line)
     }
 
     fn picture(&self, picture: &Picture, _caption: &str) -> (String, Option<File>) {
@@ -59,6 +64,14 @@ impl Writer for Latex {
 
     fn table(&self, cells: &Cells) -> Option<String> {
         Some(cells.printed(self.templates()))
+    }
+
+    fn quantity(&self, value: f64, unit: Unit) -> Option<String> {
+        unit.siunitx().map(|commands| format!("\\qty{{{}}}{{{commands}}}", number::in_ascii(value)))
+    }
+
+    fn has_labels(&self) -> bool {
+        true
     }
 
     fn folds_at_end(&self) -> bool {

@@ -1,18 +1,24 @@
 //! How does a document become files? A composer walks its blocks; a writer per format knows the signs.
 
+mod alone;
 mod columns;
 mod compose;
+mod filled;
 mod html;
+mod labels;
 mod latex;
 mod markdown;
+mod notation;
 mod templates;
 mod terminal;
 mod tex;
 mod typst;
 
-use super::Language;
 use super::block::{Document, Picture};
+use super::symbols::Symbols;
 use super::text::Text;
+use super::{Language, Unit};
+pub use alone::Alone;
 use compose::Composer;
 pub(crate) use templates::say;
 
@@ -79,8 +85,21 @@ pub struct Options {
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,
+    /// What the reader calls the symbols.
+    pub symbols: Symbols,
+    /// What the labels of a fragment begin with; else its title.
+    pub label: Option<String>,
+    /// Whether quantities in LaTeX are left to siunitx.
+    pub siunitx: bool,
     /// The language.
     pub language: Language,
+}
+
+impl Options {
+    /// Those of the language alone.
+    fn in_language(&self) -> Options {
+        Options { language: self.language, ..Options::default() }
+    }
 }
 
 /// The files of a document: the main one first.
@@ -106,6 +125,14 @@ trait Writer {
     fn templates(&self) -> &'static templates::Set;
     /// Plain words of the program.
     fn words(&self, words: &str) -> String;
+    /// A symbol by a name of the reader, in TeX and as plain text, among words.
+    fn symbol(&self, _tex: &str, plain: &str) -> String {
+        self.words(plain)
+    }
+    /// Whether formulas are set, and not read as plain text.
+    fn reads_tex(&self) -> bool {
+        true
+    }
     /// A person's words: nothing in them is markup.
     fn person(&self, words: &crate::text::Untrusted) -> String;
     /// A formula in the line, in TeX.
@@ -126,13 +153,21 @@ trait Writer {
     fn code(&self, text: &str) -> String;
     /// Words that lead to a file, or to `#` and the name of a heading.
     fn link(&self, inside: &str, target: &str) -> String;
-    /// The lines of a person's file.
-    fn verbatim(&self, file: &crate::text::Untrusted) -> Vec<String>;
+    /// A line of a file as it stands: nothing in it is markup.
+    fn line(&self, line: &str) -> String;
     /// A picture: what stands in the text, and the file beside it if there is one.
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>);
     /// A table whole, where templates cannot set it.
     fn table(&self, _table: &columns::Cells) -> Option<String> {
         None
+    }
+    /// A quantity as a package of the format sets it, where there is one.
+    fn quantity(&self, _value: f64, _unit: Unit) -> Option<String> {
+        None
+    }
+    /// Whether a fragment has labels and captions.
+    fn has_labels(&self) -> bool {
+        false
     }
     /// A paragraph, broken into lines where the format does not do so itself.
     fn paragraph(&self, text: String) -> String {

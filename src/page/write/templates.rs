@@ -13,9 +13,9 @@ pub(super) type Set = LazyLock<Tera>;
 /// The templates are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a template of the program";
 
-/// One template per kind of block, and one for the document, out of a folder.
+/// One template per kind of block, one for the document, and what a format has besides, out of a folder.
 macro_rules! set {
-    ($folder:literal, $delimiters:expr) => {{
+    ($folder:literal, $delimiters:expr $(, $more:literal)*) => {{
         static SET: $crate::page::write::templates::Set = std::sync::LazyLock::new(|| {
             $crate::page::write::templates::load(
                 &[
@@ -29,6 +29,7 @@ macro_rules! set {
                     ("pictures", include_str!(concat!("../../../templates/", $folder, "/pictures"))),
                     ("table", include_str!(concat!("../../../templates/", $folder, "/table"))),
                     ("verbatim", include_str!(concat!("../../../templates/", $folder, "/verbatim"))),
+                    $(($more, include_str!(concat!("../../../templates/", $folder, "/", $more))),)*
                 ],
                 $delimiters,
             )

@@ -5,7 +5,7 @@ use comfy_table::{Cell, Color, ColumnConstraint, ContentArrangement, LineStyle, 
 use super::super::block::Picture;
 use super::columns::Cells;
 use super::{File, Writer, templates, tex};
-use crate::text::{self, Format, Untrusted};
+use crate::text::{Format, Untrusted};
 
 /// Plain text of so many columns.
 pub(super) struct Terminal {
@@ -64,6 +64,10 @@ impl Writer for Terminal {
         if self.unbroken { words.to_owned() } else { words.replace('\u{a0}', " ") }
     }
 
+    fn reads_tex(&self) -> bool {
+        false
+    }
+
     fn person(&self, words: &Untrusted) -> String {
         words.escaped(Format::Plain)
     }
@@ -93,8 +97,8 @@ impl Writer for Terminal {
         inside.to_owned()
     }
 
-    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
-        text::harmless_lines(file.written()).lines().map(str::to_owned).collect()
+    fn line(&self, line: &str) -> String {
+        line.to_owned()
     }
 
     fn picture(&self, _picture: &Picture, _caption: &str) -> (String, Option<File>) {

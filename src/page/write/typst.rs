@@ -5,7 +5,7 @@ use super::super::svg::svg;
 use super::columns::Cells;
 use super::tex::{self, Node, Space};
 use super::{File, Writer, templates};
-use crate::text::{self, Format, Untrusted};
+use crate::text::{Format, Untrusted};
 
 /// Typst, for its compiler.
 pub(super) struct Typst;
@@ -49,8 +49,8 @@ impl Writer for Typst {
         inside.to_owned()
     }
 
-    fn verbatim(&self, file: &Untrusted) -> Vec<String> {
-        text::harmless_lines(file.written()).lines().map(string).collect()
+    fn line(&self, line: &str) -> String {
+        string(line)
     }
 
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>) {

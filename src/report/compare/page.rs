@@ -13,6 +13,9 @@ use crate::verdict::{EveryOrder, OrderBalance, Theorem};
 /// Engines that stand beside each other on a terminal; more begin a new table.
 const MOST_BESIDE: usize = 3;
 
+/// The same on a page.
+const MOST_ON_A_PAGE: usize = 5;
+
 /// The short answer: what each engine leaves, and the tables.
 pub fn compare_answer(engines: &[Compared]) -> Document {
     let mut page = Document::new("compare", "Comparison");
@@ -33,7 +36,9 @@ pub fn compare_page(engines: &[Compared]) -> Document {
         page.blocks.extend(stars(engines, order).map(Block::from));
     }
     page.push(Block::Heading(1, "Side by side".into()));
-    page.push(rows::table(engines, engines));
+    for shown in engines.chunks(MOST_ON_A_PAGE) {
+        page.push(rows::table(engines, shown));
+    }
     page.push(Block::Heading(1, "How it is read".into()));
     page.push(Block::List(notes::notes(engines)));
     page

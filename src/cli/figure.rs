@@ -1,0 +1,172 @@
+//! `figure`: how does one drawing get into a document of one's own?
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+
+use crankstar::engine::{Engine, Family};
+use crankstar::family;
+use crankstar::file::Layout;
+use crankstar::loads::{Method, bearing_loads};
+use crankstar::page::{Alone, File, Options};
+use crankstar::proof::Quantity;
+use crankstar::report::{self, Contents, NamedPicture};
+use crankstar::text::harmless;
+
+use super::failure::Failure;
+use super::masses::Masses;
+use super::notation::Notation;
+use super::spoken::Spoken;
+use super::sweep::Ranges;
+use super::{EngineAndOrders, folder, layouts, pages, write};
+
+/// Arguments of `figure`.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Figure {
+    #[command(flatten)]
+    about: EngineAndOrders,
+    /// Which drawing [default: the names of all are listed]
+    name: Option<String>,
+    /// What it is written in [default: TikZ into a file that ends in .tex, else SVG]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Write TikZ as a document of its own, not as a piece to be input
+    #[arg(long)]
+    standalone: bool,
+    /// The file to write [default: standard output]
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Name program and version in a comment
+    #[arg(long)]
+    stamp: bool,
+    #[command(flatten)]
+    notation: Notation,
+    #[command(flatten)]
+    spoken: Spoken,
+    #[command(flatten)]
+    masses: Masses,
+    #[command(flatten, next_help_heading = "For the drawings of a sweep")]
+    ranges: Ranges,
+}
+
+const EXAMPLES: &str = "\
+Names: end-view, side-view, star:2 (the vectors of order 2), star:2:pistons, torque-stars; with numbers force-along, force-path,
+moment-along, torque; with bearings bearing:1 and polar:1; with an open angle amplitudes; with a range sweep:force-2.
+
+Examples:
+  crankstar figure V8-crossplane                             the names of its drawings
+  crankstar figure V8-crossplane star:1 --output star.svg
+  crankstar figure V8-crossplane star:1 --output star.tex    then \\input{star} in a figure
+  crankstar figure V6-60-shared sweep:force-2 --bank-angle 0..180:10 --format tikz";
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A drawing for browsers and editors
+    Svg,
+    /// A picture for LaTeX, with the colours that it needs
+    Tikz,
+}
+
+impl Figure {
+    /// Lists the drawings, or writes the one that is named.
+    pub fn run(&self) -> Result<(), Failure> {
+        let figures = self.figures()?;
+        let names = || figures.iter().map(|figure| figure.name.as_str()).collect::<Vec<_>>();
+        let Some(name) = &self.name else { return write::to_stdout(&(names().join("\n") + "\n")) };
+        let Some(figure) = figures.iter().find(|figure| figure.name == *name) else {
+            let there = match names().as_slice() {
+                [] => "it has none".to_owned(),
+                names => format!("there are {}", names.join(", ")),
+            };
+            let layout = layouts::shown(&self.about.layout);
+            return Err(Failure::new(format!("`{layout}` has no figure `{}`; {there}", harmless(name))));
+        };
+        let stamp = pages::stamp(self.stamp);
+        let options =
+            Options { stamp, symbols: self.notation.read()?, language: self.spoken.language(), ..Options::default() };
+        let text = self.alone()?.write(&figure.picture, &options);
+        match &self.output {
+            None => write::to_stdout(&text),
+            Some(path) => {
+                put(path, text)?;
+                write::to_stdout(&format!("Written: {}\n", layouts::shown(path)))
+            }
+        }
+    }
+
+    fn alone(&self) -> Result<Alone, Failure> {
+        let ends_in_tex = self.output.as_ref().is_some_and(|path| path.extension().is_some_and(|it| it == "tex"));
+        match (self.format, self.standalone) {
+            (Some(Format::Svg), true) => Err(Failure::new("--standalone is of TikZ: an SVG file stands by itself")),
+            (Some(Format::Svg), false) => Ok(Alone::Svg),
+            (Some(Format::Tikz), false) => Ok(Alone::Tikz),
+            (None, false) => Ok(if ends_in_tex { Alone::Tikz } else { Alone::Svg }),
+            (Some(Format::Tikz) | None, true) => Ok(Alone::TikzDocument),
+        }
+    }
+
+    /// The drawings of the sweep where a range is given, else those of the layout.
+    fn figures(&self) -> Result<Vec<NamedPicture>, Failure> {
+        if self.ranges.are_given() {
+            let sweep = self.ranges.sweep(&self.about.layout, &self.about.orders)?;
+            return Ok(report::sweep_figures(report::sweep_page(&sweep)));
+        }
+        let (layout, mut orders) = self.about.read()?;
+        orders.extend(self.order().filter(|order| !orders.contains(order)));
+        orders.sort_unstable();
+        match layout {
+            Layout::Known(engine, family) => self.of_engine(&engine, family.as_deref(), &orders),
+            Layout::Open(_) if self.masses.are_given() => Err(super::masses_of_a_family()),
+            Layout::Open(family) => {
+                family::comparable(&family).map_err(Failure::new)?;
+                let verdicts = family::classify(&family, &orders).map_err(Failure::new)?;
+                Ok(report::figures(&[report::family_page(&family, &verdicts, false)]))
+            }
+        }
+    }
+
+    /// The order of the star that is asked for: it may be none of the usual ones.
+    fn order(&self) -> Option<u32> {
+        self.name.as_ref()?.strip_prefix("star:")?.split(':').next()?.parse().ok()
+    }
+
+    fn of_engine(
+        &self,
+        engine: &Engine,
+        family: Option<&Family>,
+        orders: &[u32],
+    ) -> Result<Vec<NamedPicture>, Failure> {
+        let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
+        let family = family.filter(|family| family::comparable(family).is_ok());
+        let open = family.map(|family| family::classify(family, orders).map(|open| (family, open))).transpose();
+        let open = open.map_err(Failure::new)?;
+        let mut pages = vec![report::engine_page(Contents {
+            engine,
+            judged: &judged,
+            family: open.as_ref().map(|(family, orders)| (*family, orders.as_slice())),
+            needed: None,
+            in_motion: false,
+            accuracy: None,
+        })];
+        if !engine.bearings().is_empty() {
+            let solve = |method| bearing_loads(engine, orders, method);
+            // Where numbers are missing the bearings have no drawings.
+            if let (Ok(continuous), Ok(determinate)) = (solve(Method::Continuous), solve(Method::Determinate)) {
+                pages.push(report::bearings_page(engine, &continuous, &determinate));
+            }
+        }
+        Ok(report::figures(&pages))
+    }
+}
+
+/// Writes a file whole.
+fn put(path: &Path, text: String) -> Result<(), Failure> {
+    let name = path.file_name().filter(|_| !path.is_dir());
+    let Some(name) = name.and_then(|name| name.to_str()) else {
+        let path = layouts::shown(path);
+        return Err(Failure::new(format!("`{path}` is no name of a file; --output names one, such as star.svg")));
+    };
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    folder::write(parent, &[File { name: name.to_owned(), text }])
+}

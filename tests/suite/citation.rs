@@ -1,0 +1,19 @@
+//! Does CITATION.cff name the program that this is?
+
+use std::fs;
+
+#[test]
+fn the_citation_has_name_version_and_licences_of_the_package() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/CITATION.cff");
+    let citation = fs::read_to_string(path).expect("a file");
+    let value = |key: &str| citation.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(": "));
+    assert_eq!(value("title"), Some(env!("CARGO_PKG_NAME")));
+    assert_eq!(value("version"), Some(env!("CARGO_PKG_VERSION")));
+    assert_eq!(value("type"), Some("software"));
+    assert_eq!(value("abstract").map(|words| words.trim_end_matches('.')), Some(env!("CARGO_PKG_DESCRIPTION")));
+    let licences: Vec<&str> = env!("CARGO_PKG_LICENSE").split(" OR ").collect();
+    let listed = citation.split("license:\n").nth(1).expect("licences").lines();
+    let listed: Vec<&str> = listed.map_while(|line| line.strip_prefix("  - ")).collect();
+    assert_eq!(listed, licences);
+    assert!(!citation.contains("date"), "a date goes out of date");
+}
