@@ -21,7 +21,8 @@
 //! ```
 //!
 //! An engine of the catalogue is found by its name ([`find`]), and one that is written as a layout file is read ([`parse`]); the
-//! folder `examples` has three short programs.
+//! folder `examples` has three short programs. The room `report` makes pages, documents of blocks, and `page::write` writes them as
+//! Markdown, LaTeX, HTML, Typst or plain text.
 //!
 //! # The rooms
 //!

@@ -51,14 +51,20 @@ pub struct Figure {
 }
 
 const EXAMPLES: &str = "\
-Names: end-view, side-view, star:2 (the vectors of order 2), star:2:pistons, torque-stars; with numbers force-along, force-path,
-moment-along, torque; with bearings bearing:1 and polar:1; with an open angle amplitudes; with a range sweep:force-2.
+Names:
+  end-view, side-view         the engine
+  star:2, star:2:pistons      the vectors of an order, of all masses or the pistons
+  force-along, moment-path    loads of a file with numbers, torque too
+  bearing:1, polar:1          a main bearing over the crank angle, and as a path
+  amplitudes                  of a layout with an open angle
+  sweep:force-2               with a range such as --bank-angle
 
 Examples:
-  crankstar figure V8-crossplane                             the names of its drawings
+  crankstar figure V8-crossplane
   crankstar figure V8-crossplane star:1 --output star.svg
-  crankstar figure V8-crossplane star:1 --output star.tex    then \\input{star} in a figure
-  crankstar figure V6-60-shared sweep:force-2 --bank-angle 0..180:10 --format tikz";
+  crankstar figure V8-crossplane star:1 --output star.tex
+      then \\input{star} in a figure
+  crankstar figure V6-60-shared sweep:force-2 --bank-angle 0..180:10";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {

@@ -221,7 +221,7 @@ pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     let parts = judged.orders.iter().flat_map(|order| &order.parts);
     let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
     let mut apart = parts.filter(|part| is_apart(part));
-    apart.next().map(|_| "A sum of masses that turn is in m r ω², without c_k.")
+    apart.next().map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }
 
 fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {

@@ -1,4 +1,4 @@
-//! Does the help fit a terminal, and do the help, the README and the page of commands name every command and option?
+//! Does the help fit a terminal, do help, README and docs name every command and option, and do their links and examples hold?
 
 use std::fs;
 use std::path::Path;
@@ -90,6 +90,28 @@ fn the_page_of_commands_tells_every_option() {
         }
     }
     assert!(found > 80, "only {found} options were found");
+}
+
+#[test]
+fn links_of_the_readme_and_of_docs_lead_somewhere() {
+    let mut found = 0;
+    for file in ["README.md", "CONTRIBUTING.md", "docs/commands.md", "docs/speed.md", "docs/theory.md"] {
+        let page = text(file);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        let folder = folder.parent().expect("a folder");
+        let written = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+        let drawn = page.split("src=\"").skip(1).filter_map(|rest| rest.split('"').next());
+        for link in written.chain(drawn).filter(|link| !link.starts_with("http")) {
+            let (path, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target =
+                if path.is_empty() { text(file) } else { fs::read_to_string(folder.join(path)).unwrap_or_default() };
+            assert!(folder.join(path).exists(), "{file} leads to {link}");
+            let is_there = |line: &str| line.trim_start_matches('#').trim().to_lowercase().replace(' ', "-") == heading;
+            assert!(heading.is_empty() || target.lines().any(is_there), "{file} leads to {link}");
+            found += 1;
+        }
+    }
+    assert!(found > 60, "only {found} links were found");
 }
 
 #[test]

@@ -27,6 +27,7 @@ mod families;
 mod figure_command;
 mod figures;
 mod firmness;
+mod formulas;
 mod fragments;
 mod fuzzed;
 mod grigoryev;

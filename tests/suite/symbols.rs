@@ -63,7 +63,7 @@ fn without_file(mut page: Document) -> Document {
 fn no_old_symbol_is_left_on_a_page_in_any_format() {
     let options = Options { symbols: symbols(NOTATION), ..Options::default() };
     for page in pages().into_iter().map(without_file) {
-        for format in [Format::GITHUB, DOLLARS, Format::Latex, Format::Html, Format::PLAIN] {
+        for format in [Format::GITHUB, DOLLARS, Format::Latex, Format::Html, Format::Typst, Format::PLAIN] {
             for file in page::write(&page, format, &options) {
                 let place = |old: &str| {
                     let at = file.text.find(old)?;

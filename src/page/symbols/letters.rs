@@ -1,70 +1,75 @@
 //! Which letters of TeX are there, and how do they read as plain text?
 
 /// Commands without arguments, with their letters.
-const LETTERS: [(&str, &str); 41] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ϵ"),
-    ("varepsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("vartheta", "ϑ"),
-    ("iota", "ι"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("pi", "π"),
-    ("varpi", "ϖ"),
-    ("rho", "ρ"),
-    ("varrho", "ϱ"),
-    ("sigma", "σ"),
-    ("varsigma", "ς"),
-    ("tau", "τ"),
-    ("upsilon", "υ"),
-    ("phi", "ϕ"),
-    ("varphi", "φ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Gamma", "Γ"),
-    ("Delta", "Δ"),
-    ("Theta", "Θ"),
-    ("Lambda", "Λ"),
-    ("Xi", "Ξ"),
-    ("Pi", "Π"),
-    ("Sigma", "Σ"),
-    ("Upsilon", "Υ"),
-    ("Phi", "Φ"),
-    ("Psi", "Ψ"),
-    ("Omega", "Ω"),
-    ("ell", "ℓ"),
+const LETTERS: [(&str, char); 41] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ϵ'),
+    ("varepsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("vartheta", 'ϑ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("pi", 'π'),
+    ("varpi", 'ϖ'),
+    ("rho", 'ρ'),
+    ("varrho", 'ϱ'),
+    ("sigma", 'σ'),
+    ("varsigma", 'ς'),
+    ("tau", 'τ'),
+    ("upsilon", 'υ'),
+    ("phi", 'ϕ'),
+    ("varphi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Theta", 'Θ'),
+    ("Lambda", 'Λ'),
+    ("Xi", 'Ξ'),
+    ("Pi", 'Π'),
+    ("Sigma", 'Σ'),
+    ("Upsilon", 'Υ'),
+    ("Phi", 'Φ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+    ("ell", 'ℓ'),
 ];
 
-/// Commands that set a letter in another way, with what stands behind it in plain text.
-const ACCENTS: [(&str, &str); 10] = [
-    ("hat", "\u{302}"),
-    ("check", "\u{30c}"),
-    ("bar", "\u{304}"),
-    ("tilde", "\u{303}"),
-    ("dot", "\u{307}"),
-    ("vec", "\u{20d7}"),
-    ("mathrm", ""),
-    ("mathbf", ""),
-    ("mathit", ""),
-    ("mathcal", ""),
+/// Commands that put a sign over a letter, with the sign that follows it in plain text.
+const ACCENTS: [(&str, char); 7] = [
+    ("hat", '\u{302}'),
+    ("check", '\u{30c}'),
+    ("bar", '\u{304}'),
+    ("tilde", '\u{303}'),
+    ("dot", '\u{307}'),
+    ("ddot", '\u{308}'),
+    ("vec", '\u{20d7}'),
 ];
+
+/// Commands that set a letter in another font.
+const FONTS: [&str; 4] = ["mathrm", "mathbf", "mathit", "mathcal"];
 
 /// A letter of TeX as plain text.
-pub(in crate::page) fn letter(command: &str) -> Option<&'static str> {
+pub(in crate::page) fn letter(command: &str) -> Option<char> {
     LETTERS.iter().find(|(name, _)| *name == command).map(|(_, letter)| *letter)
 }
 
-/// What a command puts behind its letter in plain text.
-pub(in crate::page) fn accent(command: &str) -> Option<&'static str> {
+/// The sign over a letter.
+pub(in crate::page) fn accent(command: &str) -> Option<char> {
     ACCENTS.iter().find(|(name, _)| *name == command).map(|(_, sign)| *sign)
+}
+
+/// Whether a command sets its letter in another font.
+pub(in crate::page) fn is_font(command: &str) -> bool {
+    FONTS.contains(&command)
 }

@@ -1,6 +1,6 @@
 //! Is this a name for a symbol, and how does it read as plain text? A letter, with accents, primes and an index.
 
-use super::letters::{accent, letter};
+use super::letters::{accent, is_font, letter};
 
 /// A name in TeX as plain text; none where it is no name that LaTeX, KaTeX and MathML all set.
 pub(super) fn spelled(tex: &str) -> Option<String> {
@@ -28,9 +28,12 @@ fn base(tex: &str) -> Option<(String, &str)> {
     let length = command.bytes().take_while(u8::is_ascii_alphabetic).count();
     let (name, rest) = command.split_at(length);
     if let Some(letter) = letter(name) {
-        return Some((letter.to_owned(), rest));
+        return Some((letter.to_string(), rest));
     }
-    let sign = accent(name)?;
+    let sign = match accent(name) {
+        Some(sign) => sign.to_string(),
+        None => is_font(name).then(String::new)?,
+    };
     let rest = rest.trim_start();
     match rest.strip_prefix('{') {
         Some(inside) => {

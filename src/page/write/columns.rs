@@ -53,6 +53,8 @@ struct Part<'a> {
     caption: Option<&'a Caption>,
     /// Whether it goes on with a table that has a caption.
     continued: bool,
+    /// Whether it needs several pages.
+    is_long: bool,
 }
 
 /// A size of letters, with how many of them stand on a line.
@@ -67,6 +69,8 @@ const SMALLEST: Size = Size { points: 8, capacity: 106 };
 
 /// Width of the text in millimetres.
 const TEXT_WIDTH: f64 = 166.0;
+/// A table of more lines goes over several pages.
+const MOST_LINES: usize = 36;
 /// Letters that the space between two columns takes.
 const GAP: usize = 3;
 
@@ -144,6 +148,15 @@ impl Cells {
         columns.iter().map(widest).collect()
     }
 
+    /// The lines of all rows, where the columns are so wide.
+    fn lines_of(&self, columns: &[usize], widths: &[usize]) -> usize {
+        let height = |row: &Vec<Letters>| {
+            let lines = columns.iter().zip(widths).map(|(&column, &width)| row[column].all.div_ceil(width.max(1)));
+            lines.max().unwrap_or(0).max(1)
+        };
+        self.letters.iter().map(height).sum()
+    }
+
     fn set(&self, columns: &[usize], size: &Size, widths: &[usize]) -> Part<'_> {
         let natural = self.natural(columns);
         let millimetres = TEXT_WIDTH / size.capacity as f64;
@@ -157,6 +170,7 @@ impl Cells {
             rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
             caption: None,
             continued: false,
+            is_long: self.lines_of(columns, widths) > MOST_LINES,
         }
     }
 }

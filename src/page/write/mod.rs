@@ -129,7 +129,7 @@ trait Writer {
     fn symbol(&self, _tex: &str, plain: &str) -> String {
         self.words(plain)
     }
-    /// Whether formulas are set, and not read as plain text.
+    /// Whether formulas are set by what reads any TeX.
     fn reads_tex(&self) -> bool {
         true
     }

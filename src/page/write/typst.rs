@@ -23,6 +23,11 @@ impl Writer for Typst {
         escaped(words, |sign| "\\#$*_`@<>~[]/\"'".contains(sign))
     }
 
+    /// A reader's symbol is taken as a sign, for its TeX may be any.
+    fn reads_tex(&self) -> bool {
+        false
+    }
+
     fn person(&self, words: &Untrusted) -> String {
         escaped(&words.escaped(Format::Plain), |sign| sign.is_ascii_punctuation())
     }
@@ -148,5 +153,9 @@ fn inner(nodes: &[Node]) -> String {
 
 /// A sign that is no more than a sign.
 fn sign(sign: char) -> String {
-    if sign.is_ascii_punctuation() { format!("\\{sign}") } else { sign.to_string() }
+    match sign {
+        '+' | '=' => sign.to_string(),
+        _ if sign.is_ascii_punctuation() => format!("\\{sign}"),
+        _ => sign.to_string(),
+    }
 }

@@ -58,7 +58,8 @@ impl Unit {
 
 /// A decimal of six digits, `−` for minus.
 pub(crate) fn digits(value: f64) -> String {
-    super::expression::significant(value, DIGITS).replace(" \\times 10^{", "e").replace('}', "").replace('-', "−")
+    let power = |power: i32| format!("·{}", typeset::power_of_ten(power.into()));
+    super::expression::figures(value, DIGITS, power).replace('-', "−")
 }
 
 /// A text as a string, for cells that are strings still.

@@ -179,9 +179,14 @@ impl Expression {
 
 /// A number in TeX, to this many significant digits, without zeros that say nothing.
 pub(super) fn significant(value: f64, digits: usize) -> String {
+    figures(value, digits, |power| format!(" \\times 10^{{{power}}}"))
+}
+
+/// The same, with a power of ten put down in a way of its own.
+pub(super) fn figures(value: f64, digits: usize, power: fn(i32) -> String) -> String {
     let (mantissa, exponent) = scientific(value, digits);
     if !(-4..digits as i32 + 2).contains(&exponent) {
-        return format!("{} \\times 10^{{{exponent}}}", trimmed(&mantissa));
+        return trimmed(&mantissa) + &power(exponent);
     }
     let places = (digits as i32 - 1 - exponent).max(0) as usize;
     trimmed(&format!("{:.places$}", rounded(value, digits)))

@@ -4,6 +4,8 @@ mod plain;
 
 pub(super) use plain::plain;
 
+use crate::page::symbols::letters::{accent, is_font, letter};
+
 /// A part of a formula.
 pub(super) enum Node<'a> {
     /// A letter, a digit, a sign.
@@ -131,10 +133,9 @@ impl<'a> Reader<'a> {
             "\\tfrac" => self.fraction(true),
             "\\binom" => Node::Binomial(self.argument(), self.argument()),
             "\\sqrt" => Node::Root(self.argument()),
-            "\\mathrm" | "\\text" => Node::Upright(self.argument()),
-            "\\hat" => Node::Accent('\u{302}', self.argument()),
-            "\\check" => Node::Accent('\u{30c}', self.argument()),
-            "\\ddot" => Node::Accent('\u{308}', self.argument()),
+            // Here an open and a closed phi are one letter.
+            "\\phi" => Node::Sign('φ'),
+            "\\text" => Node::Upright(self.argument()),
             "\\pmod" => Node::Modulo(self.argument()),
             "\\lvert" => Node::Fenced('|', self.until("\\rvert"), '|'),
             "\\left" => Node::Fenced(self.bracket(), self.until("\\right"), self.bracket()),
@@ -142,7 +143,15 @@ impl<'a> Reader<'a> {
                 self.argument();
                 Node::Relation('≢')
             }
-            other => named(other),
+            other => {
+                let name = other.strip_prefix('\\').unwrap_or_default();
+                match (accent(name), letter(name)) {
+                    (Some(sign), _) => Node::Accent(sign, self.argument()),
+                    (None, Some(letter)) => Node::Sign(letter),
+                    (None, None) if is_font(name) => Node::Upright(self.argument()),
+                    (None, None) => named(other),
+                }
+            }
         });
     }
 
@@ -155,20 +164,6 @@ impl<'a> Reader<'a> {
 fn named(token: &str) -> Node<'_> {
     Node::Sign(match token {
         "-" => '−',
-        "\\alpha" => 'α',
-        "\\beta" => 'β',
-        "\\gamma" => 'γ',
-        "\\delta" => 'δ',
-        "\\Delta" => 'Δ',
-        "\\varepsilon" => 'ε',
-        "\\theta" => 'θ',
-        "\\lambda" => 'λ',
-        "\\pi" => 'π',
-        "\\rho" => 'ρ',
-        "\\psi" => 'ψ',
-        "\\phi" | "\\varphi" => 'φ',
-        "\\omega" => 'ω',
-        "\\Sigma" => 'Σ',
         "\\sum" => '∑',
         "\\int" => '∫',
         "\\cdot" => '·',
