@@ -18,7 +18,7 @@ use crankstar::claim::parse_claims;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
-use crankstar::page::{self, Alone, Document, Format, Math, Options, Symbols};
+use crankstar::page::{self, Alone, Document, Format, Language, Math, Options, Symbols};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Compared, Contents};
 use crankstar::text::Untrusted;
@@ -274,6 +274,20 @@ fn every_report_is_typeset_by_typst_without_warnings_inside_its_margins() {
     for (name, page) in reports() {
         typeset(&name, &write_page(&name, &page, Format::Typst));
     }
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn a_german_report_compiles_without_errors_missing_references_or_overfull_lines() {
+    let layout = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/examples/v8-small-block/layout.toml");
+    let engine = file::parse("layout.toml", &fs::read_to_string(layout).expect("a layout file")).expect("an engine");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-german");
+    fs::create_dir_all(&folder).expect("a folder");
+    let options = Options { language: Language::De, ..Options::default() };
+    for file in page::write(&report_of(&engine), Format::Latex, &options) {
+        fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    compile("german", &folder);
 }
 
 /// Every formula that pandoc finds in a document.

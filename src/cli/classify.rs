@@ -10,6 +10,7 @@ use crankstar::verdict;
 use super::failure::Failure;
 use super::masses::Masses;
 use super::pages::shown;
+use super::spoken::Spoken;
 use super::verify::proved;
 use super::{EngineAndOrders, write};
 
@@ -29,6 +30,8 @@ pub struct Classify {
     /// Judge the inertia torque too
     #[arg(long)]
     torque: bool,
+    #[command(flatten)]
+    spoken: Spoken,
 }
 
 impl Classify {
@@ -43,7 +46,7 @@ impl Classify {
         let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
-            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged)));
+            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language()));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
@@ -61,7 +64,7 @@ impl Classify {
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.json {
             true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
-            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts))),
+            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts), self.spoken.language())),
         }
     }
 }

@@ -16,6 +16,7 @@ use crankstar::text::harmless;
 use super::failure::Failure;
 use super::masses::Masses;
 use super::notation::Notation;
+use super::spoken::Spoken;
 use super::sweep::Ranges;
 use super::{EngineAndOrders, folder, layouts, pages, write};
 
@@ -41,6 +42,8 @@ pub struct Figure {
     stamp: bool,
     #[command(flatten)]
     notation: Notation,
+    #[command(flatten)]
+    spoken: Spoken,
     #[command(flatten)]
     masses: Masses,
     #[command(flatten, next_help_heading = "For the drawings of a sweep")]
@@ -86,7 +89,8 @@ impl Figure {
             return Err(Failure::new(format!("`{layout}` has no figure `{}`; {there}", harmless(name))));
         };
         let stamp = pages::stamp(self.stamp);
-        let options = Options { stamp, symbols: self.notation.read()?, ..Options::default() };
+        let options =
+            Options { stamp, symbols: self.notation.read()?, language: self.spoken.language(), ..Options::default() };
         let text = self.alone()?.write(&figure.picture, &options);
         match &self.output {
             None => write::to_stdout(&text),

@@ -4,9 +4,20 @@ use crankstar::file;
 use crankstar::report;
 
 use super::failure::Failure;
-use super::{pages, write};
+use super::pages::shown;
+use super::spoken::Spoken;
+use super::write;
 
-/// Prints the catalogue, a row per engine.
-pub fn run() -> Result<(), Failure> {
-    write::to_stdout(&pages::shown(&report::catalogue_answer(&file::catalogue()?)))
+/// Arguments of `list`.
+#[derive(clap::Args)]
+pub struct List {
+    #[command(flatten)]
+    spoken: Spoken,
+}
+
+impl List {
+    /// Prints the catalogue, a row per engine.
+    pub fn run(&self) -> Result<(), Failure> {
+        write::to_stdout(&shown(&report::catalogue_answer(&file::catalogue()?), self.spoken.language()))
+    }
 }

@@ -9,6 +9,7 @@ use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
 use super::pages::shown;
+use super::spoken::Spoken;
 use super::verify::proved_or_without;
 use super::{EngineAndOrders, write};
 
@@ -25,6 +26,8 @@ pub struct Loads {
     json: bool,
     #[command(flatten)]
     auto: Auto,
+    #[command(flatten)]
+    spoken: Spoken,
 }
 
 /// The choice of the orders by a wanted accuracy.
@@ -80,7 +83,10 @@ impl Loads {
                 let document = report::loads_document(&engine, &numbers, needed.as_ref());
                 write::to_stdout(&proved_or_without(document, LoadsDocument::without_evidence)?)
             }
-            false => write::to_stdout(&shown(&report::loads_answer(&engine, &numbers, needed.as_ref()))),
+            false => {
+                let answer = report::loads_answer(&engine, &numbers, needed.as_ref());
+                write::to_stdout(&shown(&answer, self.spoken.language()))
+            }
         }
     }
 }

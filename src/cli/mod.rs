@@ -21,6 +21,7 @@ mod questions;
 mod remedy;
 mod report;
 mod search;
+mod spoken;
 mod sweep;
 mod verify;
 mod write;
@@ -66,8 +67,7 @@ a certificate fails or a claim does not hold; 2 wrong usage.";
 #[derive(Subcommand)]
 enum Command {
     /// List the engines known by name, and the first order each leaves
-    List,
-    /// Judge force and moment, order by order
+    List(list::List),
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
@@ -140,7 +140,7 @@ pub fn run() -> ExitCode {
         Err(told) => return usage(&told),
     };
     let answer = match command {
-        Command::List => list::run().map(done),
+        Command::List(list) => list.run().map(done),
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),

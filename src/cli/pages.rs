@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use crankstar::page::{self, Document, File, Options};
+use crankstar::page::{self, Document, File, Language, Options};
 
 use super::failure::Failure;
 use super::notation::Notation;
+use super::spoken::Spoken;
 use super::{folder, write};
 
 /// What a person may say of a page.
@@ -42,6 +43,8 @@ pub struct Look {
     stamp: bool,
     #[command(flatten)]
     notation: Notation,
+    #[command(flatten)]
+    spoken: Spoken,
 }
 
 /// What a page is written in.
@@ -106,6 +109,7 @@ impl Look {
             symbols: self.notation.read()?,
             label: self.label.clone(),
             siunitx: self.siunitx,
+            language: self.spoken.language(),
         })
     }
 
@@ -119,7 +123,10 @@ impl Look {
 
     /// A short answer for the terminal, in the notation of the reader.
     pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
-        Ok(shown_with(answer, &Options { symbols: self.notation.read()?, ..Options::default() }))
+        Ok(shown_with(
+            answer,
+            &Options { symbols: self.notation.read()?, language: self.spoken.language(), ..Options::default() },
+        ))
     }
 
     /// Whether a folder is named.
@@ -174,8 +181,8 @@ const USUAL_WIDTH: usize = 80;
 const WIDEST: usize = 140;
 
 /// A document for the terminal that this runs in; colours are taken away where nobody sees them.
-pub fn shown(document: &Document) -> String {
-    shown_with(document, &Options::default())
+pub fn shown(document: &Document, language: Language) -> String {
+    shown_with(document, &Options { language, ..Options::default() })
 }
 
 fn shown_with(document: &Document, options: &Options) -> String {

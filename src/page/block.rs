@@ -1,5 +1,10 @@
 //! Of which blocks is a document made?
 
+use std::collections::BTreeSet;
+use std::fmt;
+use std::sync::Arc;
+
+use super::Language;
 use super::figure::Figure;
 use super::text::Text;
 use crate::text::Untrusted;
@@ -21,6 +26,14 @@ impl Document {
     /// An empty document.
     pub fn new(name: &'static str, title: impl Into<Text>) -> Self {
         Document { name, title: title.into(), has_contents: false, blocks: Vec::new() }
+    }
+
+    /// The words of the program on it, each as its English list has them: what a list of another language translates.
+    pub fn phrases(&self) -> BTreeSet<&str> {
+        let mut found = BTreeSet::new();
+        self.title.collect_phrases(&mut found);
+        self.blocks.iter().for_each(|block| block.collect_phrases(&mut found));
+        found
     }
 
     /// With one more block.
@@ -66,6 +79,23 @@ pub enum Block {
 }
 
 impl Block {
+    fn collect_phrases<'a>(&'a self, found: &mut BTreeSet<&'a str>) {
+        match self {
+            Block::Heading(_, text) | Block::Paragraph(text) | Block::Note(text) => text.collect_phrases(found),
+            Block::Answer(texts) | Block::List(texts) => texts.iter().for_each(|text| text.collect_phrases(found)),
+            Block::Table(table) => {
+                let cells = table.header.iter().chain(table.rows.iter().flatten());
+                cells.for_each(|cell| cell.collect_phrases(found));
+            }
+            Block::Pictures(pictures) => pictures.iter().for_each(|picture| picture.caption.collect_phrases(found)),
+            Block::Folded(fold) => {
+                fold.summary.collect_phrases(found);
+                fold.blocks.iter().for_each(|block| block.collect_phrases(found));
+            }
+            Block::Formula(..) | Block::Live(_) | Block::Verbatim(..) => {}
+        }
+    }
+
     fn pictures(&self) -> Vec<&Picture> {
         match self {
             Block::Pictures(drawn) => drawn.iter().collect(),
@@ -83,11 +113,17 @@ impl Block {
     }
 }
 
+/// What a page shows that moves, in HTML.
+pub trait Moving: fmt::Debug {
+    /// The part itself, finished.
+    fn body(&self, language: Language) -> String;
+}
+
 /// A part in HTML that moves by a script; formats without scripts leave it out.
 #[derive(Clone, Debug)]
 pub struct Live {
-    /// The part itself, finished.
-    pub body: String,
+    /// The part itself.
+    pub part: Arc<dyn Moving + Send + Sync>,
     /// What it looks like: once on a page.
     pub style: &'static str,
     /// What moves it: once on a page.

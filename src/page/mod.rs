@@ -4,10 +4,12 @@
 //!
 //! A question makes a [`Document`] and knows nothing of formats; a writer knows nothing of engines. Whether a number is zero, exact or
 //! a decimal, and whether words are the program's or a person's, is said by types ([`Piece`], [`Number`]), never read back from text.
-//! A format is a folder of templates and one file of escapes: [`Format`] names it, and the compiler lists the rest.
+//! A format is a folder of templates and one file of escapes: [`Format`] names it, and the compiler lists the rest. A language is one
+//! list of words: [`Language`] names it.
 
 mod block;
 pub mod figure;
+mod language;
 mod markup;
 pub mod number;
 pub mod plot;
@@ -18,7 +20,8 @@ mod tikz;
 mod unit;
 mod write;
 
-pub use block::{Block, Document, Fold, Live, Picture, Table};
+pub use block::{Block, Document, Fold, Live, Moving, Picture, Table};
+pub use language::Language;
 pub use number::Number;
 pub use svg::svg;
 pub use symbols::Symbols;
@@ -26,4 +29,5 @@ pub(crate) use text::phrase;
 pub use text::{Piece, Text};
 pub use tikz::tikz;
 pub use unit::Unit;
+pub(crate) use write::say;
 pub use write::{Alone, File, Format, Math, Options, text_in, write};

@@ -79,7 +79,7 @@ fn prose_in_tex(prose: &str) -> String {
     let set = |mark: Sign| match mark {
         Sign::Words(words) => latex(words),
         Sign::Formula(tex) => format!("${tex}$"),
-        Sign::Bold | Sign::Place => String::new(),
+        Sign::Bold | Sign::Place(_) => String::new(),
     };
     marks(prose).into_iter().map(set).collect()
 }

@@ -1,9 +1,9 @@
-// Turns the engines of a page: words, verdicts and zeros are read from the scene, only drawings are reckoned.
+// Turns the engines of a page: words, verdicts and zeros come from the scene, only drawings are reckoned.
 (() => {
   "use strict";
   const RADIANS = Math.PI / 180;
-  const RADIUS = 78; // of a star, in units of its drawing
-  const SPEED = 0.06; // degrees a millisecond
+  const RADIUS = 78; // of a star, in its units
+  const SPEED = 0.06; // degrees per ms
 
   const short = (number) => String(Math.round(number * 1000) / 1000);
   const set = (element, attributes) => {
@@ -22,21 +22,22 @@
     set(put(parent, document.createElementNS("http://www.w3.org/2000/svg", name), text), attributes);
   const path = (parent, kind, d) => draw(parent, "path", { class: kind, d });
 
-  // Points [x, y] of a drawing; angle 0 is up, angles grow anticlockwise.
+  // Points [x, y]; angle 0 is up, angles grow anticlockwise.
   const polar = (length, degrees) => [-length * Math.sin(degrees * RADIANS), -length * Math.cos(degrees * RADIANS)];
   const plus = ([a, b], [c, d]) => [a + c, b + d];
   const times = ([a, b], by) => [a * by, b * by];
   const CENTRE = [0, 0];
+  const POINT = (0.5).toLocaleString(document.documentElement.lang || "en")[1];
   const size = (point) => Math.hypot(...point);
   const line = (...points) => `M${points.map((point) => point.map(short).join(" ")).join("L")}`;
-  /** An arrow with a head that is shorter than the arrow. */
+  /** An arrow, longer than its head. */
   const arrow = (from, to, head) => {
     const along = plus(to, times(from, -1));
     const [x, y] = times(along, Math.min(0.4, head / size(along)));
     const barb = (turn) => plus(to, [-x - (turn * y) / 2, -y + (turn * x) / 2]);
     return size(along) < 1e-6 ? "" : line(from, to) + line(barb(1), to, barb(-1));
   };
-  const decimal = (value) => `≈ ${value.toFixed(3)}`;
+  const decimal = (value) => `≈ ${value.toFixed(3).replace(".", POINT)}`;
 
   const start = (figure) => {
     const parts = (name) => figure.querySelectorAll(`[data-part="${name}"]`);
@@ -45,10 +46,10 @@
     let order = orders[0];
     let quantity = "force";
     let theta = 0;
-    const home = angle ? angle.start.at : 0; // the value that finished words are about
+    const home = angle ? angle.start.at : 0; // what finished words are about
     let value = home;
 
-    // What the exact list says of a sum: whole numbers are compared.
+    // What the exact list says of a sum, in whole numbers.
     const atHome = () => value === home;
     const outcome = ({ zero, zeros }) => {
       if (atHome()) return zero ? "zero" : "not_zero";
@@ -57,7 +58,7 @@
     };
     const moved = () => (angle ? (value - home) / angle.unit : 0); // in degrees
 
-    // The engine from its free end, and its pistons side by side.
+    // The engine from its free end, pistons side by side.
     const place = (body) => {
       const bank = body.bank + body.bank_turns * moved();
       const crank = body.throw + body.throw_turns * moved() + theta;
@@ -161,10 +162,10 @@
       captions[2].textContent = isLeft ? `${decimal(size(whole) / scale)} at θ = ${theta}°` : words.zero;
     };
 
-    // What is said: finished words, and for an open angle those of the list.
+    // What is said: finished words, or those of the list.
     const angleText = () => {
       const mark = [angle.start, ...order[quantity].marks].find((one) => one.at === value);
-      return mark ? mark.text : `${value / angle.unit}°`.replace("-", "−");
+      return mark ? mark.text : `${value / angle.unit}°`.replace("-", "−").replace(".", POINT);
     };
     const say = () => {
       const { senses, whole, words: known } = order[quantity];

@@ -6,6 +6,7 @@ use std::path::Path;
 use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
+use crankstar::page::Language;
 use crankstar::proof::Quantity;
 use crankstar::report::moving::{MOVING_SCRIPT, MOVING_STYLE, Scene, moving_fragment, open_scenes, scene};
 use crankstar::verdict::Judgement;
@@ -54,7 +55,8 @@ fn engines_move_in_a_browser_and_say_what_is_proved() {
     let mut names = Vec::new();
     for (name, scenes) in all() {
         assert!(!scenes.is_empty(), "{name} has no scene");
-        let fragments = scenes.iter().enumerate().map(|(index, scene)| moving_fragment(scene, &format!("m{index}")));
+        let fragments =
+            scenes.iter().enumerate().map(|(index, scene)| moving_fragment(scene, &format!("m{index}"), Language::En));
         let page = include_str!("moving.html").replace("STYLE", MOVING_STYLE).replace("SCRIPT", MOVING_SCRIPT);
         let page = page.replace("BODY", &fragments.collect::<String>());
         fs::write(folder.join(format!("{name}.html")), page).expect("a page");

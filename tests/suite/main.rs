@@ -35,6 +35,7 @@ mod ground_truth;
 mod hard_cases;
 mod help;
 mod hostile_text;
+mod languages;
 mod largest;
 mod layout_files;
 mod layout_mistakes;

@@ -9,6 +9,7 @@ use crankstar::exact::Turn;
 use crankstar::family;
 use crankstar::file::{self, Layout, parse_layout};
 use crankstar::order;
+use crankstar::page::Language;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::report::moving::{
     MOVING_SCRIPT, MOVING_STYLE, MovingQuantity, MovingSense, Scene, moving_fragment, open_scenes, scene,
@@ -177,7 +178,7 @@ fn no_text_of_a_person_ends_the_script_or_begins_markup() {
     let mut made: Scene = scene(&engine, &judged(&engine), None);
     made.bodies[0].name = harm.to_owned();
     made.orders[0].name = harm.to_owned();
-    let page = moving_fragment(&made, "m\" onclick=\"alert(1)");
+    let page = moving_fragment(&made, "m\" onclick=\"alert(1)", Language::En);
     assert_eq!(page.matches("<script").count(), 1, "{page}");
     assert_eq!(page.matches("</script").count(), 1, "{page}");
     assert!(!page.contains("<!--") && !page.contains(['\u{2028}', '\u{2029}', '\u{1b}']), "{page}");

@@ -50,7 +50,7 @@ impl Symbols {
             markup::Mark::Words(words) => self.in_words(words).iter().map(as_prose).collect(),
             markup::Mark::Formula(tex) => format!("${}$", self.in_tex(tex)),
             markup::Mark::Bold => "**".to_owned(),
-            markup::Mark::Place => "{}".to_owned(),
+            markup::Mark::Place(_) => "{}".to_owned(),
         };
         marks(prose).into_iter().map(set).collect()
     }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::super::block::{Block, Document, Fold, Live, Picture, Table};
+use super::super::language::has_comma;
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
@@ -68,6 +69,8 @@ impl<'a> Composer<'a> {
             stamp: self.options.stamp.as_ref().map(|stamp| self.writer.words(stamp)),
             fragment: self.options.fragment,
             siunitx: self.options.siunitx,
+            language: self.options.language.code(),
+            hyphenation: self.options.language.hyphenation(),
             styles: &self.styles,
             scripts: self.scripts.iter().map(|script| self.options.symbols.in_letters(script)).collect(),
         };
@@ -91,15 +94,18 @@ impl<'a> Composer<'a> {
         #[derive(Serialize)]
         struct Items {
             items: Vec<String>,
+            language: &'static str,
         }
         let words = |composer: &Self, text: &Text| Words { text: composer.writer.paragraph(composer.text(text)) };
+        let language = self.options.language.code();
         match block {
             Block::Heading(level, text) => {
                 let name = plain(text, &Options::default());
+                let shown = plain(text, &self.options.in_language());
                 let (text, number) = (self.writer.paragraph(self.text(text)), self.headings.len() + 1);
                 self.labels.topic(&text, name.clone());
                 let label = self.labels.label("sec", &name);
-                let heading = Heading { level: *level, text, id: self.free_id(&name), number, label };
+                let heading = Heading { level: *level, text, id: self.free_id(&shown), number, label };
                 self.headings.push(heading.clone());
                 self.fill("heading", &heading)
             }
@@ -111,11 +117,11 @@ impl<'a> Composer<'a> {
             }
             Block::Answer(lines) => {
                 let items = lines.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
-                self.fill("answer", &Items { items })
+                self.fill("answer", &Items { items, language })
             }
             Block::List(items) => {
                 let items = items.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
-                self.fill("list", &Items { items })
+                self.fill("list", &Items { items, language })
             }
             Block::Table(table) => {
                 let caption = self.labels.caption();
@@ -172,7 +178,7 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
-            let renamed = self.options.symbols.in_picture(picture);
+            let renamed = self.options.symbols.in_picture(&self.options.language.picture(picture));
             let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
             self.files.extend(file);
             let label = self.labels.label("fig", &picture.name);
@@ -190,7 +196,7 @@ impl<'a> Composer<'a> {
             self.styles.push(live.style);
             self.scripts.push(live.script);
         }
-        self.options.symbols.in_plain_words(&live.body)
+        self.options.symbols.in_plain_words(&live.part.body(self.options.language))
     }
 
     fn folded(&mut self, fold: &Fold) -> String {
@@ -210,32 +216,42 @@ impl<'a> Composer<'a> {
 
     /// A text in the signs of the format.
     pub fn text(&self, text: &Text) -> String {
-        text.pieces().iter().map(|piece| self.piece(piece)).collect()
+        let set: Vec<String> = text.pieces().iter().map(|piece| self.piece(piece)).collect();
+        let between = self.options.language.separator();
+        if between == COMMA || !set.iter().any(|piece| has_comma(piece)) {
+            return set.concat();
+        }
+        // Where commas are those of decimals, others stand between the values.
+        let piece = |(piece, set): (&Piece, String)| match piece {
+            Piece::Phrase(words, _) if words == COMMA => self.words(between),
+            _ => set,
+        };
+        text.pieces().iter().zip(set).map(piece).collect()
     }
 
     fn piece(&self, piece: &Piece) -> String {
-        let writer = self.writer;
+        let (writer, language) = (self.writer, self.options.language);
         match piece {
-            Piece::Phrase(words, values) => self.phrase(words, values),
-            Piece::Label(label) => self.words(label),
+            Piece::Phrase(words, values) => self.phrase(&language.words(words), values),
+            Piece::Label(label) => self.words(&language.label(label)),
             Piece::Person(words) => writer.person(words),
             Piece::Number(number) => match number {
                 Number::Zero => writer.zero(),
-                Number::Exact(value) => self.words(&number::number(value)),
+                Number::Exact(value) => self.numbers(&number::number(value)),
                 Number::Closed(form, decimal) => {
                     let exact = self.exact(&form.tex(), &form.to_string());
-                    format!("{exact} {}", self.words(&number::approximate(*decimal)))
+                    format!("{exact} {}", self.numbers(&number::approximate(*decimal)))
                 }
-                Number::Decimal(decimal) => self.words(&number::approximate(*decimal)),
+                Number::Decimal(decimal) => self.numbers(&number::approximate(*decimal)),
             },
             Piece::Form(form) => self.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
-                Some([tex, plain]) => format!("{} {}", self.exact(&tex, &plain), self.words(&bearing.degrees())),
-                None => self.words(&bearing.degrees()),
+                Some([tex, plain]) => format!("{} {}", self.exact(&tex, &plain), self.numbers(&bearing.degrees())),
+                None => self.numbers(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
                 let set = self.options.siunitx.then(|| writer.quantity(*value, *unit)).flatten();
-                set.unwrap_or_else(|| self.words(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
+                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
             }
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
@@ -244,14 +260,17 @@ impl<'a> Composer<'a> {
     }
 
     fn phrase(&self, words: &str, values: &[Text]) -> String {
-        let mut values = values.iter();
+        let mut following = values.iter();
         let mut out = String::new();
         let mut bold: Option<String> = None;
         for mark in marks(words) {
             let set = match mark {
                 Mark::Words(words) => self.words(words),
                 Mark::Formula(tex) => self.formula(tex),
-                Mark::Place => values.next().map(|text| self.text(text)).unwrap_or_default(),
+                Mark::Place(place) => {
+                    let value = place.map_or_else(|| following.next(), |place| values.get(place));
+                    value.map(|text| self.text(text)).unwrap_or_default()
+                }
                 Mark::Bold => match bold.take() {
                     Some(inside) => {
                         out.push_str(&self.writer.strong(&inside));
@@ -268,6 +287,9 @@ impl<'a> Composer<'a> {
         out + &bold.unwrap_or_default()
     }
 }
+
+/// Between values in English.
+const COMMA: &str = ", ";
 
 /// What a picture is called where it is not seen.
 fn first_sentence(caption: &str) -> &str {

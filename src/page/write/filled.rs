@@ -36,6 +36,8 @@ pub(super) struct Whole<'a> {
     pub stamp: Option<String>,
     pub fragment: bool,
     pub siunitx: bool,
+    pub language: &'static str,
+    pub hyphenation: &'static str,
     pub styles: &'a [&'static str],
     pub scripts: Vec<String>,
 }

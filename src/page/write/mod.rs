@@ -14,12 +14,13 @@ mod terminal;
 mod tex;
 mod typst;
 
-use super::Unit;
 use super::block::{Document, Picture};
 use super::symbols::Symbols;
 use super::text::Text;
+use super::{Language, Unit};
 pub use alone::Alone;
 use compose::Composer;
+pub(crate) use templates::say;
 
 /// A file to be written: its name inside the folder, and its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -90,6 +91,15 @@ pub struct Options {
     pub label: Option<String>,
     /// Whether quantities in LaTeX are left to siunitx.
     pub siunitx: bool,
+    /// The language.
+    pub language: Language,
+}
+
+impl Options {
+    /// Those of the language alone.
+    fn in_language(&self) -> Options {
+        Options { language: self.language, ..Options::default() }
+    }
 }
 
 /// The files of a document: the main one first.
@@ -101,7 +111,7 @@ pub fn write(document: &Document, format: Format, options: &Options) -> Vec<File
     [main].into_iter().chain(composer.files).collect()
 }
 
-/// A text by itself in a format.
+/// A text by itself in a format, in English.
 pub fn text_in(text: &Text, format: Format) -> String {
     let writer = format.writer();
     Composer::new(writer.as_ref(), &Options::default()).text(text)

@@ -16,6 +16,11 @@ impl Composer<'_> {
         self.options.symbols.in_words(words).into_iter().map(set).collect()
     }
 
+    /// A number of the program, with decimals as the language writes them.
+    pub(super) fn numbers(&self, text: &str) -> String {
+        self.words(&self.options.language.numbers(text))
+    }
+
     /// A formula in the line.
     pub(super) fn formula(&self, tex: &str) -> String {
         self.writer.formula(&self.in_notation(tex))
@@ -33,14 +38,16 @@ impl Composer<'_> {
 
     /// What is exact, in TeX and as plain text.
     pub(super) fn exact(&self, tex: &str, plain: &str) -> String {
-        self.writer.exact(&self.in_notation(tex), &self.options.symbols.in_plain_words(plain))
+        let plain = self.options.language.numbers(plain);
+        self.writer.exact(&self.in_notation(tex), &self.options.symbols.in_plain_words(&plain))
     }
 
-    fn in_notation<'b>(&self, tex: &'b str) -> std::borrow::Cow<'b, str> {
-        match self.writer.reads_tex() {
+    fn in_notation(&self, tex: &str) -> String {
+        let renamed = match self.writer.reads_tex() {
             true => self.options.symbols.in_tex(tex),
             false => self.options.symbols.in_plain_formula(tex),
-        }
+        };
+        self.options.language.formula(&renamed)
     }
 
     /// A text without colours, as it is measured and searched.

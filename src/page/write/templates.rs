@@ -3,7 +3,9 @@
 use std::sync::LazyLock;
 
 use serde::Serialize;
-use tera::{Context, Delimiters, Tera};
+use tera::{Context, Delimiters, Kwargs, State, Tera};
+
+use super::super::Language;
 
 /// The templates of one format.
 pub(super) type Set = LazyLock<Tera>;
@@ -56,6 +58,7 @@ pub(super) fn load(templates: &[(&'static str, &'static str)], delimiters: Optio
     if let Some(delimiters) = delimiters {
         tera.set_delimiters(delimiters).expect(OURS);
     }
+    tera.register_filter("say", say);
     tera.add_raw_templates(templates.iter().copied()).expect(OURS);
     tera
 }
@@ -63,4 +66,10 @@ pub(super) fn load(templates: &[(&'static str, &'static str)], delimiters: Optio
 /// Fills a template with finished strings.
 pub(super) fn fill(set: &Set, template: &str, values: &impl Serialize) -> String {
     set.render(template, &Context::from_serialize(values).expect(OURS)).expect(OURS)
+}
+
+/// Words in a template, in the language of the page: `{{ "Contents" | say(language=language) }}`.
+pub(crate) fn say(words: &str, arguments: Kwargs, _: &State) -> tera::TeraResult<String> {
+    let language = Language::of_code(arguments.must_get("language")?);
+    Ok(language.fixed(words).to_owned())
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use tera::{Context, Tera};
 
 use super::scene::{Body, MovingAngle, Scene};
+use crate::page::{Language, say};
 use crate::text;
 
 /// The script that moves every scene of a page: once a page, at the end of its body, between `<script>` and `</script>`.
@@ -20,6 +21,7 @@ const OURS: &str = "a template of the program";
 static TEMPLATE: LazyLock<Tera> = LazyLock::new(|| {
     let mut tera = Tera::default();
     tera.autoescape_on(Vec::<&str>::new());
+    tera.register_filter("say", say);
     tera.add_raw_template("moving", include_str!("../../../templates/html/moving.html")).expect(OURS);
     tera
 });
@@ -35,6 +37,7 @@ struct Fragment<'a> {
     strip: usize,
     columns: Vec<Column>,
     json: String,
+    language: &'static str,
 }
 
 /// A cylinder in the row of pistons.
@@ -61,8 +64,9 @@ fn column((index, body): (usize, &Body), inset: usize) -> Column {
 /// The HTML of a scene; `id` is its own on the page, of letters, digits and hyphens.
 ///
 /// It is hidden until [`MOVING_SCRIPT`] runs: a page without scripts has its still figures.
-pub fn moving_fragment(scene: &Scene, id: &str) -> String {
-    let json = serde_json::to_string(scene).unwrap_or_default();
+pub fn moving_fragment(scene: &Scene, id: &str, language: Language) -> String {
+    let scene = scene.spoken(language);
+    let json = serde_json::to_string(&scene).unwrap_or_default();
     let strip = scene.bodies.len().max(FEWEST) * COLUMN;
     let inset = (strip - scene.bodies.len() * COLUMN) / 2;
     let fragment = Fragment {
@@ -74,6 +78,7 @@ pub fn moving_fragment(scene: &Scene, id: &str) -> String {
         strip,
         columns: scene.bodies.iter().enumerate().map(|body| column(body, inset)).collect(),
         json: text::json_in_script(&json),
+        language: language.code(),
     };
     let context = Context::from_serialize(&fragment).expect(OURS);
     TEMPLATE.render("moving", &context).expect(OURS)

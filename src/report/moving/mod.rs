@@ -10,7 +10,10 @@ mod fragment;
 mod open_angle;
 mod open_scenes;
 mod scene;
+mod spoken;
 mod stars;
+
+use std::sync::Arc;
 
 pub use fragment::{MOVING_SCRIPT, MOVING_STYLE, moving_fragment};
 pub use open_scenes::open_scenes;
@@ -19,7 +22,7 @@ pub use scene::{Body, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSens
 use super::residual;
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
-use crate::page::{self, Live, text_in};
+use crate::page::{self, Language, Live, text_in};
 use crate::text::Format;
 use crate::verdict::Judgement;
 use open_angle::OpenAngle;
@@ -41,11 +44,24 @@ pub fn scene(engine: &Engine, judged: &Judgement, family: Option<(&Family, &[Ope
     }
 }
 
+/// A scene in a page, with its name there.
+#[derive(Debug)]
+struct Part {
+    scene: Scene,
+    id: String,
+}
+
+impl page::Moving for Part {
+    fn body(&self, language: Language) -> String {
+        moving_fragment(&self.scene, &self.id, language)
+    }
+}
+
 /// Scenes as parts of a page that only a browser shows.
 pub(super) fn live(scenes: &[Scene]) -> Vec<page::Block> {
     let part = |(index, scene): (usize, &Scene)| {
-        let body = moving_fragment(scene, &format!("scene-{}", index + 1));
-        page::Block::Live(Live { body, style: MOVING_STYLE, script: MOVING_SCRIPT })
+        let part = Arc::new(Part { scene: scene.clone(), id: format!("scene-{}", index + 1) });
+        page::Block::Live(Live { part, style: MOVING_STYLE, script: MOVING_SCRIPT })
     };
     scenes.iter().enumerate().map(part).collect()
 }

@@ -1,0 +1,74 @@
+//! How does a scene read in another language? All its finished words as the list of the language has them.
+
+use super::scene::{Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
+use crate::page::Language;
+
+impl Scene {
+    /// The scene in a language; names that a person gave stay.
+    pub(super) fn spoken(&self, language: Language) -> Scene {
+        let mut scene = self.clone();
+        if language == Language::En {
+            return scene;
+        }
+        scene.orders.iter_mut().for_each(|order| order.speak(language));
+        if let Some(angle) = &mut scene.angle {
+            angle.speak(language);
+        }
+        scene.notes.iter_mut().for_each(|note| label(note, language));
+        scene.words.speak(language);
+        scene
+    }
+}
+
+fn label(text: &mut String, language: Language) {
+    *text = language.label(text).into_owned();
+}
+
+impl MovingOrder {
+    fn speak(&mut self, language: Language) {
+        label(&mut self.name, language);
+        self.force.speak(language);
+        self.moment.speak(language);
+    }
+}
+
+impl MovingQuantity {
+    fn speak(&mut self, language: Language) {
+        label(&mut self.words, language);
+        self.whole.iter_mut().for_each(|whole| label(whole, language));
+        self.senses.iter_mut().for_each(|sense| sense.speak(language));
+        self.marks.iter_mut().for_each(|mark| mark.speak(language));
+    }
+}
+
+impl MovingSense {
+    fn speak(&mut self, language: Language) {
+        label(&mut self.words, language);
+        self.rays.iter_mut().for_each(|ray: &mut Ray| label(&mut ray.label, language));
+        self.zeros.iter_mut().for_each(|zeros: &mut Zeros| label(&mut zeros.words, language));
+    }
+}
+
+impl MovingAngle {
+    fn speak(&mut self, language: Language) {
+        self.name = language.fixed(self.name);
+        self.start.speak(language);
+    }
+}
+
+impl Mark {
+    fn speak(&mut self, language: Language) {
+        label(&mut self.text, language);
+        self.of.iter_mut().for_each(|of| *of = language.fixed(of));
+    }
+}
+
+impl Words {
+    fn speak(&mut self, language: Language) {
+        let Words { senses, force, moment, order, zero, not_zero, undecided, together, play, pause } = self;
+        let [direct, reverse] = senses;
+        for words in [direct, reverse, force, moment, order, zero, not_zero, undecided, together, play, pause] {
+            *words = language.fixed(words);
+        }
+    }
+}
