@@ -8,17 +8,16 @@ use crankstar::engine::{Engine, Family};
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads::{Method, bearing_loads};
-use crankstar::page::{Alone, File, Options};
+use crankstar::page::{Alone, File};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Contents, NamedPicture};
 use crankstar::text::harmless;
 
 use super::failure::Failure;
 use super::masses::Masses;
-use super::notation::Notation;
-use super::spoken::Spoken;
+use super::pages::Reader;
 use super::sweep::Ranges;
-use super::{EngineAndOrders, folder, layouts, pages, write};
+use super::{EngineAndOrders, classified, folder, layouts, write};
 
 /// Arguments of `figure`.
 #[derive(clap::Args)]
@@ -37,13 +36,8 @@ pub struct Figure {
     /// The file to write [default: standard output]
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Name program and version in a comment
-    #[arg(long)]
-    stamp: bool,
     #[command(flatten)]
-    notation: Notation,
-    #[command(flatten)]
-    spoken: Spoken,
+    reader: Reader,
     #[command(flatten)]
     masses: Masses,
     #[command(flatten, next_help_heading = "For the drawings of a sweep")]
@@ -88,10 +82,7 @@ impl Figure {
             let layout = layouts::shown(&self.about.layout);
             return Err(Failure::new(format!("`{layout}` has no figure `{}`; {there}", harmless(name))));
         };
-        let stamp = pages::stamp(self.stamp);
-        let options =
-            Options { stamp, symbols: self.notation.read()?, language: self.spoken.language(), ..Options::default() };
-        let text = self.alone()?.write(&figure.picture, &options);
+        let text = self.alone()?.write(&figure.picture, &self.reader.options()?);
         match &self.output {
             None => write::to_stdout(&text),
             Some(path) => {
@@ -144,9 +135,7 @@ impl Figure {
         orders: &[u32],
     ) -> Result<Vec<NamedPicture>, Failure> {
         let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
-        let family = family.filter(|family| family::comparable(family).is_ok());
-        let open = family.map(|family| family::classify(family, orders).map(|open| (family, open))).transpose();
-        let open = open.map_err(Failure::new)?;
+        let open = classified(family, orders)?;
         let mut pages = vec![report::engine_page(Contents {
             engine,
             judged: &judged,

@@ -32,6 +32,8 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crankstar::engine::Family;
+use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
 use crankstar::text;
@@ -125,6 +127,14 @@ impl EngineAndOrders {
         orders.dedup();
         Ok((layout, orders))
     }
+}
+
+/// The family of an engine whose file gives values to symbols, judged at these orders.
+fn classified<'a>(family: Option<&'a Family>, orders: &[u32]) -> Result<Option<(&'a Family, Vec<OpenOrder>)>, Failure> {
+    // Where the rods differ nothing is said of other values than those given.
+    let family = family.filter(|family| family::comparable(family).is_ok());
+    let judged = family.map(|family| Ok((family, family::classify(family, orders).map_err(Failure::new)?)));
+    judged.transpose()
 }
 
 /// Whose masses are meant says nothing of a family.

@@ -38,13 +38,29 @@ pub struct Look {
     /// Write quantities as \qty of the LaTeX package siunitx
     #[arg(long)]
     siunitx: bool,
-    /// Name program and version at the foot of the page
+    #[command(flatten)]
+    reader: Reader,
+}
+
+/// What a person may say of whatever is written.
+#[derive(clap::Args)]
+pub struct Reader {
+    /// Name program and version at the foot of a page, or in a comment of a drawing
     #[arg(long)]
     stamp: bool,
     #[command(flatten)]
     notation: Notation,
     #[command(flatten)]
     spoken: Spoken,
+}
+
+impl Reader {
+    /// The notation and the language, and the stamp where it is asked for.
+    pub fn options(&self) -> Result<Options, Failure> {
+        let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
+        let (symbols, language) = (self.notation.read()?, self.spoken.language());
+        Ok(Options { stamp, symbols, language, ..Options::default() })
+    }
 }
 
 /// What a page is written in.
@@ -80,11 +96,6 @@ fn prefix(text: &str) -> Result<String, String> {
     }
 }
 
-/// Program and version, where they are asked for.
-pub fn stamp(asked: bool) -> Option<String> {
-    asked.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")))
-}
-
 impl Look {
     fn format(&self, format: Format) -> page::Format {
         match (format, self.math) {
@@ -99,18 +110,9 @@ impl Look {
 
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Result<Vec<File>, Failure> {
-        Ok(page::write(document, self.format(format), &self.options()?))
-    }
-
-    fn options(&self) -> Result<Options, Failure> {
-        Ok(Options {
-            fragment: self.fragment,
-            stamp: stamp(self.stamp),
-            symbols: self.notation.read()?,
-            label: self.label.clone(),
-            siunitx: self.siunitx,
-            language: self.spoken.language(),
-        })
+        let (fragment, label, siunitx) = (self.fragment, self.label.clone(), self.siunitx);
+        let options = Options { fragment, label, siunitx, ..self.reader.options()? };
+        Ok(page::write(document, self.format(format), &options))
     }
 
     /// Writes the files into the folder where one is named; says what was written.
@@ -123,10 +125,7 @@ impl Look {
 
     /// A short answer for the terminal, in the notation of the reader.
     pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
-        Ok(shown_with(
-            answer,
-            &Options { symbols: self.notation.read()?, language: self.spoken.language(), ..Options::default() },
-        ))
+        Ok(shown_with(answer, &Options { stamp: None, ..self.reader.options()? }))
     }
 
     /// Whether a folder is named.
@@ -167,11 +166,11 @@ impl Pages {
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
-    pub fn show_page(&self, answer: &Document, page: &Document) -> Result<(), Failure> {
+    pub fn show_page(&self, answer: impl FnOnce() -> Document, page: &Document) -> Result<(), Failure> {
         let files = self.files(page)?;
         let Some(folder) = &self.look.output else { return write::to_stdout(&files[0].text) };
         folder::write(folder, &files)?;
-        write::to_stdout(&format!("{}\n{}", self.shown(answer)?, folder::written(folder, &files)))
+        write::to_stdout(&format!("{}\n{}", self.shown(&answer())?, folder::written(folder, &files)))
     }
 }
 

@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::loads::Auto;
 use super::masses::Masses;
 use super::pages::Pages;
-use super::{EngineAndOrders, progress};
+use super::{EngineAndOrders, classified, progress};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -42,17 +42,12 @@ impl Report {
     /// Writes the report into the folder and the summary to the terminal, or the text alone to the terminal.
     pub fn run(&self) -> Result<(), Failure> {
         let (layout, orders) = self.about.read()?;
-        let (page, answer) = match &layout {
+        match &layout {
             Layout::Known(engine, family) => {
                 let needed = self.auto.needed(engine)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
                 let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
-                // Where the rods differ nothing is said of other values than those given.
-                let family = family.as_ref().filter(|family| family::comparable(family).is_ok());
-                let open = match family {
-                    None => None,
-                    Some(family) => Some((family.as_ref(), family::classify(family, orders).map_err(Failure::new)?)),
-                };
+                let open = classified(family.as_deref(), orders)?;
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;
                 let subject = report::Contents {
@@ -63,18 +58,16 @@ impl Report {
                     in_motion: self.pages.runs_scripts(),
                     accuracy: accuracy.as_ref(),
                 };
-                (report::engine_page(subject), report::engine_answer(engine, &judged))
+                let answer = || report::engine_answer(engine, &judged);
+                self.pages.show_page(answer, &report::engine_page(subject))
             }
-            Layout::Open(_) if self.masses.are_given() => return Err(super::masses_of_a_family()),
+            Layout::Open(_) if self.masses.are_given() => Err(super::masses_of_a_family()),
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders).map_err(Failure::new)?;
-                (
-                    report::family_page(family, &verdicts, self.pages.runs_scripts()),
-                    report::family_answer(family, &verdicts),
-                )
+                let page = report::family_page(family, &verdicts, self.pages.runs_scripts());
+                self.pages.show_page(|| report::family_answer(family, &verdicts), &page)
             }
-        };
-        self.pages.show_page(&answer, &page)
+        }
     }
 }

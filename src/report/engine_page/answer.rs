@@ -1,8 +1,9 @@
 //! What shakes, how much, what cures it, and what no crankshaft can cure? What a reader sees first.
 
-use super::super::calculation::{Numbers, Unit, numbers_of};
+use super::super::calculation::Unit;
 use super::super::{residual, table};
 use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
+use crate::loads::{self, Loads};
 use crate::order::{self, Masses};
 use crate::page::{self, Block, Document, Piece, Table, Text, phrase};
 use crate::proof::{Quantity, Shape};
@@ -16,11 +17,12 @@ const USUALLY_CURED: u32 = 2;
 pub(super) fn lines(
     engine: &Engine,
     judged: &Judgement,
-    numbers: Option<&Numbers>,
+    loads: Option<&Loads>,
     theorem: Option<&Theorem>,
 ) -> Vec<Text> {
     let existing: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
-    let sizes = Sizes { engine, judged, numbers: numbers.filter(|_| is_as_built(engine, judged)) };
+    let loads = loads.filter(|_| is_as_built(engine, judged));
+    let sizes = Sizes { engine, masses: judged.masses, loads };
     let mut lines = Vec::new();
     let shaking: Vec<Text> = existing.iter().flat_map(|order| sizes.left(order)).collect();
     lines.extend((!shaking.is_empty()).then(|| phrase!("**What shakes.** {}", Text::joined(shaking, " "))));
@@ -31,9 +33,9 @@ pub(super) fn lines(
     }
     lines.extend(rest(&judged.orders, &existing, theorem.filter(|theorem| theorem.masses == judged.masses)));
     if let Some(pistons) = &judged.pistons {
-        let sizes = Sizes { engine, judged, numbers: None };
+        let sizes = Sizes { engine, masses: Masses::Reciprocating, loads: None };
         let left: Vec<Text> =
-            pistons.iter().filter(|order| order.exists()).flat_map(|order| sizes.left_of_pistons(order)).collect();
+            pistons.iter().filter(|order| order.exists()).flat_map(|order| sizes.left(order)).collect();
         lines.push(match left.is_empty() {
             true => "**The pistons alone.** Nothing of them is left at these orders.".into(),
             false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
@@ -50,37 +52,27 @@ fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
 /// How large what is left is.
 struct Sizes<'a> {
     engine: &'a Engine,
-    judged: &'a Judgement,
-    numbers: Option<&'a Numbers>,
+    masses: Masses,
+    loads: Option<&'a Loads>,
 }
 
 impl Sizes<'_> {
     /// A sentence each on the force and on the moment of an order, where they are left or not decided.
     fn left(&self, order: &OrderVerdict) -> Vec<Text> {
-        self.sentences(order, self.judged.masses)
-    }
-
-    fn left_of_pistons(&self, order: &OrderVerdict) -> Vec<Text> {
-        self.sentences(order, Masses::Reciprocating)
-    }
-
-    fn sentences(&self, order: &OrderVerdict, masses: Masses) -> Vec<Text> {
-        let force = self.sentence(order, masses, &order.force, Quantity::Force, FORCE);
+        let force = self.sentence(order, &order.force, Quantity::Force, FORCE);
         let words = if order.force.is_balanced() { COUPLE } else { MOMENT };
-        let moment = self.sentence(order, masses, &order.moment, Quantity::Moment, words);
+        let moment = self.sentence(order, &order.moment, Quantity::Moment, words);
         [force, moment].into_iter().flatten().collect()
     }
 
     fn sentence(
         &self,
         order: &OrderVerdict,
-        masses: Masses,
         whole: &WholeOrder,
         quantity: Quantity,
         [sized, bare, open]: [&'static str; 3],
     ) -> Option<Text> {
-        let size = || self.size(order, masses, whole, quantity);
-        match (whole.shape, size()) {
+        match (whole.shape, self.size(order, whole, quantity)) {
             (Shape::Balanced, _) => None,
             (Shape::NotDecided, _) if !whole.is_left() => Some(phrase!(open, order.order)),
             (Shape::NotDecided, _) => Some(phrase!(bare, order.order, "not 0")),
@@ -90,13 +82,13 @@ impl Sizes<'_> {
     }
 
     /// The largest value: in newtons, or exactly in multiples.
-    fn size(&self, order: &OrderVerdict, masses: Masses, whole: &WholeOrder, quantity: Quantity) -> Option<Text> {
-        if let Some(numbers) = self.numbers {
-            return in_units(self.engine, numbers, order.order, quantity, whole);
+    fn size(&self, order: &OrderVerdict, whole: &WholeOrder, quantity: Quantity) -> Option<Text> {
+        if let Some(loads) = self.loads {
+            return in_units(self.engine, loads, order.order, quantity, whole);
         }
         let [only] = order.parts.as_slice() else { return None };
         let balance = if quantity == Quantity::Force { &only.force } else { &only.moment };
-        let unit = multiple(self.engine, order.order, masses, quantity);
+        let unit = multiple(self.engine, order.order, self.masses, quantity);
         Some(phrase!("{} {}", residual::largest(balance), unit))
     }
 }
@@ -118,10 +110,10 @@ const MOMENT: [&str; 3] = [
 ];
 
 /// The largest value of an order with its unit; none where the numbers do not hold it.
-fn in_units(engine: &Engine, numbers: &Numbers, order: u32, quantity: Quantity, whole: &WholeOrder) -> Option<Text> {
-    let loads = numbers.loads.orders.iter().find(|loads| loads.order == order)?;
-    let swing = if quantity == Quantity::Force { &loads.force } else { &loads.moment };
-    let unit = Unit::of(engine, &numbers.loads, quantity);
+fn in_units(engine: &Engine, loads: &Loads, order: u32, quantity: Quantity, whole: &WholeOrder) -> Option<Text> {
+    let of_order = loads.orders.iter().find(|of| of.order == order)?;
+    let swing = if quantity == Quantity::Force { &of_order.force } else { &of_order.moment };
+    let unit = Unit::of(engine, loads, quantity);
     let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some()) && unit.factor != 0.0;
     is_known.then(|| Piece::Quantity(swing.largest() * unit.factor, unit.shown()).into())
 }
@@ -279,12 +271,12 @@ pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
 }
 
 /// What is left in newtons, where the file gives numbers of what is judged.
-pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Option<Table> {
-    let numbers = numbers.filter(|numbers| is_as_built(engine, judged) && numbers.loads.scale.is_some())?;
+pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, loads: Option<&Loads>) -> Option<Table> {
+    let loads = loads.filter(|loads| is_as_built(engine, judged) && loads.scale.is_some())?;
     let mut table = Table::new(["Order", "Force", "Moment"]);
     let cell = |order: &OrderVerdict, quantity: Quantity, whole: &WholeOrder| match (
         whole.shape,
-        in_units(engine, numbers, order.order, quantity, whole),
+        in_units(engine, loads, order.order, quantity, whole),
     ) {
         (Shape::Balanced, _) => Text::zero(),
         (shape, Some(size)) if quantity == Quantity::Moment && order.moment_is_couple() => {
@@ -303,9 +295,9 @@ pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, numbers: Option<&N
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
-    let numbers = numbers_of(engine, &orders, None).and_then(Result::ok);
+    let loads = loads::loads(engine, &orders).ok();
     let mut page = Document::new("verdicts", engine.title());
-    if let Some(table) = in_newtons(engine, judged, numbers.as_ref()) {
+    if let Some(table) = in_newtons(engine, judged, loads.as_ref()) {
         page.push(table);
     }
     match &judged.pistons {

@@ -71,7 +71,7 @@ pub fn engine_page(subject: Contents) -> Document {
     let stars = orders::stars(judged);
     let mut page = Document { has_contents: true, ..Document::new("report", engine.title()) };
     page.blocks.extend(title_block(engine));
-    page.push(Block::Answer(answer::lines(engine, judged, known, theorem.as_ref().ok())));
+    page.push(Block::Answer(answer::lines(engine, judged, known.map(|numbers| &numbers.loads), theorem.as_ref().ok())));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
     if in_motion {
         page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
@@ -130,7 +130,7 @@ fn results(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Ve
     };
     let mut blocks = vec![Block::Heading(1, "What is left, order by order".into())];
     blocks.extend(answer::whose(engine, judged).map(Block::Paragraph));
-    if let Some(table) = answer::in_newtons(engine, judged, numbers) {
+    if let Some(table) = answer::in_newtons(engine, judged, numbers.map(|numbers| &numbers.loads)) {
         blocks.extend([table.into(), Block::Paragraph("The same, exactly:".into())]);
     }
     blocks.push(table::summary(engine, &judged.orders, firmness).into());
