@@ -128,7 +128,7 @@ impl Mark {
         }
     }
 
-    fn moved(&mut self, by: Point) {
+    pub(crate) fn moved(&mut self, by: Point) {
         match self {
             Mark::Line { from, to, .. } => {
                 *from += by;

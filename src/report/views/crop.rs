@@ -3,7 +3,6 @@
 use super::super::figure::{Figure, Mark, Point};
 use super::super::plot::curve::Area;
 use super::super::plot::labels;
-use super::super::plot::stack::shift;
 
 /// Air at the edges, in millimetres.
 const AIR: f64 = 1.5;
@@ -19,7 +18,7 @@ pub(in crate::report) fn cropped(mut figure: Figure) -> Figure {
     let air = Point::new(AIR, AIR);
     let size = high - low + air * 2.0;
     (figure.width, figure.height) = (size.re, size.im);
-    figure.marks.iter_mut().for_each(|mark| shift(mark, air - low));
+    figure.marks.iter_mut().for_each(|mark| mark.moved(air - low));
     figure
 }
 
