@@ -180,7 +180,8 @@ impl<'a> Composer<'a> {
         for picture in pictures {
             let renamed = self.options.symbols.in_picture(&self.options.language.picture(picture));
             let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
-            self.files.extend(file);
+            // A picture that stands twice is one file.
+            self.files.extend(file.filter(|file| self.files.iter().all(|other| other.name != file.name)));
             let label = self.labels.label("fig", &picture.name);
             let caption = self.text(&picture.caption);
             drawn.push(Drawn { body, short: short(&caption).map(str::to_owned), caption, label });
