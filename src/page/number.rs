@@ -20,10 +20,10 @@ const MOST_DIGITS: usize = 4;
 
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(crate) fn number(value: &BigRational) -> String {
-    let text = exact_text(value);
-    if text.len() > MOST_LETTERS {
+    if is_rounded(value) {
         return approximate(value.to_f64().unwrap_or(f64::NAN));
     }
+    let text = exact_text(value);
     if value.is_negative() { format!("−{text}") } else { text }
 }
 
@@ -68,7 +68,7 @@ fn terminating(value: &BigRational) -> Option<String> {
 /// An exact number of degrees: `22.5°`, `(360/7)°`.
 pub(crate) fn degrees(value: &BigRational) -> String {
     let text = number(value);
-    if !text.contains('/') || text.starts_with('≈') {
+    if is_rounded(value) || terminating(value).is_some() {
         return format!("{text}°");
     }
     let modulus = value.abs();
@@ -170,7 +170,7 @@ impl Amount {
 
     /// Plain text: `4`, `√10 ≈ 3.162`, `≈ 0.1234`.
     pub fn plain(&self) -> String {
-        super::text_in(&self.clone().into(), super::Format::PLAIN)
+        super::Text::from(self.clone()).plain()
     }
 
     /// Prose with a formula: `$\\sqrt{10}$ ≈ 3.162`.
@@ -224,15 +224,7 @@ impl Bearing {
 
     /// Plain text: `−arctan(1/3) ≈ −18.43°`.
     pub fn plain(&self) -> String {
-        super::text_in(&self.clone().into(), super::Format::PLAIN)
-    }
-
-    /// Prose with a formula.
-    pub fn prose(&self) -> String {
-        match self.arctangent() {
-            Some([tex, _]) => format!("${tex}$ {}", self.degrees()),
-            None => self.degrees(),
-        }
+        super::Text::from(self.clone()).plain()
     }
 
     /// The degrees: exact where they are rational, else decimals.

@@ -1,6 +1,5 @@
 //! How does the whole catalogue look on one sheet? A stamp per engine on A3, for a wall.
 
-use super::calculation::plain;
 use super::catalogue::{Family, Stamp, families};
 use super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use crate::engine::Engine;
@@ -23,7 +22,7 @@ const MOST_COLUMNS: usize = 16;
 pub fn poster(engines: &[(Entry, Engine)]) -> Vec<File> {
     let figure = poster_sheet(engines);
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
-    vec![file("poster.svg", svg(&figure, &plain(title(engines.len())))), file("poster.tex", in_latex(&figure))]
+    vec![file("poster.svg", svg(&figure, &title(engines.len()).plain())), file("poster.tex", in_latex(&figure))]
 }
 
 fn title(engines: usize) -> Text {
@@ -47,7 +46,7 @@ pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
     let families = families(engines);
     let (width, height) = SHEET;
     let mut figure = Figure::new(width, height);
-    figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), plain(title(engines.len())), 13.0, Anchor::Middle);
+    figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), title(engines.len()).plain(), 13.0, Anchor::Middle);
     for (index, line) in SUBTITLE.iter().enumerate() {
         figure.text(Point::new(width / 2.0, height - MARGIN - 17.0 - 4.4 * index as f64), *line, Anchor::Middle);
     }

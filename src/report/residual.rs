@@ -9,7 +9,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
-use crate::page::{Format, Text, phrase, text_in};
+use crate::page::{Text, phrase};
 use crate::proof::Shape;
 use crate::verdict::{
     Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, WholeOrder,
@@ -115,7 +115,7 @@ pub(super) fn whole(order: &OrderVerdict) -> [Text; 2] {
 
 /// The same as plain text.
 pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
-    whole(order).map(|text| text_in(&text, Format::PLAIN))
+    whole(order).map(|text| text.plain())
 }
 
 /// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
@@ -148,17 +148,12 @@ pub(super) fn torque_part(part: &TorquePart) -> Text {
 
 /// The force as plain text.
 pub fn force_summary(order: &OrderBalance) -> String {
-    text_in(&force(order), Format::PLAIN)
+    force(order).plain()
 }
 
 /// The moment as plain text.
 pub fn moment_summary(order: &OrderBalance) -> String {
-    text_in(&moment(order), Format::PLAIN)
-}
-
-/// The inertia torque as plain text.
-pub fn torque_summary(of: &TorqueVerdict) -> String {
-    text_in(&torque(of), Format::PLAIN)
+    moment(order).plain()
 }
 
 /// What the summaries are counted in.

@@ -5,21 +5,17 @@ use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::{AccuracyCase, methods, words};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
-use crate::page::{Format, Picture, Text, phrase, text_in};
+use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
 
 /// Errors smaller than this stand at the lower edge of a plot.
 const LEAST: f64 = 1e-18;
 
-fn plain(text: &Text) -> String {
-    text_in(text, Format::PLAIN)
-}
-
 /// Error against time on logarithmic axes, the Pareto front as stairs.
 pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture {
     let title = words::heading(case, study);
     let x = Axis::log("Time of one evaluation in s");
-    let mut plot = Plot::new(plain(&title), x, Axis::log("Error or guaranteed bound, part of the peak"));
+    let mut plot = Plot::new(title.plain(), x, Axis::log("Error or guaranteed bound, part of the peak"));
     let at = |row: &Row| {
         let time = row.time.map_or(f64::NAN, |time| time.as_secs_f64());
         (time, methods::shown_error(study, row).max(LEAST))
@@ -33,7 +29,7 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
             Method::Doubles(steps) => (steps.to_string(), "angles, 64 bits", Ink::Orange, true),
             Method::Singles(steps) => (steps.to_string(), "angles, 32 bits", Ink::Orange, false),
             Method::Intervals(digits) => (methods::power_of_ten(-i64::from(digits)), "intervals to", Ink::Green, true),
-            Method::Fractions => (plain(&methods::guaranteed(row)), "fractions", Ink::Red, true),
+            Method::Fractions => (methods::guaranteed(row).plain(), "fractions", Ink::Red, true),
         };
         plot.marks.push(PointMark { ink, filled, ..PointMark::dot(at(row), label).of(series) });
     }
@@ -57,7 +53,7 @@ pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)])
     let x = Axis::linear("Highest order kept");
     let x =
         Axis { ticks: Some([0, 4, 8, 12, 16, 20, 24, 28, 32].map(f64::from).to_vec()), range: Some((0.0, 33.0)), ..x };
-    let mut plot = Plot::new(plain(&title), x, Axis::log("Part of the peak").within(1e-16, 10.0));
+    let mut plot = Plot::new(title.plain(), x, Axis::log("Part of the peak").within(1e-16, 10.0));
     for (place, (label, study)) in studies.iter().enumerate() {
         let orders = study.rows.iter().filter_map(|row| match row.method {
             Method::Orders(order) => Some((f64::from(order), row)),
@@ -65,7 +61,7 @@ pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)])
         });
         let orders: Vec<(f64, &Row)> = orders.collect();
         let bounds = orders.iter().filter_map(|(order, row)| Some((*order, two_digits(row.bound?).max(LEAST))));
-        let curve = Curve::new(place, format!("bound, {}", plain(label)), bounds.collect());
+        let curve = Curve::new(place, format!("bound, {}", label.plain()), bounds.collect());
         let ink = curve.ink;
         plot.curves.push(curve);
         for (order, row) in orders.iter().filter(|(_, row)| row.error >= study.rounding) {

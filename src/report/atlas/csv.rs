@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::super::calculation::plain;
 use super::super::residual::shape_name;
 use super::entry::{EngineRow, Left, Origin};
 use crate::engine::{Cycle, LengthUnit};
+use crate::page::Text;
 use crate::proof::Shape;
 use crate::text::{self, Format};
 
@@ -34,7 +34,7 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
                 origin.to_owned(),
                 engine.name.clone(),
                 engine.title.escaped(Format::Csv),
-                plain(engine.firing.clone()),
+                engine.firing.plain(),
                 engine.firing_order.clone(),
                 stars,
                 all,
@@ -43,8 +43,8 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
             ];
             fields.extend(amount(&order.force));
             fields.extend(amount(&order.moment));
-            fields.extend(engine.first_left.clone().map(plain));
-            fields.push(plain(engine.remedy.clone()));
+            fields.extend(engine.first_left.each_ref().map(Text::plain));
+            fields.push(engine.remedy.plain());
             let quoted: Vec<String> = fields.iter().map(|field| text::field(field)).collect();
             // Writing to a string cannot fail.
             let _ = writeln!(lines, "{}", quoted.join(","));

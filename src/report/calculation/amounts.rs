@@ -62,11 +62,6 @@ pub(crate) fn digits(value: f64) -> String {
     super::expression::figures(value, DIGITS, power).replace('-', "−")
 }
 
-/// A text as a string, for cells that are strings still.
-pub(crate) fn plain(text: Text) -> String {
-    crate::page::text_in(&text, crate::page::Format::PLAIN)
-}
-
 /// A value in its unit, which the heading of the column names.
 pub(crate) fn amount(value: f64, unit: Unit) -> Text {
     match unit.factor == 0.0 {

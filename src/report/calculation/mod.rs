@@ -13,7 +13,7 @@ mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, largest, plain, vector};
+pub(super) use amounts::{Unit, largest, vector};
 pub use largest::Numbers;
 pub use summary::loads_answer;
 

@@ -1,6 +1,5 @@
 //! How does an engine look in the size of a stamp? Its cranks and cylinders beside the star of the lowest order left, and a few words.
 
-use super::super::calculation::plain;
 use super::super::figure::{Anchor, Figure, Point};
 use super::super::residual;
 use super::super::star::small_star;
@@ -32,7 +31,7 @@ impl Stamp {
     pub fn new(known: &Known) -> Self {
         Stamp {
             name: known.name,
-            lines: lines(known).map(plain),
+            lines: lines(known).map(|line| line.plain()),
             engine: small_engine(known.engine),
             star: known.drawn().map_or_else(|| Figure::new(SIZE, SIZE), |order| small_star(&order, None)),
         }

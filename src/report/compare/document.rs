@@ -4,11 +4,11 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
-use super::super::calculation::plain;
 use super::super::{document, engine_cells, residual};
 use super::{Compared, notes, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
+use crate::page::Text;
 use crate::proof::{Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
 
@@ -112,14 +112,14 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
         format: Format::Compare,
         orders: orders_of(engines),
         amplitudes: "zero-to-peak",
-        notes: notes::notes(engines).into_iter().map(plain).collect(),
+        notes: notes::notes(engines).iter().map(Text::plain).collect(),
         engines: engines.iter().map(engine).collect(),
         evidence: engines.iter().map(evidence).collect(),
     }
 }
 
 fn engine(engine: &Compared) -> EngineEntry {
-    let [first_force_left, first_moment_left] = engine_cells::first_left(&engine.theorem).map(plain);
+    let [first_force_left, first_moment_left] = engine_cells::first_left(&engine.theorem).map(|text| text.plain());
     let full = BigRational::from_integer(360.into());
     let firing = engine.engine.firing().map(|firing| Firing {
         even: firing.is_even(),
@@ -137,7 +137,7 @@ fn engine(engine: &Compared) -> EngineEntry {
         orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
-        remedy: plain(engine_cells::remedy(&engine.remedy)),
+        remedy: engine_cells::remedy(&engine.remedy).plain(),
         newtons: newtons(engine),
         worst_bearings: engine.bearings.as_ref().ok().map(worst),
     }

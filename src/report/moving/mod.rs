@@ -22,7 +22,7 @@ pub use scene::{Body, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSens
 use super::residual;
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
-use crate::page::{self, Language, Live, text_in};
+use crate::page::{self, Language, Live};
 use crate::text::Format;
 use crate::verdict::Judgement;
 use open_angle::OpenAngle;
@@ -33,7 +33,7 @@ use open_angle::OpenAngle;
 /// is open and the verdicts are about the pistons alone, as those on a family are.
 pub fn scene(engine: &Engine, judged: &Judgement, family: Option<(&Family, &[OpenOrder])>) -> Scene {
     let open = family.and_then(|(family, orders)| OpenAngle::new(engine, judged, family, orders));
-    let whose = residual::whose_masses(engine, judged).map(|words| text_in(&words, page::Format::PLAIN));
+    let whose = residual::whose_masses(engine, judged).map(|words| words.plain());
     Scene {
         title: engine.title().escaped(Format::Plain),
         bodies: bodies::bodies(engine, open.as_ref()),

@@ -14,7 +14,6 @@ use crate::engine::{DELTA, Engine, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, OpenOrder, OpenVerdict};
 use crate::order::{Masses, Source};
-use crate::page::{Format, text_in};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, Judgement, Verdict};
 
@@ -130,7 +129,7 @@ impl<'a> OpenAngle<'a> {
             everywhere: open.always(),
             complete: open.always() || values.is_some() && !of_lengths_drawn,
             at: values.unwrap_or_default().iter().map(|value| self.whole(value)).collect(),
-            words: text_in(&family_page::summary(open), Format::PLAIN),
+            words: family_page::summary(open).plain(),
         })
     }
 

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::words;
 use crate::loads::Arm;
-use crate::page::{Format, Number, Piece, Text, Unit, number, phrase, text_in};
+use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::proof::Quantity;
 use crate::sweep::{Amplitude, Amplitudes, Parameter, Sweep, SweptEngine};
 
@@ -50,7 +50,7 @@ pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> Text {
 
 /// The same on an axis.
 pub(super) fn axis_unit(sweep: &Sweep, quantity: Quantity) -> String {
-    text_in(&unit(sweep, quantity), Format::PLAIN)
+    unit(sweep, quantity).plain()
 }
 
 /// An amplitude in a table: a decimal, or 0.

@@ -4,7 +4,6 @@ use serde::Serialize;
 
 use super::assumptions::assumptions;
 use super::words::{exact, named, quantities, quantity_name, unit, zeros_name};
-use crate::page::{Format, text_in};
 use crate::proof::Quantity;
 use crate::sweep::{Sweep, ZeroSet};
 
@@ -98,7 +97,7 @@ pub fn sweep_document(sweep: &Sweep) -> SweepDocument {
         moment_unit: unit(sweep, Quantity::Moment),
         zeros: sweep.zeros.as_ref().map(|sets| sets.iter().map(zeros).collect()),
         points: sweep.points.iter().map(point).collect(),
-        assumptions: assumptions(&sweep.geometry).map(|line| text_in(&line, Format::PLAIN)).into(),
+        assumptions: assumptions(&sweep.geometry).map(|line| line.plain()).into(),
     }
 }
 
