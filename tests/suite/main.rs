@@ -26,6 +26,7 @@ mod examples;
 mod families;
 mod figure_command;
 mod figures;
+mod firing;
 mod firmness;
 mod formulas;
 mod fragments;
