@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crankstar::engine::{CycleOrder, Engine};
-use crankstar::file::{Layout, parse_number};
+use crankstar::file::{self, Layout, parse_number};
 use crankstar::firing::Weights;
 use crankstar::report::{self, FiringStudy};
 
@@ -14,8 +14,11 @@ use super::pages::Pages;
 /// Arguments of `firing`.
 #[derive(clap::Args)]
 pub struct Firing {
-    /// A name of the catalogue, or the path of a layout file
-    layout: PathBuf,
+    /// A name of the catalogue, or the path of a layout file; all of the catalogue where none is named
+    layout: Option<PathBuf>,
+    /// The cycle that the catalogue is run in
+    #[arg(long, value_enum, default_value = "four-stroke", conflicts_with = "layout")]
+    cycle: super::search::Cycle,
     /// The orders to judge, such as 1/2,1,3/2 [default: up to the first that is major in even firing, at least 4]
     #[arg(long, value_delimiter = ',')]
     orders: Vec<CycleOrder>,
@@ -36,7 +39,12 @@ pub struct ModeShape {
 impl Firing {
     /// Prints the verdicts, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let engine = engine(&self.layout)?;
+        let Some(layout) = &self.layout else {
+            let engines = file::catalogue()?;
+            let answer = report::firing_catalogue_answer(&engines, self.cycle.into());
+            return self.pages.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
+        };
+        let engine = engine(layout)?;
         let study = study(&engine, &self.orders, &self.mode)?;
         self.pages.show(&report::firing_answer(&study), || report::firing_page(&study))
     }

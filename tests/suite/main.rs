@@ -27,6 +27,7 @@ mod families;
 mod figure_command;
 mod figures;
 mod firing;
+mod firing_documents;
 mod firmness;
 mod formulas;
 mod fragments;

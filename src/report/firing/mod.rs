@@ -1,5 +1,6 @@
 //! What is said of the orders of the gas torque? The firing stars, what every order leaves, the proofs, and a JSON document.
 
+mod catalogue;
 mod document;
 mod page;
 mod tables;
@@ -10,8 +11,10 @@ use std::collections::BTreeSet;
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{self, FiringPattern, NoPattern, NoStar, StarOrder, Weights};
 
+pub use catalogue::{firing_catalogue_answer, firing_catalogue_page, run_as};
 pub use document::{firing_document, firing_engine};
 pub use page::{firing_answer, firing_page};
+pub(super) use words::strongest_in_words;
 
 /// Firing stars that are judged, and what they say of every order.
 #[derive(Clone, Debug)]

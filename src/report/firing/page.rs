@@ -14,10 +14,10 @@ const MOST_DRAWN: usize = 12;
 const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
 const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
 
-const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $κ$ of the torque, \
-                       where $t_\\kappa$ depends on the pressure in the cylinder. Where all cylinders have the same pressure and bore, order $κ$ of the gas torque \
+const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
+                       where $t_\\kappa$ depends on the pressure in the cylinder. Where all cylinders have the same pressure and bore, order $\\kappa$ of the gas torque \
                        is $t_\\kappa$ times the firing star";
-const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $κ$ on a mode of torsional vibration in proportion to \
+const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
                        the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
 const ASSUMED: [&str; 3] = [
     "Every cylinder fires once per cycle at the angle of the table, with the same pressure law and the same bore; a verdict holds whatever that law is. \
@@ -87,9 +87,13 @@ pub(in crate::report) fn section(study: &FiringStudy<'_>) -> Vec<Block> {
         summary: "Firing stars: the certificates".into(),
         blocks: vec![Block::List(certificates)],
     }));
-    let assumed = ASSUMED.into_iter().chain((!study.has_mode_shape()).then_some(ASSUMED_RIGID));
-    blocks.extend([heading("Assumptions"), Block::List(assumed.map(Text::from).collect())]);
+    blocks.extend([heading("Assumptions"), Block::List(assumed(study.has_mode_shape()))]);
     blocks
+}
+
+/// What the verdicts rest on.
+pub(super) fn assumed(with_mode_shape: bool) -> Vec<Text> {
+    ASSUMED.into_iter().chain((!with_mode_shape).then_some(ASSUMED_RIGID)).map(Text::from).collect()
 }
 
 /// The stars of the first orders, all of them up to so many.
@@ -122,7 +126,7 @@ fn each(study: &FiringStudy<'_>, line: fn(&FiringStudy<'_>, &StarOrder, &FiringS
 }
 
 /// A star with its argument.
-fn argued(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Text {
+pub(super) fn argued(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Text {
     let argument = argument::argument(study.engine, star);
     let name = order.order.to_string();
     let value = match star.vanishes() {

@@ -1,6 +1,7 @@
 //! In which sentences is it said which orders of the gas torque vanish?
 
-use super::super::{residual, typeset};
+use super::super::residual;
+use super::super::typeset::{self, Amount};
 use super::FiringStudy;
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{FiringPattern, FiringStar, NoPattern, StarOrder};
@@ -32,8 +33,7 @@ pub(super) fn evenness(engine: &Engine) -> Option<Text> {
 /// What is said of every order at once.
 pub(super) fn statement(pattern: &FiringPattern) -> Text {
     let (length, left) = shortest(pattern);
-    let zeros: Vec<CycleOrder> =
-        pattern.orders[..length].iter().filter(|order| order.vanishes()).map(|order| order.order).collect();
+    let zeros = zeros(pattern, length);
     let repeats = pattern.orders[length - 1].order;
     match (left.as_slice(), zeros.as_slice()) {
         (_, []) => "No order vanishes.".into(),
@@ -53,6 +53,24 @@ pub(super) fn statement(pattern: &FiringPattern) -> Text {
             repeats.to_string()
         ),
     }
+}
+
+/// `2, 4, … = 2j`, or `all but 2, 6, … = 4j − 2`.
+pub(super) fn left_in_short(pattern: &FiringPattern) -> Text {
+    let (length, left) = shortest(pattern);
+    let repeats = pattern.orders[length - 1].order;
+    let zeros: Vec<CycleOrder> = zeros(pattern, length);
+    match (left.is_empty(), zeros.is_empty()) {
+        (true, _) => "none".into(),
+        (false, true) => "all".into(),
+        (false, false) if left.len() <= zeros.len() => classes(&left, repeats),
+        (false, false) => phrase!("all but {}", classes(&zeros, repeats)),
+    }
+}
+
+/// The orders that vanish among the first so many.
+fn zeros(pattern: &FiringPattern, length: usize) -> Vec<CycleOrder> {
+    pattern.orders[..length].iter().filter(|order| order.vanishes()).map(|order| order.order).collect()
 }
 
 /// After how many orders the verdicts repeat, and the orders that are left among the first so many.
@@ -96,19 +114,32 @@ fn in_a_row(orders: &[CycleOrder]) -> String {
     orders.iter().map(CycleOrder::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// The minor orders that leave most, with the length of their stars.
-pub(super) fn strongest(pattern: &FiringPattern) -> Option<Text> {
+/// The minor orders with the longest stars up to the middle of a period, and how long these are; above the middle the stars are
+/// mirror images.
+fn strongest_minor(pattern: &FiringPattern) -> Option<(Vec<CycleOrder>, Amount)> {
     let strongest = pattern.strongest_minor();
     let half = pattern.repeats_after().halves();
-    // Above the middle of a period the stars are the mirror images of those below.
-    let below: Vec<CycleOrder> =
-        strongest.iter().map(|order| order.order).filter(|order| 2 * order.halves() <= half).collect();
-    let star = strongest.first()?.only()?;
-    let length = residual::modulus(star);
-    Some(match below.as_slice() {
+    let below = strongest.iter().map(|order| order.order).filter(|order| 2 * order.halves() <= half);
+    Some((below.collect(), residual::modulus(strongest.first()?.only()?)))
+}
+
+/// `1½: 3√2`.
+pub(super) fn strongest_in_short(pattern: &FiringPattern) -> Option<Text> {
+    let (orders, length) = strongest_minor(pattern)?;
+    Some(phrase!("{}: {}", in_a_row(&orders), length))
+}
+
+/// The minor orders that leave most, with the length of their stars.
+pub(super) fn strongest(pattern: &FiringPattern) -> Option<Text> {
+    strongest_minor(pattern).map(|(orders, length)| strongest_in_words(&orders, length))
+}
+
+/// Which minor orders are the strongest.
+pub(in crate::report) fn strongest_in_words(orders: &[CycleOrder], length: Amount) -> Text {
+    match orders {
         [only] => phrase!("The strongest minor order is {}, with a star of length {}.", only.to_string(), length),
-        _ => phrase!("The strongest minor orders are {}, with stars of length {}.", in_a_row(&below), length),
-    })
+        _ => phrase!("The strongest minor orders are {}, with stars of length {}.", in_a_row(orders), length),
+    }
 }
 
 /// The orders at which all vectors point the same way.
@@ -136,9 +167,15 @@ pub(super) fn no_pattern(why: &NoPattern) -> Text {
 /// Why one period tells of all orders.
 pub(super) fn why(pattern: &FiringPattern) -> Text {
     let repeats = pattern.repeats_after();
+    if pattern.orders.len() == 1 {
+        return phrase!(
+            "All vectors point the same way in every order, so every star is that of order {}.",
+            repeats.to_string()
+        );
+    }
     phrase!(
-        "Each firing angle times {} is a whole number of turns, so the star of order $κ$ is that of order $κ$ + {}: the \
-         {} orders up to {} tell of all. Order {} − $κ$ has the mirror image of the star of order $κ$.",
+        "Each firing angle times {} is a whole number of turns, so the star of order $\\kappa$ is that of order $\\kappa$ + {}: the \
+         {} orders up to {} tell of all. Order {} − $\\kappa$ has the mirror image of the star of order $\\kappa$.",
         repeats.to_string(),
         repeats.to_string(),
         pattern.orders.len(),
