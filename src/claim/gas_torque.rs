@@ -52,7 +52,10 @@ fn orders(subject: &str) -> Result<Vec<CycleOrder>, ClaimError> {
 }
 
 fn mode_shape(shape: &str) -> Result<Weights, ClaimError> {
-    let value = |word: &str| parse_number(word.trim()).map_err(|error| ClaimError::new(error.to_string(), RIGHT));
+    let value = |word: &str| {
+        let word = word.trim();
+        parse_number(word).map_err(|error| ClaimError::new(format!("`{word}`: {error}"), RIGHT))
+    };
     Ok(Weights::ModeShape(shape.split(',').map(value).collect::<Result<_, _>>()?))
 }
 

@@ -105,6 +105,6 @@ pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -
 pub fn usual_orders(engine: &Engine, cycle: Cycle) -> Vec<CycleOrder> {
     let step = cycle.lowest_order().halves();
     let cylinders = u32::try_from(engine.cylinders().len()).unwrap_or(u32::MAX);
-    let last = cylinders.saturating_mul(step).max(8).min(2 * HIGHEST_ORDER);
+    let last = cylinders.saturating_mul(step).clamp(8, 2 * HIGHEST_ORDER);
     (1..=last / step).filter_map(|index| CycleOrder::of_halves(index * step)).collect()
 }

@@ -1,9 +1,10 @@
 //! What is the star of one order, and is it zero?
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::Weights;
-use crate::engine::{CycleOrder, Engine, Firing, Mechanism};
+use crate::engine::{CycleOrder, Engine, Firing, Rod};
 use crate::exact::{PhasorSum, Term};
 use crate::order::Source;
 use crate::proof::{Certificate, Quantity};
@@ -93,12 +94,16 @@ fn angle_of(firing: &Firing, cylinder: usize) -> &BigRational {
 
 /// The cylinders by rod ratio and offset, in the order of the first of each; one class where no rod is known.
 fn classes(engine: &Engine) -> Vec<Vec<usize>> {
-    let mut classes: Vec<(Option<&Mechanism>, Vec<usize>)> = Vec::new();
+    let mut classes: Vec<(Option<Rod>, Vec<usize>)> = Vec::new();
     for (index, cylinder) in engine.cylinders().iter().enumerate() {
-        let mechanism = cylinder.mechanism.as_ref();
-        match classes.iter_mut().find(|(own, _)| *own == mechanism) {
+        // An infinitely long rod moves the piston alike whatever its offset is.
+        let rod = cylinder.rod().map(|rod| match rod.ratio.is_zero() {
+            true => Rod { ratio: rod.ratio.clone(), offset: BigRational::zero() },
+            false => rod.clone(),
+        });
+        match classes.iter_mut().find(|(own, _)| *own == rod) {
             Some((_, members)) => members.push(index),
-            None => classes.push((mechanism, vec![index])),
+            None => classes.push((rod, vec![index])),
         }
     }
     classes.into_iter().map(|(_, members)| members).collect()

@@ -28,6 +28,7 @@ mod figure_command;
 mod figures;
 mod firing;
 mod firing_documents;
+mod firing_pages;
 mod firmness;
 mod formulas;
 mod fragments;

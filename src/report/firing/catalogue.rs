@@ -151,7 +151,7 @@ fn proof(entry: Entry, study: &FiringStudy<'_>) -> Option<Block> {
         })
         .unzip();
     blocks.extend([Block::List(argued), Block::List(certified)]);
-    Some(Block::Folded(Fold { summary: phrase!("{}: {}", entry.name, study.engine.title()), blocks }))
+    Some(Block::Folded(Fold { summary: phrase!("{}: {}", Text::label(entry.name), study.engine.title()), blocks }))
 }
 
 /// The orders of a period up to its middle, and the last.

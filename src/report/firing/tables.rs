@@ -33,7 +33,7 @@ fn row(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Vec<Tex
 
 /// One row per firing: cylinder, crank angle, interval to the next; the deflection where there is a mode shape.
 pub(super) fn firings(study: &FiringStudy<'_>) -> Table {
-    let mut header = vec!["Fires", "at", "next after"];
+    let mut header = vec!["Cylinder", "Fires at", "Next firing after"];
     header.extend(study.has_mode_shape().then_some("Deflection Δ"));
     let mut table = Table::new(header);
     let Some(firing) = study.engine.firing() else { return table };
