@@ -59,12 +59,15 @@ fn root(value: f64) -> f64 {
     value.sqrt()
 }
 
+/// Firing intervals in degrees, and the length of the star at some orders.
+type Row = (&'static [i64], Vec<(&'static str, f64)>);
+
 /// The table of `theory-gas`, section 8; its values by 40-digit arithmetic.
 #[test]
 fn stars_have_the_lengths_of_the_table_of_intervals() {
     let (two, three) = (root(2.0), root(3.0));
     let degrees = f64::to_radians;
-    let table: Vec<(&[i64], Vec<(&str, f64)>)> = vec![
+    let table: Vec<Row> = vec![
         (&[180, 540], vec![("1/2", two), ("1", 0.0), ("2", 2.0)]),
         (&[270, 450], vec![("1/2", root(2.0 - two)), ("1", two), ("3/2", root(2.0 + two)), ("2", 0.0)]),
         (
@@ -119,8 +122,6 @@ fn stars_have_the_lengths_of_the_table_of_intervals() {
         ),
     ];
     for (intervals, right) in table {
-        let rounded = |value: &(&'static str, f64)| (value.0, value.1);
-        let right: Vec<_> = right.iter().map(rounded).collect();
         assert_lengths(&format!("{intervals:?}"), &firing_after(intervals), &Weights::Rigid, &right);
     }
 }
