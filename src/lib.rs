@@ -31,7 +31,7 @@
 //! report
 //! page
 //! claim
-//! accuracy  remedy  optimise  sweep  search
+//! accuracy  remedy  optimise  sweep  search  torsion
 //! loads  family  firing
 //! verdict
 //! order  numbers
@@ -103,6 +103,8 @@ pub mod report;
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+#[allow(clippy::disallowed_types)]
+pub mod torsion;
 
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};

@@ -65,6 +65,7 @@ mod symbols;
 mod theorems;
 mod theory;
 mod thesis;
+mod torsion;
 mod views;
 mod whole_cheats;
 

@@ -15,7 +15,7 @@ const STOREYS: [&[&str]; 12] = [
     &["order", "numbers"],
     &["verdict"],
     &["loads", "family", "firing"],
-    &["accuracy", "remedy", "optimise", "sweep", "search"],
+    &["accuracy", "remedy", "optimise", "sweep", "search", "torsion"],
     &["claim"],
     &["page"],
     &["report"],
