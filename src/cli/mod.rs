@@ -24,6 +24,7 @@ mod report;
 mod search;
 mod spoken;
 mod sweep;
+mod torsion;
 mod verify;
 mod write;
 
@@ -78,6 +79,8 @@ enum Command {
     Firing(firing::Firing),
     /// Compute what the main bearings feel
     Bearings(bearings::Bearings),
+    /// Find the speeds at which the crankshaft twists
+    Torsion(torsion::Torsion),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel what is left
@@ -183,6 +186,7 @@ pub fn run() -> ExitCode {
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),
+        Command::Torsion(torsion) => torsion.run().map(done),
         Command::Sweep(sweep) => sweep.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
