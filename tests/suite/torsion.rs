@@ -4,10 +4,13 @@ use std::f64::consts::PI;
 
 use crankstar::engine::{CycleOrder, Engine, Torsion};
 use crankstar::file;
+use crankstar::page::{Document, Format, Language};
+use crankstar::report::{self, TorsionStudy};
 use crankstar::torsion::{Excitation, Mode, Shaft, critical_speeds, forced_twist, modes};
 use num_complex::Complex;
 
 use crate::support::dice::Dice;
+use crate::support::pages;
 
 fn shaft(inertias: &[f64], stiffnesses: &[f64]) -> Shaft {
     Shaft { inertias: inertias.to_vec(), stiffnesses: stiffnesses.to_vec() }
@@ -165,4 +168,31 @@ fn a_draft_with_a_shaft_for_other_pins_is_no_engine() {
     let mut draft = six_with_flywheel().into_draft();
     draft.torsion = Some(torsion);
     assert!(draft.build().is_err());
+}
+
+#[test]
+fn the_page_says_what_its_document_says_in_both_languages() {
+    let engine = six_with_flywheel();
+    let study = TorsionStudy::new(&engine, &[]).expect("a shaft that fires");
+    let pages = [report::torsion_page(&study), report::torsion_answer(&study)];
+    let phrases = pages.iter().flat_map(Document::phrases);
+    let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 2;
+    let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+    assert!(missing.is_empty(), "no German for {missing:#?}");
+    assert!(pages[0].pictures().iter().all(|picture| picture.figure.overlaps().is_empty()));
+    let json = serde_json::to_value(report::torsion_document(&study)).expect("JSON");
+    let hertz = json["modes"][0]["frequency_hz"].as_f64().expect("a number");
+    assert!((hertz - 269.3377).abs() < 5e-5);
+    let text = pages::text(&pages[0], Format::GITHUB);
+    assert!(text.contains("269.3") && text.contains("5387"), "{text}");
+}
+
+#[test]
+fn a_layout_without_a_shaft_or_without_firing_is_told_what_to_add() {
+    let i4 = file::find("I4").expect("known").engine().expect("reads");
+    let why = TorsionStudy::new(&i4, &[]).expect_err("no shaft").to_string();
+    assert!(why.contains("[torsion]") && why.contains("inertias"), "{why}");
+    let silent = "title = \"Two\"\n[inline]\nthrows = [0, 180]\n[torsion]\ninertias = [1, 1]\nstiffnesses = [1]\n";
+    let engine = file::parse("two.toml", silent).expect("it reads");
+    assert!(TorsionStudy::new(&engine, &[]).expect_err("no firing").to_string().contains("firing_order"));
 }
