@@ -38,7 +38,7 @@ pub(super) fn campbell(study: &TorsionStudy<'_>) -> Option<Picture> {
     }
     let x = Axis { range: Some((0.0, end)), ..Axis::linear("Speed in 1/min") };
     let shown = || study.modes.iter().take(MOST_MODES);
-    let top = shown().last().map_or(0.0, |speeds| speeds.mode.hertz()) * BEYOND;
+    let top = shown().next_back().map_or(0.0, |speeds| speeds.mode.hertz()) * BEYOND;
     let mut plot =
         Plot::new("Campbell diagram", x, Axis { range: Some((0.0, top)), ..Axis::linear("Frequency in Hz") });
     for critical in &strongest {
