@@ -13,17 +13,8 @@ use crankstar::remedy::{self, Wish};
 use crankstar::report::{self, Compared};
 use crankstar::text::Untrusted;
 
+use crate::support::german::{has_words, outside};
 use crate::support::pages;
-
-/// What stands in a phrase outside of its formulas.
-fn outside(words: &str) -> impl Iterator<Item = &str> {
-    words.split('$').step_by(2)
-}
-
-/// Whether a phrase has words, and not only places and signs.
-fn has_words(words: &str) -> bool {
-    outside(words).any(|part| part.contains(char::is_alphabetic))
-}
 
 /// The places of a phrase: how many, and which are named.
 fn places(words: &str) -> Vec<String> {

@@ -41,6 +41,7 @@ mod layout_files;
 mod layout_mistakes;
 mod layout_random;
 mod loads;
+mod loads_page;
 mod mechanism_files;
 mod motion;
 mod moving;
@@ -71,6 +72,7 @@ mod support {
     pub mod engines;
     pub mod every_form;
     pub mod every_verdict;
+    pub mod german;
     pub mod hard;
     pub mod imports;
     pub mod oracle;

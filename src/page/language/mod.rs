@@ -204,7 +204,7 @@ impl Language {
     }
 
     /// A picture whose drawing has its words in the language; its caption is a text as others.
-    pub(super) fn picture(self, picture: &Picture) -> Picture {
+    pub fn picture(self, picture: &Picture) -> Picture {
         let mut out = picture.clone();
         if self == Language::En {
             return out;

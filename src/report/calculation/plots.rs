@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::amounts::Unit;
+use super::amounts::{Unit, is_left};
 use crate::engine::Engine;
-use crate::loads::{Circle, Loads, Waveform};
+use crate::loads::{Circle, Loads, OrderLoads, Outcome, Torque, Waveform};
 use crate::page::plot::{Axis, Curve, Plot, Polar, stacked};
 use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
@@ -21,7 +21,11 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
     let mut figures = Vec::new();
     let forces = ("force", "Force", &loads.force, Unit::of(engine, loads, Quantity::Force));
     let moments = ("moment", "Moment", &loads.moment, Unit::of(engine, loads, Quantity::Moment));
-    for (name, title, waveform, unit) in [forces, moments] {
+    let is_left = |name: &str| {
+        let swing = |order: &OrderLoads| if name == "force" { is_left(&order.force) } else { is_left(&order.moment) };
+        loads.orders.iter().any(swing)
+    };
+    for (name, title, waveform, unit) in [forces, moments].into_iter().filter(|(name, ..)| is_left(name)) {
         let sides = match name {
             "force" => ["along the reference direction", "across it, in the plane of the cylinders"],
             _ => ["of the forces along the reference direction (pitching)", "of the forces across it (yawing)"],
@@ -34,7 +38,8 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
         }
         figures.extend(both.then(|| path(name, title, waveform, unit)));
     }
-    if let Some(torque) = &loads.torque {
+    let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
+    if let Some(torque) = loads.torque.as_ref().filter(is_left) {
         let unit = Unit::of(engine, loads, Quantity::Torque);
         let drawn = curves(&torque.waveform, unit, "Inertia torque", "on the crankshaft", |vector| vector.re);
         figures.extend(drawn.map(|drawn| drawn.named("torque".into())));
