@@ -127,6 +127,7 @@ fn the_poster_speaks_german_and_no_text_lies_on_another_or_leaves_the_sheet() {
     assert!(files[0].text.contains("Massenausgleich von") && files[1].text.contains("Reihenmotoren"));
     let sheet = Picture { name: String::new(), caption: "".into(), figure: report::poster_sheet(&engines) };
     let sheet = Language::De.picture(&sheet).figure;
+    assert_eq!((sheet.width, sheet.height), (297.0, 420.0));
     assert!(sheet.overlaps().is_empty() && sheet.leaving().is_empty(), "{:?} {:?}", sheet.overlaps(), sheet.leaving());
 }
 

@@ -30,6 +30,7 @@ mod firmness;
 mod formulas;
 mod fragments;
 mod fuzzed;
+mod german_figures;
 mod grigoryev;
 mod ground_truth;
 mod hard_cases;

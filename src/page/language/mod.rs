@@ -223,6 +223,7 @@ impl Language {
                 | Mark::Rectangles { .. } => {}
             }
         }
+        out.figure = out.figure.with_room_for_texts();
         out
     }
 }

@@ -48,8 +48,8 @@ pub(super) fn name_curves<'a>(
 ) -> Vec<&'a Curve> {
     let mut homeless = Vec::new();
     for group in coinciding(curves, frame) {
-        let names: Vec<&str> = group.iter().map(|number| curves[*number].name.as_str()).collect();
-        let name = names.join(" ≈ ");
+        let names = group.iter().map(|number| curves[*number].name.clone());
+        let name = names.reduce(|names, name| format!("{names} ≈ {name}")).unwrap_or_default();
         let others = lines.iter().enumerate().filter(|(number, _)| !group.contains(number));
         let others: Vec<Point> = others.flat_map(|(_, runs)| runs.iter().flat_map(|run| dense(run))).collect();
         let own: Vec<Point> = lines[group[0]].iter().flat_map(|run| dense(run)).collect();
