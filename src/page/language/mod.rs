@@ -115,7 +115,7 @@ impl Language {
         }
     }
 
-    /// Signs that are finished: a name in a drawing, numbers in a row, the sentences of a caption.
+    /// Signs that are finished: a name in a drawing, numbers in a row, a note beside what moves.
     pub fn label<'a>(self, english: &'a str) -> Cow<'a, str> {
         match self {
             Language::En => Cow::Borrowed(english),
