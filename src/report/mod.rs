@@ -46,9 +46,9 @@ pub use accuracy::{
     accuracy_section,
 };
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
-pub use atlas::{ATLAS_CYLINDERS, atlas};
+pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
-pub use calculation::{Numbers, loads_answer};
+pub use calculation::{Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};

@@ -7,6 +7,7 @@ mod equations;
 mod expression;
 mod inputs;
 mod largest;
+mod page;
 mod plots;
 mod results;
 mod summary;
@@ -15,6 +16,7 @@ mod words;
 
 pub(super) use amounts::{Unit, largest, vector};
 pub use largest::Numbers;
+pub use page::loads_page;
 pub use summary::loads_answer;
 
 use super::bearings;
