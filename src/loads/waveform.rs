@@ -1,6 +1,7 @@
 //! What comes of all orders together in a revolution, and where does it peak?
 
 use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
@@ -80,6 +81,24 @@ impl Waveform {
             direct: h.direct * by,
             reverse: h.reverse * by,
         }))
+    }
+
+    /// Every vector times `e^{−iθ}`: what turns with the crank once stands still.
+    pub(super) fn one_order_back(&self) -> Self {
+        let mut turning: BTreeMap<i64, Complex<f64>> = BTreeMap::new();
+        for harmonic in &self.harmonics {
+            let order = i64::from(harmonic.order);
+            *turning.entry(order - 1).or_default() += harmonic.direct;
+            *turning.entry(-order - 1).or_default() += harmonic.reverse;
+        }
+        let orders: BTreeSet<u64> = turning.keys().map(|order| order.unsigned_abs()).collect();
+        let of = |order: i64| turning.get(&order).copied().unwrap_or_default();
+        let harmonic = |order: u64| {
+            let signed = order as i64;
+            let reverse = if order == 0 { Complex::default() } else { of(-signed) };
+            Harmonic { order: order as u32, direct: of(signed), reverse }
+        };
+        Waveform::new(orders.into_iter().map(harmonic))
     }
 
     /// The vector at a crank angle in radians.

@@ -26,6 +26,7 @@ mod error;
 mod fast;
 mod offset;
 mod series;
+mod side;
 mod small;
 mod tail;
 mod torque;
