@@ -35,7 +35,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use crankstar::engine::Family;
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
-use crankstar::loads::usual_orders;
+use crankstar::loads::{usual_bearing_orders, usual_orders};
 use crankstar::text;
 use failure::Failure;
 
@@ -117,9 +117,18 @@ struct EngineAndOrders {
 impl EngineAndOrders {
     /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_orders)
+    }
+
+    /// The same for what the main bearings feel, which has orders of its own.
+    fn read_for_bearings(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_bearing_orders)
+    }
+
+    fn read_or(&self, usual: fn(&crankstar::engine::Engine) -> Vec<u32>) -> Result<(Layout, Vec<u32>), Failure> {
         let layout = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &layout) {
-            ([], Layout::Known(engine, _)) => usual_orders(engine),
+            ([], Layout::Known(engine, _)) => usual(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (asked, _) => asked.to_vec(),
         };

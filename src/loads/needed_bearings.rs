@@ -6,27 +6,30 @@
 use num_traits::Zero;
 
 use super::bearing::{BearingLoads, Method, bearing_loads};
-use super::needed::{Bound, Choice, FOR_THE_REST, USUAL, usual_orders, with_largest};
+use super::needed::{Bound, Choice, FOR_THE_REST, usual_orders, with_largest};
 use super::{Missing, Tails};
 use crate::engine::Engine;
 
 /// Orders that are looked at one by one; the rest is bounded together.
 const LOOKED_AT: [u32; 3] = [12, 24, 60];
+/// The accuracy of the orders that are shown where none are asked for: counterweights leave less than a third of a load, of which it
+/// is still a small part.
+const USUAL: f64 = 1e-4;
 
 /// The orders of the bearing loads that are shown where none are asked for: those of the layout file, else [`usual_orders`] and those
-/// that a thousandth of the largest bearing load needs.
+/// that a ten-thousandth of the largest bearing load needs.
 pub fn usual_bearing_orders(engine: &Engine) -> Vec<u32> {
     bearing_orders(engine, &usual_orders(engine))
 }
 
 /// The orders of the bearing loads that go with those of force and moment: these and, unless the layout file says which, those that a
-/// thousandth of the largest bearing load needs.
+/// ten-thousandth of the largest bearing load needs.
 pub fn bearing_orders(engine: &Engine, orders: &[u32]) -> Vec<u32> {
     if engine.orders_given() || engine.bearings().is_empty() {
         return orders.to_vec();
     }
     match choices(engine) {
-        Ok(choices) => with_largest(orders.to_vec(), &choices),
+        Ok(choices) => with_largest(orders.to_vec(), &choices, USUAL),
         Err(_) => orders.to_vec(),
     }
 }

@@ -5,13 +5,11 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::super::calculation::Unit;
-use super::super::document::coefficient_claim;
 use super::amounts::unit_of;
-use crate::engine::Engine;
-use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
+use crate::engine::{Engine, Mechanism};
+use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector, left_out_of_bearings};
 use crate::numbers;
-use crate::order::OrderSum;
-use crate::proof::Coefficient;
+use crate::order::{Factor, OrderSum};
 
 /// What the main bearings feel, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -30,9 +28,19 @@ pub struct BearingsDocument {
 struct Solution {
     /// Numbers of the bearings with the largest peak, from 1.
     worst: Vec<usize>,
+    /// What the orders that are not listed add to the load of any bearing; null where they add nothing.
+    left_out: Option<LeftOut>,
     /// Position of a load to the parts of it that the bearings carry.
     parts: BTreeMap<String, Vec<String>>,
     bearings: Vec<Bearing>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct LeftOut {
+    /// In the unit of the loads.
+    at_most: f64,
+    /// Of the largest load; null where it might be all of it.
+    part: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -90,12 +98,13 @@ pub fn bearings_document(engine: &Engine, continuous: &BearingLoads, determinate
         sign: "the force that the bearing feels; y in the reference direction, x across it",
         unit: unit.name,
         newtons_per_multiple: continuous.scale.as_ref().map(|scale| scale.force()),
-        continuous: solution(continuous, unit),
-        determinate: solution(determinate, unit),
+        continuous: solution(engine, continuous, unit),
+        determinate: solution(engine, determinate, unit),
     }
 }
 
-fn solution(loads: &BearingLoads, unit: Unit) -> Solution {
+fn solution(engine: &Engine, loads: &BearingLoads, unit: Unit) -> Solution {
+    let left_out = left_out_of_bearings(engine, loads).ok().flatten();
     let text = |parts: &Vec<num_rational::BigRational>| parts.iter().map(ToString::to_string).collect();
     let bearing = |(index, bearing): (usize, &BearingLoad)| Bearing {
         bearing: index + 1,
@@ -107,6 +116,7 @@ fn solution(loads: &BearingLoads, unit: Unit) -> Solution {
     };
     Solution {
         worst: loads.worst.iter().map(|index| index + 1).collect(),
+        left_out: left_out.map(|bound| LeftOut { at_most: bound.most * unit.factor, part: bound.part() }),
         parts: loads.parts.iter().map(|(at, parts)| (at.to_string(), text(parts))).collect(),
         bearings: loads.bearings.iter().enumerate().map(bearing).collect(),
     }
@@ -145,16 +155,21 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
         sums: sum
             .parts()
             .iter()
-            .map(|(factor, sum)| Sum { coefficient: coefficient(&coefficient_claim(factor)), terms: terms(sum) })
+            .map(|(factor, sum)| Sum { coefficient: coefficient(factor), terms: terms(sum) })
             .collect(),
     }
 }
 
-/// `1`, or c_k of which rod.
-fn coefficient(claim: &Coefficient) -> String {
-    match claim {
-        Coefficient::One => "1".to_owned(),
-        Coefficient::Common => "c_k".to_owned(),
-        Coefficient::Rod(rod) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
-    }
+/// `1`, or c_k or n_k of which rod.
+fn coefficient(factor: &Factor) -> String {
+    let (letter, Mechanism::SliderCrank(rod)) = match factor {
+        Factor::One => return "1".to_owned(),
+        Factor::Open => return "c_k".to_owned(),
+        Factor::Motion(mechanism) => ("c_k", mechanism),
+        Factor::Torque(mechanism) => ("t_k", mechanism),
+        // Without an offset it is all there is of n_k in an odd order.
+        Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
+        Factor::Side(mechanism) => ("u_k", mechanism),
+    };
+    format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset)
 }
