@@ -163,7 +163,8 @@ impl Crank {
 fn as_in_the_thesis(layout: &Engine, method: Method) -> Vec<[f64; 3]> {
     let beam = Beam::new(layout.bearings().to_vec()).expect("a beam");
     let float = |number: &BigRational| number.to_f64().expect("a number");
-    let newtons = 0.65 * 0.045 * (200.0 * std::f64::consts::PI).powi(2);
+    let unit = float(&crankstar::order::unit_mass(layout));
+    let newtons = unit * 0.045 * (200.0 * std::f64::consts::PI).powi(2);
     let mut harmonics = vec![Vec::new(); layout.bearings().len()];
     for cylinder in layout.cylinders() {
         let parts = match method {
@@ -172,7 +173,7 @@ fn as_in_the_thesis(layout: &Engine, method: Method) -> Vec<[f64; 3]> {
         };
         let turn = |degrees: BigRational| float(&degrees).to_radians();
         let (throw, bank) = (turn(cylinder.throw.degrees()), turn(cylinder.bank.degrees()));
-        let (to_and_fro, rotating) = (float(&cylinder.reciprocating_mass), float(&cylinder.rotating_mass) / 0.65);
+        let (to_and_fro, rotating) = (float(&cylinder.reciprocating_mass), float(&cylinder.rotating_mass) / unit);
         for (of_bearing, part) in harmonics.iter_mut().zip(parts.expect("no ends")) {
             let part = float(&part) * newtons;
             let half = |angle: f64| Complex::from_polar(to_and_fro * part / 2.0, angle);
