@@ -6,7 +6,7 @@ use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings};
 use crate::page::{Block, Document, Text, phrase};
 
-/// The bearings with the largest peak: `bearing 3 with ≈ 18733 N`; none where no bearing feels anything.
+/// The bearings with the largest peak: `bearing 3 with ≈ 18746 N`; none where no bearing feels anything.
 pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
     let unit = amounts::unit_of(loads);
     let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
