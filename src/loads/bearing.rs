@@ -119,11 +119,7 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
 impl BearingLoad {
     fn new(position: BigRational, orders: Vec<BearingOrder>) -> Self {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
-        let component = |direction: Complex<f64>| {
-            let peak = waveform.turned(direction.conj()).real_peak();
-            Peak { vector: peak.vector * direction, ..peak }
-        };
-        let (along, across) = (component(Complex::new(1.0, 0.0)), component(Complex::i()));
+        let [along, across] = [1.0.into(), Complex::i()].map(|direction| waveform.component_peak(direction));
         BearingLoad { position, orders, peak: waveform.peak(), along, across, waveform }
     }
 }

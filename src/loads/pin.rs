@@ -34,6 +34,10 @@ pub struct PinLoad {
     pub on_the_crank: Waveform,
     /// The largest force in a revolution.
     pub peak: Peak,
+    /// The largest size of its component along the throw.
+    pub along: Peak,
+    /// The largest size of that across it.
+    pub across: Peak,
 }
 
 /// One order of the load of a pin, seen from the engine.
@@ -69,7 +73,16 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     let pins = engine.cylinders().iter().zip(by_pin).map(|(cylinder, orders)| {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
         let on_the_crank = waveform.seen_from_the_crank(numbers::direction(&cylinder.throw));
-        PinLoad { position: cylinder.position.clone(), peak: waveform.peak(), on_the_crank, waveform, orders }
+        let [along, across] = [1.0.into(), Complex::i()].map(|direction| on_the_crank.component_peak(direction));
+        PinLoad {
+            position: cylinder.position.clone(),
+            peak: waveform.peak(),
+            along,
+            across,
+            on_the_crank,
+            waveform,
+            orders,
+        }
     });
     Ok(PinLoads { pins: pins.collect(), scale: super::scale(engine) })
 }

@@ -142,6 +142,12 @@ impl Waveform {
         Peak { value: peak.vector.re.abs(), ..peak }
     }
 
+    /// The largest size of the component in a direction of length 1.
+    pub fn component_peak(&self, direction: Complex<f64>) -> Peak {
+        let peak = self.turned(direction.conj()).real_peak();
+        Peak { vector: peak.vector * direction, ..peak }
+    }
+
     fn peak_of(&self, size: impl Fn(Complex<f64>) -> f64) -> Peak {
         if let [only] = self.harmonics.as_slice()
             && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)

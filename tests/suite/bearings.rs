@@ -520,7 +520,7 @@ fn the_page_has_two_drawings_a_bearing_and_the_exact_parts() {
     assert!(page.contains("| 0.1 | 0.4 | 0.725 | −0.15 | 0.025 |"), "{page}");
     let rows = page.lines().filter(|line| line.starts_with('|'));
     let widths: std::collections::BTreeSet<usize> = rows.map(|row| row.matches('|').count()).collect();
-    assert_eq!(widths, [6, 7, 8].into(), "columns of parts and orders, vectors, peaks");
+    assert_eq!(widths, [4, 6, 7, 8].into(), "columns of numbers, parts and pins, vectors, peaks and orders");
 }
 
 #[test]
@@ -558,6 +558,9 @@ fn the_document_holds_the_exact_sums_that_its_amplitudes_come_from() {
         let third = &bearing["orders"][2]["direct"]["sums"];
         assert_eq!(third[0]["coefficient"], "n_k of λ = 1/4, δ = 0");
     }
+    let pins = document["pins"].as_array().expect("pins");
+    let peak = |pin: &serde_json::Value| pin["peak"]["value"].as_f64().expect("newtons");
+    assert!(pins.len() == 3 && pins.iter().all(|pin| (peak(pin) - peak(&pins[0])).abs() < 1e-6));
     assert_eq!(compared, 8);
     assert_eq!(document["continuous"]["worst"], serde_json::json!([2, 3]));
     let left_out = &document["continuous"]["left_out"];

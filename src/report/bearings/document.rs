@@ -6,8 +6,9 @@ use serde::Serialize;
 
 use super::super::calculation::Unit;
 use super::amounts::unit_of;
+use super::page::orders_of;
 use crate::engine::{Engine, Mechanism};
-use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector, left_out_of_bearings};
+use crate::loads::{BearingLoad, BearingLoads, Outcome, Peak, Swing, Vector, left_out_of_bearings, pin_loads};
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
 
@@ -20,8 +21,21 @@ pub struct BearingsDocument {
     unit: &'static str,
     /// Newtons a multiple of m r ω²; null where the layout does not say.
     newtons_per_multiple: Option<f64>,
+    /// What the rods load the crankpins with, a row per cylinder.
+    pins: Vec<Pin>,
     continuous: Solution,
     determinate: Solution,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Pin {
+    cylinder: String,
+    position: String,
+    peak: PeakEntry,
+    /// Seen from the crank: outward along the throw, and in the sense of rotation.
+    along_the_throw: PeakEntry,
+    across_the_throw: PeakEntry,
+    orders: Vec<Order>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -98,9 +112,23 @@ pub fn bearings_document(engine: &Engine, continuous: &BearingLoads, determinate
         sign: "the force that the bearing feels; y in the reference direction, x across it",
         unit: unit.name,
         newtons_per_multiple: continuous.scale.as_ref().map(|scale| scale.force()),
+        pins: pins(engine, &orders_of(continuous), unit),
         continuous: solution(engine, continuous, unit),
         determinate: solution(engine, determinate, unit),
     }
+}
+
+fn pins(engine: &Engine, orders: &[u32], unit: Unit) -> Vec<Pin> {
+    let Ok(loads) = pin_loads(engine, orders) else { return Vec::new() };
+    let pins = engine.cylinders().iter().zip(loads.pins).map(|(cylinder, pin)| Pin {
+        cylinder: cylinder.name.clone(),
+        position: pin.position.to_string(),
+        peak: peak(&pin.peak, unit),
+        along_the_throw: peak(&pin.along, unit),
+        across_the_throw: peak(&pin.across, unit),
+        orders: pin.orders.iter().map(|one| order(one.order, &one.sums, &one.swing, unit)).collect(),
+    });
+    pins.collect()
 }
 
 fn solution(engine: &Engine, loads: &BearingLoads, unit: Unit) -> Solution {
@@ -112,7 +140,7 @@ fn solution(engine: &Engine, loads: &BearingLoads, unit: Unit) -> Solution {
         peak: peak(&bearing.peak, unit),
         y: peak(&bearing.along, unit),
         x: peak(&bearing.across, unit),
-        orders: bearing.orders.iter().map(|entry| order(entry, unit)).collect(),
+        orders: bearing.orders.iter().map(|one| order(one.order, &one.sums, &one.swing, unit)).collect(),
     };
     Solution {
         worst: loads.worst.iter().map(|index| index + 1).collect(),
@@ -126,13 +154,12 @@ fn peak(peak: &Peak, unit: Unit) -> PeakEntry {
     PeakEntry { value: peak.value * unit.factor, crank_angle_deg: peak.angle.filter(|_| peak.value > 0.0) }
 }
 
-fn order(order: &BearingOrder, unit: Unit) -> Order {
-    let [direct, reverse] = &order.sums;
+fn order(order: u32, [direct, reverse]: &[OrderSum; 2], swing: &Swing, unit: Unit) -> Order {
     Order {
-        order: order.order,
-        largest: order.swing.largest() * unit.factor,
-        direct: turning(&order.swing.direct, direct, unit),
-        reverse: turning(&order.swing.reverse, reverse, unit),
+        order,
+        largest: swing.largest() * unit.factor,
+        direct: turning(&swing.direct, direct, unit),
+        reverse: turning(&swing.reverse, reverse, unit),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::super::calculation::{digits, percent};
 use super::{amounts, plots, tables};
 use crate::engine::Engine;
-use crate::loads::{BearingLoads, left_out_of_bearings};
+use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
 use crate::page::{Block, Document, Text, phrase};
 
 /// The bearings with the largest peak: `bearing 3 with ≈ 18746 N`; none where no bearing feels anything.
@@ -65,6 +65,15 @@ const VECTORS: &str = "The two vectors of each order. Exact: the length of each 
     before, $c_k$ of the force along the axis and $n_k$ of the side force. In decimals: half of the sums times their numbers and ω², with the angle at \
     θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ that $c_k$ does not have.";
 
+const PINS: &str = "What the rod of each cylinder loads its crankpin with in a revolution: the inertia of the piston, with its side force, and the rotating part of the \
+    rod; all orders shown together.";
+
+/// The orders that are shown, but for the constant force.
+pub(super) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
+    let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
+    orders.iter().map(|order| order.order).filter(|order| *order > 0).collect()
+}
+
 /// What the orders that are not shown add at most.
 pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Option<Text> {
     let unit = amounts::unit_of(loads);
@@ -103,10 +112,20 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
     page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     page.push(Block::Paragraph(VECTORS.into()));
     page.push(tables::vectors(continuous));
+    if let Some(numbers) = tables::numbers(engine, continuous) {
+        page.push(Block::Paragraph("The numbers of the motion:".into()));
+        page.push(numbers);
+    }
     section(&mut page, "Through a revolution");
     for (index, pictures) in plots::drawings(continuous).into_iter().enumerate() {
         page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
         page.push(Block::Pictures(pictures.into()));
+    }
+    let pins = pin_loads(engine, &orders_of(continuous));
+    if let Ok(pins) = pins {
+        section(&mut page, "Crankpins");
+        page.push(Block::Paragraph(PINS.into()));
+        page.push(tables::pins(engine, &pins));
     }
     section(&mut page, "Parts of a load");
     page.push(Block::Paragraph(METHOD.into()));

@@ -2,11 +2,15 @@
 
 use std::collections::BTreeSet;
 
+use num_traits::Zero;
+
+use super::super::calculation::Unit;
 use super::super::{residual, table};
 use super::amounts;
 use crate::engine::{Engine, Mechanism, Rod};
-use crate::loads::{BearingLoad, BearingLoads};
-use crate::order::{Factor, OrderSum};
+use crate::loads::{BearingLoad, BearingLoads, PinLoads};
+use crate::motion::Enclosure;
+use crate::order::{self, Factor, OrderSum};
 use crate::page::{Number, Table, Text, phrase};
 
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
@@ -119,6 +123,49 @@ fn number(factor: &Factor) -> Option<char> {
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
     }
+}
+
+/// The numbers of the motion that the sums of these orders stand before, where all pistons move alike and without an offset.
+pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
+    let mechanisms = engine.mechanisms();
+    let [mechanism] = mechanisms[..] else { return None };
+    if !mechanism.is_centric() {
+        return None;
+    }
+    let crank = order::crank(mechanism);
+    let mut table = Table::new(["Order".into(), Text::formula("c_k".to_owned()), Text::formula("n_k".to_owned())]);
+    for order in loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders) {
+        let cell = |part: Enclosure| match (part.low == part.high, part.low.is_zero()) {
+            (true, true) => Text::zero(),
+            (true, false) => Number::exact(&part.low).into(),
+            (false, _) => Number::Decimal(part.to_float()).into(),
+        };
+        let [c, n] = [crank.coefficient(order.order), crank.side_coefficient(order.order)];
+        table.push(vec![order.order.into(), cell(c.re), cell(n.re)]);
+    }
+    Some(table)
+}
+
+/// The largest load of every crankpin, by cylinder.
+pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
+    let unit = Unit::of_force(pins.scale.as_ref());
+    let mut rows = Table::new([
+        "Cylinder".into(),
+        phrase!("Largest load in {}", unit.name),
+        "at θ".into(),
+        phrase!("Along the throw in {}", unit.name),
+        phrase!("Across it in {}", unit.name),
+    ]);
+    for (cylinder, pin) in engine.cylinders().iter().zip(&pins.pins) {
+        rows.push(vec![
+            cylinder.name.clone().into(),
+            amounts::size(&pin.peak, unit),
+            amounts::angle(&pin.peak),
+            amounts::size(&pin.along, unit),
+            amounts::size(&pin.across, unit),
+        ]);
+    }
+    rows
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.
