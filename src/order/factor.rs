@@ -45,8 +45,8 @@ impl Factor {
         }
     }
 
-    /// What the part of the side force that no c_k has stands before, and with which sign: u_k of −δ is `(−1)^{k+1}` times that of
-    /// δ (see the real number E_k in [`crate::motion`]).
+    /// What the part of the side force that no c_k has stands before, and with which sign: for −δ the real number E_k of u_k is
+    /// `(−1)^{k+1}` times that for δ, since p and q, R and S change places.
     pub fn of_side(mechanism: &Mechanism, order: u32) -> (Factor, BigRational) {
         let Mechanism::SliderCrank(rod) = mechanism;
         let sign =

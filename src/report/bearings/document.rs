@@ -87,7 +87,7 @@ struct Turning {
     angle_deg: Option<f64>,
     /// `true` proved zero, `false` proved not zero, null not decided.
     vanishes: Option<bool>,
-    /// The vector in multiples of m r ω² is half the sum of these, each times its coefficient.
+    /// The vector in multiples of m r ω² is half the sum of these, each times its coefficient, which is conjugated in a reverse one.
     sums: Vec<Sum>,
 }
 

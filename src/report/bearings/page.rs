@@ -63,7 +63,8 @@ const METHOD: &str = "A unit load at a position is carried by the bearings in fi
 
 const VECTORS: &str = "The two vectors of each order. Exact: the length of each sum in multiples of m r, with the number of the motion that it stands \
     before, $c_k$ of the force along the axis and $n_k$ of the side force. In decimals: half of the sums times their numbers and ω², with the angle at \
-    θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ that $c_k$ does not have.";
+    θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ \
+    that $c_k$ does not have; reverse vectors have the conjugates.";
 
 const PINS: &str = "What the rod of each cylinder loads its crankpin with in a revolution: the inertia of the piston, with its side force, and the rotating part of the \
     rod; all orders shown together.";
