@@ -31,8 +31,8 @@
 //! report
 //! page
 //! claim
-//! accuracy  remedy  optimise  sweep  search
-//! loads  family
+//! accuracy  remedy  optimise  sweep  search  torsion
+//! loads  family  firing
 //! verdict
 //! order  numbers
 //! file
@@ -42,7 +42,7 @@
 //! ```
 //!
 //! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
-//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `order`, `text` and `verdict`.
+//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `firing`, `order`, `text` and `verdict`.
 //!
 //! # Features
 //!
@@ -65,6 +65,8 @@ pub mod engine;
 pub mod exact;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod file;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod firing;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod order;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
@@ -101,6 +103,8 @@ pub mod report;
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+#[allow(clippy::disallowed_types)]
+pub mod torsion;
 
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};

@@ -4,6 +4,7 @@
 
 mod build;
 mod crankshaft;
+mod cycle_order;
 mod cylinder;
 mod dimensions;
 mod draft;
@@ -17,9 +18,11 @@ mod model;
 mod order;
 mod throws;
 mod title_block;
+mod torsion;
 
 pub use build::{BuildError, MOST_CYLINDERS};
 pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
+pub use cycle_order::{CycleOrder, NotACycleOrder};
 pub use cylinder::Cylinder;
 pub use dimensions::{Dimensions, Given, Measure};
 pub use draft::{Draft, ReferencePlane};
@@ -33,3 +36,4 @@ pub use model::{Effects, Engine};
 pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, NotAnOrder, ORDERS, WHY_NOT, are_orders};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;
+pub use torsion::{MOST_DISCS, NoShaft, Torsion};

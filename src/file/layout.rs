@@ -17,6 +17,7 @@ use super::forms::{self, Expanded};
 use super::mechanism_keys;
 use super::quantities;
 use super::title_block_keys;
+use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
 use crate::engine::{
     BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Firing, Form,
@@ -42,6 +43,7 @@ struct File {
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
+    torsion: Option<Spanned<Table<torsion_keys::Keys>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -131,6 +133,7 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
         bearings: bearings.transpose()?.unwrap_or_default(),
         dimensions,
         crankshaft: Crankshaft::default(),
+        torsion: None,
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
         file: Untrusted::new(source),
@@ -155,6 +158,10 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
         if let Some(list) = given_bearings {
             return Err(bearings::of_open_layout(list));
         }
+        if let Some(table) = &file.torsion {
+            let message = "a shaft that twists in an engine whose angles or positions are open";
+            return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
+        }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
             None => Ok(Layout::Open(Box::new(valued.unwrap_or(family)))),
             span => Err(LayoutError::new(
@@ -169,6 +176,10 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
         engine = turning.read(engine)?;
     }
     bearings::check_ends(given_bearings, &engine)?;
+    if let Some(table) = &file.torsion {
+        let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
+        engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
+    }
     if let Some(firing) = firing(&file.firing_order, &file.firing_angles, cycle, engine.cylinders())? {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
     }

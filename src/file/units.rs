@@ -58,6 +58,24 @@ const MASS_RADII: Units = &[
     ("g cm", (1, 100_000)),
     ("g m", (1, 1000)),
 ];
+const INERTIAS: Units = &[
+    ("kg m^2", (1, 1)),
+    ("kg m²", (1, 1)),
+    ("kg·m²", (1, 1)),
+    ("kg m2", (1, 1)),
+    ("kg cm^2", (1, 10_000)),
+    ("kg cm²", (1, 10_000)),
+    ("g m²", (1, 1000)),
+];
+const TORSIONAL_STIFFNESSES: Units = &[
+    ("MN m/rad", (1_000_000, 1)),
+    ("MNm/rad", (1_000_000, 1)),
+    ("kN m/rad", (1000, 1)),
+    ("kNm/rad", (1000, 1)),
+    ("N m/rad", (1, 1)),
+    ("N·m/rad", (1, 1)),
+    ("Nm/rad", (1, 1)),
+];
 const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
@@ -90,6 +108,18 @@ pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
 /// A mass times a radius in kilogram-metres; kilogram-metres where no unit stands.
 pub(crate) fn mass_radius(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, MASS_RADII, "\"0.012\", \"0.012 kg m\", \"12 kg mm\" or \"1200 g cm\"")?;
+    sized(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+/// A moment of inertia in kg m²; in those where no unit stands.
+pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, INERTIAS, "\"0.03\", \"0.03 kg m^2\" or \"300 kg cm^2\"")?;
+    sized(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+/// A torsional stiffness in N m per radian; in those where no unit stands.
+pub(crate) fn torsional_stiffness(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")?;
     sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 

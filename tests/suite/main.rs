@@ -26,6 +26,9 @@ mod examples;
 mod families;
 mod figure_command;
 mod figures;
+mod firing;
+mod firing_documents;
+mod firing_pages;
 mod firmness;
 mod formulas;
 mod fragments;
@@ -63,6 +66,7 @@ mod symbols;
 mod theorems;
 mod theory;
 mod thesis;
+mod torsion;
 mod views;
 mod whole_cheats;
 
