@@ -207,7 +207,7 @@ fn random(dice: &mut Dice) -> Case {
         tables += &format!("[[cylinder]]\nthrow = '{throw}/7 turn'\nbank = {bank}\nposition = '{position}/100'\n");
         let values = [
             dice.below(40) + 40,
-            dice.below(80) + 220,
+            dice.below(80) + 300,
             if centric { 0 } else { dice.below(31) },
             dice.below(900),
             dice.below(700),
@@ -258,7 +258,7 @@ fn random(dice: &mut Dice) -> Case {
 
 /// All orders that engines of these rods have to a billionth.
 fn many() -> Vec<u32> {
-    (1..=16).collect()
+    (1..=12).collect()
 }
 
 #[test]
