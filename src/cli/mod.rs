@@ -37,7 +37,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use crankstar::engine::{CycleOrder, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
-use crankstar::loads::usual_orders;
+use crankstar::loads::{usual_bearing_orders, usual_orders};
 use crankstar::text;
 use failure::Failure;
 
@@ -128,9 +128,18 @@ impl EngineAndOrders {
 
     /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_orders)
+    }
+
+    /// The same for what the main bearings feel, which has orders of its own.
+    fn read_for_bearings(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_bearing_orders)
+    }
+
+    fn read_or(&self, usual: fn(&crankstar::engine::Engine) -> Vec<u32>) -> Result<(Layout, Vec<u32>), Failure> {
         let layout = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &layout) {
-            ([], Layout::Known(engine, _)) => usual_orders(engine),
+            ([], Layout::Known(engine, _)) => usual(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (_, _) => self.asked()?,
         };

@@ -62,6 +62,7 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod side_force;
 mod sweep;
 mod symbols;
 mod theorems;
@@ -85,6 +86,7 @@ mod support {
     pub mod piston;
     pub mod plain_search;
     pub mod program;
+    pub mod side;
     pub mod stiffness;
     pub mod verdicts;
     pub mod whole_degrees;
