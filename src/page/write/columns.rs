@@ -141,8 +141,10 @@ impl Cells {
 
     /// Widths of broken columns that make the table low: from the least on, letters go where they save most lines.
     fn lowest(&self, columns: &[usize], room: usize) -> Vec<usize> {
-        let natural = self.natural(columns);
-        let mut widths = self.least(columns);
+        let (natural, least) = (self.natural(columns), self.least(columns));
+        // A word of wide letters needs more than they count.
+        let roomy: Vec<usize> = least.iter().zip(&natural).map(|(least, natural)| (least + 1).min(*natural)).collect();
+        let mut widths = if roomy.iter().sum::<usize>() <= room { roomy } else { least };
         let with = |widths: &[usize], at: usize, width: usize| {
             let mut widths = widths.to_vec();
             widths[at] = width;

@@ -176,10 +176,11 @@ fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&Theor
         several => sentences.push(phrase!("Orders {} do not exist.", several.join(", "))),
     }
     sentences.extend(theorem.map(|theorem| others(existing, theorem)));
-    let words = if existing.iter().all(|order| left_vectors(order) == [false, false]) {
-        "**What shakes.** Nothing that is proved to be left at the orders judged. {}"
-    } else {
-        "**Nothing else.** {}"
+    let is_all_balanced = existing.iter().all(|order| left_vectors(order) == [false, false]);
+    let words = match (is_all_balanced, zero.is_empty()) {
+        (true, _) => "**What shakes.** Nothing that is proved to be left at the orders judged. {}",
+        (false, false) => "**What is balanced.** {}",
+        (false, true) => "**At other orders.** {}",
     };
     (!sentences.is_empty()).then(|| phrase!(words, Text::joined(sentences, " "))).into_iter().collect()
 }

@@ -38,7 +38,12 @@ fn legend(engine: &Engine, rows: &[&[&Verdict]]) -> String {
                 .to_owned(),
         ),
     });
-    if any(&|_, star| star.resultant.is_some()) {
+    if any(&|verdict, star| star.resultant.is_some() && verdict.quantity != Quantity::Torque) {
+        words.push(
+            "The red arrow in outline is the resultant; half the direct and half the reverse one make what is left."
+                .to_owned(),
+        );
+    } else if any(&|_, star| star.resultant.is_some()) {
         words.push("The red arrow in outline is the resultant.".to_owned());
     }
     if any(&|verdict, star| star.has_turned && verdict.quantity == Quantity::Moment) {
