@@ -2,6 +2,7 @@
 
 mod answer;
 mod conventions;
+mod cures;
 mod engine;
 mod orders;
 mod torque;

@@ -21,7 +21,7 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         LengthUnit::Spacing => "Position z",
     };
     let size_of = match in_numbers {
-        true => ["Mass × radius", "Exactly"].as_slice(),
+        true => ["Mass × radius", "In multiples"].as_slice(),
         false => ["Mass × radius"].as_slice(),
     };
     let before = ["Weight", "Turns", position].into_iter();
