@@ -31,10 +31,10 @@
 //! report
 //! page
 //! claim
-//! accuracy  remedy  optimise  sweep  search
+//! accuracy  remedy  optimise  sweep  search  torque
 //! loads  family
 //! verdict
-//! order  numbers
+//! order  numbers  gas
 //! file
 //! engine
 //! exact
@@ -81,6 +81,8 @@ pub mod claim;
 #[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]
+pub mod gas;
+#[allow(clippy::disallowed_types)]
 pub mod loads;
 #[allow(clippy::disallowed_types)]
 pub mod motion;
@@ -101,6 +103,8 @@ pub mod report;
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+#[allow(clippy::disallowed_types)]
+pub mod torque;
 
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};

@@ -30,6 +30,8 @@ mod firmness;
 mod formulas;
 mod fragments;
 mod fuzzed;
+mod gas;
+mod gas_files;
 mod grigoryev;
 mod ground_truth;
 mod hard_cases;
@@ -62,6 +64,7 @@ mod symbols;
 mod theorems;
 mod theory;
 mod thesis;
+mod torque;
 mod views;
 mod whole_cheats;
 

@@ -1,0 +1,75 @@
+//! What is each order of the torque, and which vanish whatever the pressure is?
+
+use num_complex::Complex;
+use num_rational::BigRational;
+
+use super::class::Class;
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::numbers;
+
+/// One order: `Re(vector · e^{iκθ})`, in newton-metres.
+#[derive(Clone, Debug)]
+pub struct TorqueOrder {
+    /// The order κ: a half, or whole.
+    pub order: BigRational,
+    /// That of the gas.
+    pub gas: Complex<f64>,
+    /// That of the inertia: zero at halves; none where it is not known.
+    pub inertia: Option<Complex<f64>>,
+    /// The exact stars `Σ e^{−iκφ_j}`, one a class of equal cylinders.
+    pub stars: Vec<PhasorSum>,
+    /// Whether every star is zero: then the order is, proved, for every pressure that the cylinders of a class share.
+    pub vanishes: bool,
+}
+
+impl TorqueOrder {
+    /// Gas and inertia together: their phasors add.
+    pub fn total(&self) -> Complex<f64> {
+        self.gas + self.inertia.unwrap_or_default()
+    }
+}
+
+/// The stars of an order, each cylinder weighed: `Σ w_j e^{−iκφ_j}`.
+pub(super) fn star(class: &Class, order: &BigRational, weight: impl Fn(usize) -> BigRational) -> PhasorSum {
+    let terms = class.cylinders.iter().zip(&class.fires);
+    PhasorSum::new(
+        terms.map(|(&index, fires)| Term { angle: Turn::new(-(fires * order)), weight: weight(index) }).collect(),
+    )
+}
+
+/// The orders of these classes, from the first on.
+pub fn orders(classes: &[Class]) -> Vec<TorqueOrder> {
+    let Some(first) = classes.first() else { return Vec::new() };
+    let revolutions = first.harmonics.revolutions;
+    (1..first.harmonics.torque.len()).map(|index| order(classes, index, revolutions as usize)).collect()
+}
+
+fn order(classes: &[Class], index: usize, revolutions: usize) -> TorqueOrder {
+    let order = BigRational::new(index.into(), revolutions.into());
+    let one = BigRational::from_integer(1.into());
+    let stars: Vec<PhasorSum> = classes.iter().map(|class| star(class, &order, |_| one.clone())).collect();
+    let zero = Complex::new(0.0, 0.0);
+    let values: Vec<Complex<f64>> =
+        stars.iter().map(|star| if star.vanishes() { zero } else { numbers::evaluate(star) }).collect();
+    let sum = |of: &dyn Fn(&Class) -> Option<Complex<f64>>| -> Option<Complex<f64>> {
+        classes.iter().zip(&values).map(|(class, star)| Some(of(class)? * star)).sum()
+    };
+    TorqueOrder {
+        gas: sum(&|class| Some(class.harmonics.torque[index])).unwrap_or_default(),
+        inertia: sum(&|class| class.inertia_at(index, revolutions)),
+        vanishes: stars.iter().all(PhasorSum::vanishes),
+        order,
+        stars,
+    }
+}
+
+impl Class {
+    /// The inertia's harmonic at the n-th of the cycle: zero at halves.
+    pub(super) fn inertia_at(&self, index: usize, revolutions: usize) -> Option<Complex<f64>> {
+        let inertia = self.inertia.as_ref()?;
+        Some(match index % revolutions {
+            0 => inertia.harmonics.get(index / revolutions - 1).copied().unwrap_or_default(),
+            _ => Complex::new(0.0, 0.0),
+        })
+    }
+}
