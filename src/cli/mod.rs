@@ -23,6 +23,7 @@ mod report;
 mod search;
 mod spoken;
 mod sweep;
+mod torque;
 mod verify;
 mod write;
 
@@ -75,6 +76,8 @@ enum Command {
     Loads(loads::Loads),
     /// Compute what the main bearings feel
     Bearings(bearings::Bearings),
+    /// Compute the torque of gas and inertia, and the flywheel
+    Torque(torque::Torque),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel what is left
@@ -154,6 +157,7 @@ pub fn run() -> ExitCode {
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
+        Command::Torque(torque) => torque.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),

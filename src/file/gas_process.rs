@@ -171,7 +171,7 @@ impl Settings<'_> {
             ),
         ];
         let [compression_exponent, expansion_exponent] = exponents;
-        Ok(PressureLaw::Cycle(IdealCycle {
+        Ok(PressureLaw::Cycle(Box::new(IdealCycle {
             ignition,
             compression_ratio: pure(ratio)?,
             intake_pressure: intake,
@@ -206,7 +206,7 @@ impl Settings<'_> {
             blowdown: or(self.angle(|keys| &keys.blowdown)?, Setting::Blowdown, turns(usual.blowdown)),
             heat: self.heat()?,
             assumed,
-        }))
+        })))
     }
 
     fn heat(&self) -> Result<Heat, LayoutError> {
@@ -250,7 +250,7 @@ impl Settings<'_> {
                 hundredths(130, 1)
             })
         };
-        Ok(PressureLaw::Stage(CompressorStage {
+        Ok(PressureLaw::Stage(Box::new(CompressorStage {
             intake_pressure: needed(self.0.pressure(|keys| &keys.intake_pressure)?, "intake_pressure")?,
             delivery_pressure: needed(self.0.pressure(|keys| &keys.delivery_pressure)?, "delivery_pressure")?,
             clearance: needed(self.number(|keys| &keys.clearance)?, "clearance")?,
@@ -260,7 +260,7 @@ impl Settings<'_> {
             ),
             expansion_exponent: exponent(self.number(|keys| &keys.expansion_exponent)?, Setting::ExpansionExponent),
             assumed,
-        }))
+        })))
     }
 
     /// Keys that say nothing of this kind of process.

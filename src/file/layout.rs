@@ -90,7 +90,15 @@ pub enum Layout {
 /// # Errors
 /// The first mistake, with its place and what would be right; an unknown without a value is one.
 pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
-    match parse_layout(name, source)? {
+    parse_beside(name, source, Beside::nothing())
+}
+
+/// The same of a layout that may name a file beside itself, which `beside` reads.
+///
+/// # Errors
+/// The first mistake, with its place in the file where it stands, and what would be right.
+pub fn parse_beside(name: &str, source: &str, beside: Beside<'_>) -> Result<Engine, LayoutError> {
+    match parse_layout_beside(name, source, beside)? {
         Layout::Known(layout, _) => Ok(*layout),
         Layout::Open(family) => {
             let unknowns: Vec<&str> = family.unknowns().into_iter().collect();

@@ -27,7 +27,7 @@ pub(crate) mod written;
 pub use beside::Beside;
 pub use catalogue::{Entry, catalogue, find};
 pub use error::LayoutError;
-pub use layout::{Layout, parse, parse_layout, parse_layout_beside};
+pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};
 pub use template::{Key, Template};

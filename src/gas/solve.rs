@@ -21,7 +21,7 @@ pub(super) fn cycle(ideal: &IdealCycle, geometry: &Geometry, cycle: Cycle, zero:
             let unit = float(wanted) * geometry.swept();
             let (without, with) = (mean(0.0), mean(unit));
             let heat = (float(wanted) - without) / (with - without) * unit;
-            if !(heat >= 0.0) {
+            if heat.is_nan() || heat < 0.0 {
                 return Err(NoGas::Mean(without / BAR));
             }
             heat

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::cylinder::CylinderGas;
-use crate::engine::{CompressorStage, Cycle, PressureLaw};
+use crate::engine::{Cycle, PressureLaw};
 
 /// Something that a person should look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ impl CylinderGas {
         let mut warnings = Vec::new();
         let table = match law {
             // What a compressor and a motored cylinder do is as it should be.
-            PressureLaw::Stage(CompressorStage { .. }) => return warnings,
+            PressureLaw::Stage(_) => return warnings,
             PressureLaw::Cycle(ideal) if ideal.is_motored() => return warnings,
             PressureLaw::Cycle(_) => None,
             PressureLaw::Table(table) => Some(table),

@@ -32,6 +32,7 @@ mod sweep;
 mod table;
 mod theorem;
 mod theorem_words;
+mod torque;
 mod views;
 
 pub use views::{end_view, side_view};
@@ -67,3 +68,4 @@ pub use residual::{force_summary, moment_summary, order_name, whole_summary};
 pub use search::{search_answer, search_page};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
+pub use torque::{TorqueDocument, torque_answer, torque_document, torque_page};

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::HIGHEST;
 use super::missing::NoTorque;
@@ -31,6 +31,8 @@ pub struct Class {
 #[derive(Clone, Debug)]
 pub struct Inertia {
     crank: SliderCrank,
+    /// Offset e over crank radius r: 0 where the axis meets the crankshaft.
+    pub lever: f64,
     /// `m r²` in kilograms times square metres.
     pub weight: f64,
     /// `m r² ω²` in newton-metres.
@@ -43,6 +45,11 @@ impl Inertia {
     /// The torque `−m s' s'' ω²` at an angle.
     pub fn torque(&self, psi: f64) -> f64 {
         self.scale * self.crank.torque(psi)
+    }
+
+    /// Moment `e F_in` of the shaking force at the offset of its axis, `F_in = −m s̈`.
+    pub fn sideways(&self, psi: f64) -> f64 {
+        -self.scale * self.lever * self.crank.acceleration(psi)
     }
 
     /// `m s'²` in kilograms times square metres.
@@ -115,7 +122,13 @@ fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
     let scale = weight * omega(engine)?.powi(2);
     let crank = order::crank(mechanism);
     let harmonics = (1..=HIGHEST).map(|order| crank.torque_coefficient(order).to_complex() * scale).collect();
-    Some(Inertia { crank, weight, scale, harmonics })
+    let lever = match crank.offset().is_zero() {
+        true => 0.0,
+        // An endless rod has no offset in metres: its pistons roll nothing but by their torque.
+        false if crank.ratio().is_zero() => 0.0,
+        false => float(&(crank.offset() / crank.ratio())),
+    };
+    Some(Inertia { crank, lever, weight, scale, harmonics })
 }
 
 /// What is odd about the pressures, by class.

@@ -113,6 +113,12 @@ impl Course {
         self.gas(theta) + self.inertia(theta)
     }
 
+    /// The roll moment on the frame, `−T − Σ e F_in`: what answers the torque, and the shaking forces beside the shaft.
+    pub fn roll(&self, theta: f64) -> f64 {
+        let aside = self.sum(theta, |class, psi| class.inertia.as_ref().map_or(0.0, |inertia| inertia.sideways(psi)));
+        -self.total(theta) - aside
+    }
+
     /// `∫ (T_gas − mean) dθ`, but for a constant.
     pub fn gas_work(&self, theta: f64) -> f64 {
         self.sum(theta, ClassCourse::work)

@@ -17,6 +17,8 @@ pub use guide::{GuideMoments, guide_moments};
 pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
 
+use num_traits::ToPrimitive;
+
 use crate::engine::Engine;
 use crate::gas::Warning;
 
@@ -37,6 +39,10 @@ pub struct EngineTorque {
     pub highest: Extreme,
     /// The smallest, which may be negative.
     pub lowest: Extreme,
+    /// The largest and the smallest roll moment on the frame, without that of balancer shafts.
+    pub roll: [Extreme; 2],
+    /// How much the series up to the highest order misses of the torque, at most.
+    pub missed: f64,
     /// Power at the speed in watts; none where no speed is given.
     pub power: Option<f64>,
     /// How evenly it turns; none where no speed is given.
@@ -66,6 +72,8 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
         balance: (mean * course.period() - work).abs() / work.abs().max(1e-3 * moved),
         highest: course.extreme(|theta| course.total(theta)),
         lowest: course.extreme(|theta| -course.total(theta)).negated(),
+        roll: [course.extreme(|theta| course.roll(theta)), course.extreme(|theta| -course.roll(theta)).negated()],
+        missed: course.extreme(|theta| (course.total(theta) - mean - series(&orders, theta)).abs()).value,
         power: omega.map(|omega| mean * omega),
         evenness: omega.filter(|omega| *omega > 0.0).map(|omega| evenness(engine, &course, omega)),
         classes,
@@ -73,6 +81,15 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
         orders,
         warnings,
     })
+}
+
+/// The sum of the orders at an angle.
+fn series(orders: &[TorqueOrder], theta: f64) -> f64 {
+    let at = |order: &TorqueOrder| {
+        let kappa = order.order.to_f64().unwrap_or(f64::NAN);
+        (order.total() * num_complex::Complex::cis(kappa * theta)).re
+    };
+    orders.iter().filter(|order| !order.vanishes).map(at).sum()
 }
 
 impl EngineTorque {

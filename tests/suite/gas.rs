@@ -140,8 +140,8 @@ fn harmonics_of_a_table_are_those_of_its_lines_in_closed_form() {
         let kappa = index as f64 / 2.0;
         // F'' are pulses at the rows: (iκ)² F̂ = (1/Ψ) Σ Δslope e^{−iκψ}.
         let (mut re, mut im) = (0.0, 0.0);
-        for row in 0..240 {
-            let (jump, psi) = (slope(row) - slope(row + 239), rows[row].0.to_radians());
+        for (row, (angle, _)) in rows.iter().enumerate() {
+            let (jump, psi) = (slope(row) - slope(row + 239), angle.to_radians());
             re += jump * (kappa * psi).cos();
             im -= jump * (kappa * psi).sin();
         }

@@ -145,7 +145,7 @@ fn mistakes_in_a_table_name_the_row() {
     assert_told(&bare, 8, &["a pressure needs its unit"]);
     assert_told(&text(&rows(|_| None)).replace("'bar'", "'Bar'"), 7, &["one of mbar, bar"]);
     assert_told(&text("reading = 'relative'\npressure = []"), 8, &["\"absolute\" or \"gauge\""]);
-    assert_told(&text(&format!("{}\nheat = 1", rows(|_| None))), 45, &["heat beside a table"]);
+    assert_told(&text(&format!("{}\nheat = 1", rows(|_| None))), 46, &["heat beside a table"]);
     assert_told(&text("table = 'a.csv'"), 8, &["cannot read the table `a.csv`", "write its rows into it"]);
     for path in ["/etc/passwd", "../a.csv", "a/../../b.csv", "c:\\a.csv", ""] {
         assert_told(&text(&format!("table = '{path}'")), 8, &["cannot read the table", "beside the layout file"]);

@@ -48,9 +48,9 @@ pub enum PressureLaw {
     /// Measured or computed elsewhere: rows of angle and pressure, joined by straight lines.
     Table(PressureTable),
     /// Compression, burning by Wiebe, expansion, and the exchange of gas.
-    Cycle(IdealCycle),
+    Cycle(Box<IdealCycle>),
     /// One stage of a piston compressor.
-    Stage(CompressorStage),
+    Stage(Box<CompressorStage>),
 }
 
 /// Where the angle 0 of a pressure is. Without an offset of the cylinder axis both are one.
