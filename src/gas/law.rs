@@ -107,7 +107,12 @@ impl Law {
 
     /// A table, its rows joined by lines; `zero` is where its angles count from.
     pub fn table(table: &PressureTable, cycle: Cycle, zero: f64) -> Self {
-        let rows: Vec<(f64, f64)> = table.rows().iter().map(|(angle, p)| (radians(angle) + zero, float(p))).collect();
+        // Whole cycles are taken off before anything is rounded.
+        let turns = cycle.turns();
+        let off =
+            table.rows().first().map_or_else(BigRational::default, |(first, _)| (first / &turns).floor() * &turns);
+        let row = |(angle, p): &(BigRational, BigRational)| (radians(&(angle - &off)) + zero, float(p));
+        let rows: Vec<(f64, f64)> = table.rows().iter().map(row).collect();
         let period = period(cycle);
         let next = rows.iter().skip(1).copied().chain(rows.first().map(|(angle, p)| (angle + period, *p)));
         let line = |((from, first), (to, last)): (&(f64, f64), (f64, f64))| Piece {

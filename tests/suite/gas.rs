@@ -248,3 +248,38 @@ fn a_table_in_a_file_beside_the_layout_is_that_in_the_layout() {
         assert_eq!(beside.gas(), inline.gas());
     }
 }
+
+#[test]
+fn hostile_sizes_end_in_numbers_or_a_message() {
+    let changes = [
+        ("bore = '86 mm'", "bore = '1e40 m'"),
+        ("bore = '86 mm'", "bore = '1e-40 m'"),
+        ("heat = '1100 J'", "heat = '1e40 J'"),
+        ("heat = '1100 J'", "heat = '1e-40 J'"),
+        ("heat = '1100 J'", "peak_pressure = '1e35 bar'"),
+        ("heat = '1100 J'", "mean_pressure = '1e-40 Pa'"),
+        ("heat = '1100 J'", "mean_pressure = '1e35 bar'"),
+        ("ratio = 10", "ratio = 1000"),
+        ("ratio = 10", "ratio = 1.0000000001"),
+        ("ratio = 10", "ratio = 10\nwiebe_exponent = 20\ncombustion_lasts = 0.1"),
+        ("ratio = 10", "ratio = 10\nwiebe_exponent = 0.01\nintake_pressure = '1e-40 Pa'"),
+        ("ratio = 10", "ratio = 10\ncombustion_starts = -180\nblowdown = 0.1"),
+        ("rod_length = '143 mm'", "rod_ratio = 0"),
+        ("rod_length = '143 mm'", "rod_ratio = 0.999999"),
+        ("rod_length = '143 mm'", "rod_ratio = 0.5\noffset_ratio = 0.499999"),
+        ("stroke = '86 mm'", "stroke = '1e40 m'"),
+        ("stroke = '86 mm'", "stroke = '1e-40 m'"),
+        ("crankcase = '1 bar'", "crankcase = '1e40 Pa'"),
+    ];
+    for (from, to) in changes {
+        let text = SPARK.replace("rod_length = '143 mm'", "rod_ratio = 0.3").replace(from, to);
+        let text = if from.starts_with("rod") { SPARK.replace(from, to) } else { text };
+        let text = format!("speed = 3000\n{text}dead_centre = 'piston'\n[flywheel]\ninertia = '1e-30'");
+        if let Ok(torque) = crankstar::torque::torque(&engine(&text)) {
+            let document = crankstar::report::torque_document(&engine(&text), &torque);
+            let json = serde_json::to_string(&document).expect("a document");
+            assert!(torque.mean.is_finite() && torque.highest.value.is_finite(), "{text}\n{json}");
+            assert!(torque.balance < 1e-6, "{} {text}", torque.balance);
+        }
+    }
+}

@@ -131,8 +131,8 @@ struct Bodies {
 const AMBIENT: f64 = 101_325.0;
 
 impl Bodies {
-    /// Torque on the crank and moment on the frame, by Newton's law for the piston: along its axis the rod's push balances gas and inertia.
-    fn moments(&self, theta: f64, omega: f64, tables: &[Vec<f64>]) -> (f64, f64) {
+    /// Torque on the crank, moment on the frame and force of the wall on the piston, by Newton's law for the piston: along its axis the rod's push balances gas and inertia.
+    fn moments(&self, theta: f64, omega: f64, tables: &[Vec<f64>]) -> [f64; 3] {
         let degrees = theta - self.fires;
         let psi = degrees.to_radians();
         let (sin, cos) = psi.sin_cos();
@@ -152,7 +152,7 @@ impl Bodies {
         // Head and wall are pushed by gas and piston, at the offset and at the piston's place; the main bearings have no lever.
         let wall = push * direction.1;
         let roll = (pin.0 + along) * wall - self.offset * gas;
-        (torque, roll)
+        [torque, roll, -wall]
     }
 }
 
@@ -245,8 +245,8 @@ fn the_torque_of_a_hundred_random_engines_is_that_of_their_bodies() {
     for _ in 0..100 {
         let (text, bodies, tables, omega) = random(&mut dice);
         let torque = torque_of(&text);
-        let model = |theta: f64| -> f64 { bodies.iter().map(|body| body.moments(theta, omega, &tables).0).sum() };
-        let rolled = |theta: f64| -> f64 { bodies.iter().map(|body| body.moments(theta, omega, &tables).1).sum() };
+        let model = |theta: f64| -> f64 { bodies.iter().map(|body| body.moments(theta, omega, &tables)[0]).sum() };
+        let rolled = |theta: f64| -> f64 { bodies.iter().map(|body| body.moments(theta, omega, &tables)[1]).sum() };
         let cycle = torque.course.period().to_degrees().round();
         let mut sums = [num_complex::Complex::new(0.0, 0.0); 9];
         let revolutions = cycle / 360.0;
@@ -270,6 +270,29 @@ fn the_torque_of_a_hundred_random_engines_is_that_of_their_bodies() {
             assert_near(torque.course.roll(theta.to_radians()), rolled(theta), 1e-9 * scale);
         }
         assert_near(torque.mean, sums[0].re, 1e-9 * scale);
+        for class in &torque.classes {
+            // At rest there is gas alone; the first degree of its own cycle is that of its firing.
+            let body = &bodies[class.cylinders[0]];
+            let wall = |psi: f64| body.moments(body.fires + psi, 0.0, &tables)[2];
+            let mut side = [num_complex::Complex::new(0.0, 0.0); 7];
+            for psi in 0..cycle as usize {
+                for (point, weight) in POINTS {
+                    let psi = psi as f64 + point;
+                    let value = wall(psi) * weight / cycle;
+                    for (index, sum) in side.iter_mut().enumerate() {
+                        *sum += num_complex::Complex::cis(-psi.to_radians() * index as f64 / revolutions) * value;
+                    }
+                }
+            }
+            let largest = class.harmonics.force.iter().map(|one| one.norm()).fold(0.0, f64::max);
+            for (index, sum) in side.iter().enumerate() {
+                let wanted = sum * if index == 0 { 1.0 } else { 2.0 };
+                assert_near((class.harmonics.side[index] - wanted).norm(), 0.0, 1e-9 * largest);
+            }
+            for psi in [0.0_f64, 33.3, 211.7] {
+                assert_near(class.gas.side(psi.to_radians()), wall(psi), 1e-9 * largest);
+            }
+        }
         for (index, sum) in sums.iter().enumerate().skip(1) {
             assert_near((torque.orders[index - 1].total() - sum * 2.0).norm(), 0.0, 1e-9 * scale);
         }

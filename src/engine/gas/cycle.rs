@@ -148,6 +148,14 @@ impl IdealCycle {
                 &self.intake_closes,
             );
         }
+        if !again.is_positive() {
+            let whole = -cycle.turns();
+            return refuse(
+                Setting::IntakeCloses,
+                "the intake closes more than a cycle before it fires, before",
+                &whole,
+            );
+        }
         if self.combustion_starts < self.intake_closes {
             return refuse(Setting::CombustionStarts, "it burns before the intake closes at", &self.intake_closes);
         }
