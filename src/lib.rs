@@ -32,7 +32,7 @@
 //! page
 //! claim
 //! accuracy  remedy  optimise  sweep  search  torque
-//! loads  family
+//! loads  family  firing
 //! verdict
 //! order  numbers  gas
 //! file
@@ -42,7 +42,7 @@
 //! ```
 //!
 //! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
-//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `order`, `text` and `verdict`.
+//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `firing`, `order`, `text` and `verdict`.
 //!
 //! # Features
 //!
@@ -65,6 +65,8 @@ pub mod engine;
 pub mod exact;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod file;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod firing;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod order;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]

@@ -4,7 +4,9 @@ use num_rational::BigRational;
 
 use super::absolute::Absolute;
 use super::possible::Witness;
+use crate::engine::CycleOrder;
 use crate::exact::PhasorSum;
+use crate::firing::{FiringStar, StarOrder};
 use crate::loads::BearingLoads;
 use crate::proof::Certificate;
 use crate::verdict::{OrderBalance, TorquePart, Verdict};
@@ -54,6 +56,8 @@ pub enum Condition {
 pub enum Evidence {
     /// A verdict of the engine.
     Verdict(Verdict),
+    /// A firing star of an order.
+    FiringStar(CycleOrder, FiringStar),
     /// A further sum that vanishes or does not.
     Comparison {
         /// What the sum is.
@@ -75,6 +79,7 @@ impl Evidence {
     pub fn sum(&self) -> &PhasorSum {
         match self {
             Evidence::Verdict(verdict) => &verdict.sum,
+            Evidence::FiringStar(_, star) => &star.sum,
             Evidence::Comparison { sum, .. } => sum,
         }
     }
@@ -83,6 +88,7 @@ impl Evidence {
     pub fn certificate(&self) -> &Certificate {
         match self {
             Evidence::Verdict(verdict) => &verdict.certificate,
+            Evidence::FiringStar(_, star) => &star.certificate,
             Evidence::Comparison { certificate, .. } => certificate,
         }
     }
@@ -111,6 +117,8 @@ pub enum Finding {
         /// The first that does not vanish.
         first: Option<Box<OrderBalance>>,
     },
+    /// Firing stars: those asked about, or the strongest of minor orders.
+    FiringStars(Vec<StarOrder>),
     /// The firing intervals in turns, where the layout says them.
     Firing(Option<Vec<BigRational>>),
     /// A value in newtons or newton-metres.

@@ -1,8 +1,8 @@
 //! Which claim do these words make? A small grammar, described in the room's README.
 
-use super::possible;
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
+use super::{gas_torque, possible};
 use crate::engine::HIGHEST_ORDER;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
@@ -53,7 +53,11 @@ const SHAPES: [(&str, Shape); 5] = [
 pub fn parse_statement(text: &str) -> Result<Statement, ClaimError> {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = words.trim_end_matches('.');
-    match words.to_lowercase().as_str() {
+    let lower = words.to_lowercase();
+    if let Some(claim) = gas_torque::parse(&lower) {
+        return claim;
+    }
+    match lower.as_str() {
         "fires evenly" => return Ok(Statement::FiresEvenly { evenly: true }),
         "does not fire evenly" => return Ok(Statement::FiresEvenly { evenly: false }),
         "no free moment" | "no free moments" => return Ok(Statement::NoFreeMoment),

@@ -13,6 +13,7 @@ mod every;
 mod file;
 mod firing;
 mod free;
+mod gas_torque;
 mod grammar;
 mod masses;
 mod order;
@@ -32,7 +33,7 @@ pub use grammar::{ClaimError, parse_statement};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use statement::{
-    Angle, Balanced, Bearing, Orders, Possible, Predicate, Statement, Subject, Tolerance, Unit, Value,
+    Angle, Balanced, Bearing, GasTorque, Orders, Possible, Predicate, Statement, Subject, Tolerance, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
@@ -45,6 +46,7 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
+        | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => false,
     };
     if of_orders && engine.mechanisms().len() > 1 {
@@ -58,6 +60,7 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         Statement::CrankshaftMass(mass) => masses::crankshaft(engine, mass),
         Statement::BearingLoad(value) => masses::bearing_load(engine, value),
         Statement::WorstBearings(numbers) => masses::worst_bearings(engine, numbers),
+        Statement::GasTorque { orders, says, weights } => gas_torque::answer(engine, orders, *says, weights),
         Statement::FiresEvenly { evenly } => firing::answer(engine, *evenly),
     }
 }

@@ -2,6 +2,8 @@
 
 use num_rational::BigRational;
 
+use crate::engine::CycleOrder;
+use crate::firing::Weights;
 use crate::numbers::Form;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
@@ -33,11 +35,29 @@ pub enum Statement {
     BearingLoad(Value),
     /// The main bearings, by their numbers from 1, each of which feels a larger force than any other.
     WorstBearings(Vec<usize>),
+    /// Orders of the gas torque, for every pressure law that the cylinders share.
+    GasTorque {
+        /// Which orders.
+        orders: Vec<CycleOrder>,
+        /// What is said of them.
+        says: GasTorque,
+        /// For a rigid crankshaft, or in a mode of torsional vibration.
+        weights: Weights,
+    },
     /// Whether the firing intervals are equal.
     FiresEvenly {
         /// False where the claim denies it.
         evenly: bool,
     },
+}
+
+/// What is said of orders of the gas torque.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GasTorque {
+    /// Each of them vanishes, or (false) none of them does.
+    Vanishes(bool),
+    /// They are the minor orders with the longest stars, mirror images not counted.
+    StrongestMinor,
 }
 
 /// What counterweights in one plane or two are said to be able to do, each at the crank radius and turned as it may.

@@ -8,6 +8,7 @@ use crankstar::report;
 use crankstar::verdict;
 
 use super::failure::Failure;
+use super::firing::{self, ModeShape};
 use super::masses::Masses;
 use super::pages::shown;
 use super::spoken::Spoken;
@@ -30,6 +31,11 @@ pub struct Classify {
     /// Judge the inertia torque too
     #[arg(long)]
     torque: bool,
+    /// Judge the firing stars, the orders of the gas torque, instead: half orders too in a four-stroke engine
+    #[arg(long, conflicts_with_all = ["torque", "masses"])]
+    firing: bool,
+    #[command(flatten)]
+    mode: ModeShape,
     #[command(flatten)]
     spoken: Spoken,
 }
@@ -37,6 +43,12 @@ pub struct Classify {
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
+        if self.firing {
+            return self.run_firing();
+        }
+        if self.mode.is_given() {
+            return Err(Failure::new("--mode-shape weighs firing stars; add --firing"));
+        }
         let (layout, orders) = self.about.read()?;
         let engine = match layout {
             Layout::Known(engine, _) => engine,
@@ -52,6 +64,15 @@ impl Classify {
         let theorem = theorem.transpose().map_err(Failure::new)?;
         let document = report::document(&engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
         write::to_stdout(&proved(&document)?)
+    }
+
+    fn run_firing(&self) -> Result<(), Failure> {
+        let engine = firing::engine(&self.about.layout)?;
+        let study = firing::study(&engine, &self.about.orders, &self.mode)?;
+        match self.json {
+            true => write::to_stdout(&proved(&report::firing_document(&study, self.all_orders))?),
+            false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language())),
+        }
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {

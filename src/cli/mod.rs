@@ -8,6 +8,7 @@ mod classify;
 mod compare;
 mod failure;
 mod figure;
+mod firing;
 mod folder;
 mod layouts;
 mod list;
@@ -33,7 +34,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crankstar::engine::Family;
+use crankstar::engine::{CycleOrder, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
@@ -74,6 +75,8 @@ enum Command {
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
+    /// Judge the orders of the gas torque by their firing stars
+    Firing(firing::Firing),
     /// Compute what the main bearings feel
     Bearings(bearings::Bearings),
     /// Compute the torque of gas and inertia, and the flywheel
@@ -113,22 +116,37 @@ struct EngineAndOrders {
     /// A name of the catalogue, or the path of a layout file
     layout: PathBuf,
     /// The orders to judge [default: those of the layout file, else 1,2,4,6 and what exists and matters besides]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
-    orders: Vec<u32>,
+    #[arg(long, value_delimiter = ',')]
+    orders: Vec<CycleOrder>,
 }
 
 impl EngineAndOrders {
+    /// The orders that were asked for.
+    fn asked(&self) -> Result<Vec<u32>, Failure> {
+        self.orders.iter().map(|&order| whole(order)).collect()
+    }
+
     /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
         let layout = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &layout) {
             ([], Layout::Known(engine, _)) => usual_orders(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
-            (asked, _) => asked.to_vec(),
+            (_, _) => self.asked()?,
         };
         orders.sort_unstable();
         orders.dedup();
         Ok((layout, orders))
+    }
+}
+
+/// Half orders are those of the gas torque.
+fn whole(order: CycleOrder) -> Result<u32, Failure> {
+    match order.is_whole() {
+        true => Ok(order.halves() / 2),
+        false => Err(Failure::new(format!(
+            "order {order} is one of the gas torque, which `classify --firing` and `firing` judge; forces and moments have whole orders"
+        ))),
     }
 }
 
@@ -157,6 +175,7 @@ pub fn run() -> ExitCode {
         Command::Classify(classify) => classify.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
+        Command::Firing(firing) => firing.run().map(done),
         Command::Torque(torque) => torque.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),

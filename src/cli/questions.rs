@@ -7,7 +7,7 @@ use clap::Command;
 /// The questions, each with the commands that answer it.
 const QUESTIONS: [(&str, &[&str]); 8] = [
     ("Which engine?", &["list", "atlas"]),
-    ("How does it balance?", &["classify", "report", "figure"]),
+    ("How does it balance?", &["classify", "firing", "report", "figure"]),
     ("How large is it?", &["loads", "bearings", "torque", "accuracy"]),
     ("What cures it?", &["remedy", "optimise"]),
     ("How does it change?", &["sweep"]),

@@ -53,11 +53,20 @@ pub struct Search {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Cycle {
+pub enum Cycle {
     /// Every cylinder fires once a revolution
     TwoStroke,
     /// Every cylinder fires once in two revolutions
     FourStroke,
+}
+
+impl From<Cycle> for engine::Cycle {
+    fn from(cycle: Cycle) -> Self {
+        match cycle {
+            Cycle::TwoStroke => engine::Cycle::TwoStroke,
+            Cycle::FourStroke => engine::Cycle::FourStroke,
+        }
+    }
 }
 
 impl Search {
@@ -83,10 +92,7 @@ impl Search {
     }
 
     fn problem(&self) -> Result<Problem, Failure> {
-        let cycle = match self.cycle {
-            Cycle::TwoStroke => engine::Cycle::TwoStroke,
-            Cycle::FourStroke => engine::Cycle::FourStroke,
-        };
+        let cycle = self.cycle.into();
         let mut orders = self.orders.clone();
         orders.sort_unstable();
         orders.dedup();

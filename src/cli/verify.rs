@@ -58,7 +58,7 @@ fn unreadable(name: &str, error: &Unreadable) -> Failure {
     match error {
         Unreadable::TooLarge(_) => Failure::new(format!("{name} is larger than 4 MiB, which is not read")),
         error => Failure::new(format!(
-            "{name} is no output of `classify --json`, `remedy --json`, `loads --json` or `compare --json`: {error}"
+            "{name} is no output of `classify --json`, `remedy --json`, `loads --json`, `compare --json` or `classify --firing --json`: {error}"
         )),
     }
 }
@@ -74,12 +74,15 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
         (AnyDocument::Remedy(_), Layout::Known(layout, _)) => {
             AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)
         }
+        (AnyDocument::Firing(own), Layout::Known(layout, _)) => {
+            AnyDocument::Firing(report::firing_engine(&layout, own).map_err(Failure::new)?)
+        }
         (AnyDocument::Family(_), Layout::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
         (AnyDocument::Evidence(_), _) => {
             return Err(Failure::new(format!("{name} holds documents of engines; --engine compares one of its own")));
         }
         (AnyDocument::Family(_), Layout::Known(..)) => return Err(other("a family with open angles or lengths")),
-        (AnyDocument::Classify(_) | AnyDocument::Remedy(_), Layout::Open(_)) => {
+        (AnyDocument::Classify(_) | AnyDocument::Remedy(_) | AnyDocument::Firing(_), Layout::Open(_)) => {
             return Err(other("an engine without unknowns"));
         }
     };
@@ -97,10 +100,18 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
 fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
     let title = crankstar::text::harmless(document.title());
-    let orders: Vec<String> = checked.orders.iter().map(u32::to_string).collect();
+    let orders: Vec<String> = checked.orders.iter().map(ToString::to_string).collect();
     let quantities: Vec<&str> = checked.quantities.iter().map(|quantity| quantity.name()).collect();
     let masses: Vec<&str> = checked.masses.iter().map(|masses| masses.name()).collect();
-    let weights = if matches!(document, AnyDocument::Remedy(_)) { ", with the weights of the remedy" } else { "" };
+    let about = match document {
+        AnyDocument::Firing(_) => "firing stars".to_owned(),
+        AnyDocument::Classify(_) | AnyDocument::Family(_) | AnyDocument::Evidence(_) => {
+            format!("{} of {}", quantities.join(", "), masses.join(", "))
+        }
+        AnyDocument::Remedy(_) => {
+            format!("{} of {}, with the weights of the remedy", quantities.join(", "), masses.join(", "))
+        }
+    };
     let wholes = match (checked.wholes, checked.open_wholes) {
         (0, _) => String::new(),
         (wholes, 0) => format!("{wholes} whole orders, "),
@@ -108,7 +119,7 @@ fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
     };
     let mut lines = vec![
         format!("{title}: all {} certificates hold", checked.counts.certificates()),
-        format!("  about: {} of {}{weights}", quantities.join(", "), masses.join(", ")),
+        format!("  about: {about}"),
         format!("  orders: {}, each with all its verdicts", orders.join(", ")),
         format!("  zero: {polygons}, by polygons; not zero: {residues} by a residue, {splittings} by a splitting"),
         format!(

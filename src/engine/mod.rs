@@ -4,6 +4,7 @@
 
 mod build;
 mod crankshaft;
+mod cycle_order;
 mod cylinder;
 mod dimensions;
 mod draft;
@@ -22,6 +23,7 @@ mod title_block;
 
 pub use build::{BuildError, MOST_CYLINDERS};
 pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
+pub use cycle_order::{CycleOrder, NotACycleOrder};
 pub use cylinder::Cylinder;
 pub use dimensions::{Dimensions, Given, Measure};
 pub use draft::{Draft, ReferencePlane};

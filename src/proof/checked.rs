@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use num_rational::BigRational;
+
 use super::audit::Counts;
 use super::document::Document;
-use super::engine::{Masses, Quantity};
+use super::engine::{Masses, Quantity, RodStatement};
+use super::firing::FiringDocument;
 use super::open::OpenDocument;
 use super::remedy::RemedyDocument;
 use super::whole_sum::{WholeClaim, WholeOutcome};
@@ -14,8 +17,8 @@ use super::whole_sum::{WholeClaim, WholeOutcome};
 pub struct Checked {
     /// Whose masses; of several documents all, each once.
     pub masses: Vec<Masses>,
-    /// The orders.
-    pub orders: Vec<u32>,
+    /// The orders; of firing stars half ones too.
+    pub orders: Vec<BigRational>,
     /// The quantities.
     pub quantities: Vec<Quantity>,
     /// Certificates and decimals.
@@ -40,6 +43,11 @@ const OUTSIDE: &str = "the numbers outside of `evidence`, such as newtons and de
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
+const ONE_LAW: &str =
+    "the pressure: a star that vanishes is about every law that all its cylinders share, with pistons of one size";
+const TWIST: &str = "the twist of the crankshaft, which is taken to be rigid";
+const EQUAL_RODS_OF_FIRING: &str = "that the rods are equal: the document names none";
+
 impl Checked {
     pub(super) fn classify(document: &Document, counts: Counts) -> Self {
         let rods_known = document.rods().is_ok_and(|rods| rods.is_some());
@@ -50,7 +58,7 @@ impl Checked {
         };
         Checked {
             masses: vec![document.masses],
-            orders: document.orders.clone(),
+            orders: exact(&document.orders),
             quantities: document.quantities.clone(),
             counts,
             wholes: document.wholes.len(),
@@ -65,7 +73,7 @@ impl Checked {
         let open = (!all_solved).then_some(NOT_SOLVED);
         Checked {
             masses: vec![document.masses],
-            orders: document.orders.clone(),
+            orders: exact(&document.orders),
             quantities: document.quantities.clone(),
             counts,
             wholes: 0,
@@ -80,7 +88,7 @@ impl Checked {
         let unknown = (!rods_known).then_some(EQUAL_RODS);
         Checked {
             masses: vec![document.masses],
-            orders: document.orders.clone(),
+            orders: exact(&document.orders),
             quantities: document.quantities.clone(),
             counts,
             wholes: 0,
@@ -88,6 +96,23 @@ impl Checked {
             shapes: 0,
             theorems: 0,
             not_covered: [WEIGHTS].into_iter().chain(unknown).collect(),
+        }
+    }
+
+    pub(super) fn firing(document: &FiringDocument, counts: Counts) -> Self {
+        let rods_known = document.cylinders.iter().all(|cylinder| cylinder.rod != RodStatement::Unknown);
+        let unknown = (!rods_known).then_some(EQUAL_RODS_OF_FIRING);
+        let rigid = (!document.has_mode_shape()).then_some(TWIST);
+        Checked {
+            masses: Vec::new(),
+            orders: document.orders.clone(),
+            quantities: Vec::new(),
+            counts,
+            wholes: 0,
+            open_wholes: 0,
+            shapes: 0,
+            theorems: usize::from(document.pattern.is_some()),
+            not_covered: [ONE_LAW].into_iter().chain(rigid).chain(unknown).collect(),
         }
     }
 
@@ -107,6 +132,10 @@ impl Checked {
             not_covered: once(each.iter().flat_map(|one| one.not_covered.clone()).chain([OUTSIDE])),
         }
     }
+}
+
+fn exact(orders: &[u32]) -> Vec<BigRational> {
+    orders.iter().map(|&order| BigRational::from_integer(order.into())).collect()
 }
 
 fn once<T: Ord>(all: impl Iterator<Item = T>) -> Vec<T> {

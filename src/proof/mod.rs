@@ -18,6 +18,8 @@ mod document_check;
 mod enclosure;
 mod engine;
 mod evidence;
+mod firing;
+mod firing_check;
 mod fraction;
 mod judged;
 mod open;
@@ -45,6 +47,8 @@ pub use document::Document;
 pub use document_check::check_document;
 pub use engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, Sense, TurningMassClaim};
 pub use evidence::EvidenceDocument;
+pub use firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim, PatternVerdict};
+pub use firing_check::check_firing_document;
 pub use open::{
     AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
     SumClaim, WhenClaim,

@@ -14,6 +14,8 @@ use super::checked::Checked;
 use super::document::Document;
 use super::document_check::check_document;
 use super::evidence::EvidenceDocument;
+use super::firing::FiringDocument;
+use super::firing_check::check_firing_document;
 use super::fraction::MOST_DIGITS;
 use super::open::OpenDocument;
 use super::open_check::check_open_document;
@@ -34,6 +36,9 @@ pub enum Format {
     /// A remedy.
     #[serde(rename = "crankstar remedy 2")]
     Remedy,
+    /// Firing stars of an engine.
+    #[serde(rename = "crankstar firing 1")]
+    Firing,
     /// Numbers of one engine, with the verdicts on it.
     #[serde(rename = "crankstar loads 2")]
     Loads,
@@ -55,6 +60,8 @@ pub enum AnyDocument {
     Family(OpenDocument),
     /// A remedy.
     Remedy(RemedyDocument),
+    /// Firing stars of an engine.
+    Firing(FiringDocument),
     /// Numbers, with verdicts as their evidence.
     Evidence(EvidenceDocument),
 }
@@ -90,7 +97,7 @@ impl fmt::Display for Unreadable {
             Unreadable::Format(Some(name)) => write!(
                 f,
                 "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
-                 \"crankstar remedy 2\", \"crankstar loads 2\", \"crankstar compare 2\" and \"crankstar sweep 2\""
+                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 2\", \"crankstar compare 2\" and \"crankstar sweep 2\""
             ),
         }
     }
@@ -118,6 +125,7 @@ pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
         Format::Classify => typed(&tree).map(AnyDocument::Classify),
         Format::Family => typed(&tree).map(AnyDocument::Family),
         Format::Remedy => typed(&tree).map(AnyDocument::Remedy),
+        Format::Firing => typed(&tree).map(AnyDocument::Firing),
         Format::Loads | Format::Compare | Format::Sweep => {
             EvidenceDocument::read(format, tree).map(AnyDocument::Evidence)
         }
@@ -131,6 +139,7 @@ impl AnyDocument {
             AnyDocument::Classify(document) => &document.title,
             AnyDocument::Family(document) => &document.title,
             AnyDocument::Remedy(document) => &document.title,
+            AnyDocument::Firing(document) => &document.title,
             AnyDocument::Evidence(document) => document.title(),
         }
     }
@@ -144,6 +153,7 @@ impl AnyDocument {
             AnyDocument::Classify(document) => check_document(document),
             AnyDocument::Family(document) => check_open_document(document),
             AnyDocument::Remedy(document) => check_remedy_document(document),
+            AnyDocument::Firing(document) => check_firing_document(document),
             AnyDocument::Evidence(document) => document.check(),
         }
     }
@@ -152,7 +162,7 @@ impl AnyDocument {
     pub fn engine_difference(&self, other: &AnyDocument) -> Option<Difference> {
         let engine = |document: &AnyDocument| {
             let Ok(Value::Object(fields)) = serde_json::to_value(document) else { return Value::Null };
-            let is_engine = |key: &str| ["reference_plane", "cylinders", "turning_masses"].contains(&key);
+            let is_engine = |key: &str| ["cycle", "reference_plane", "cylinders", "turning_masses"].contains(&key);
             Value::Object(fields.into_iter().filter(|(key, _)| is_engine(key)).collect())
         };
         difference("", &engine(self), &engine(other))

@@ -97,7 +97,8 @@ pub(super) fn check_verdict(
     Ok(sum)
 }
 
-fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reason> {
+/// Whether the terms are these, by the names of their sources.
+pub(super) fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reason> {
     if terms.len() != right.len() {
         return Err(format!("{} terms for {} sources", terms.len(), right.len()).into());
     }

@@ -16,6 +16,7 @@ mod engine_page;
 mod example;
 mod family_page;
 mod figures;
+mod firing;
 mod firmness;
 mod loads_document;
 pub mod moving;
@@ -56,6 +57,10 @@ pub use engine_page::{Contents, engine_answer, engine_page};
 pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use figures::{NamedPicture, figures, sweep_figures};
+pub use firing::{
+    FiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document, firing_engine,
+    firing_page, run_as as run_in_cycle,
+};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]

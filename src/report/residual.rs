@@ -12,12 +12,13 @@ use crate::order::{self, Factor, MassGroup, Masses};
 use crate::page::{Text, phrase};
 use crate::proof::Shape;
 use crate::verdict::{
-    Balance, Class, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, Verdict, WholeOrder,
+    Balance, Class, JudgedStar, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, WholeOrder,
 };
 
-/// `|S|` of a verdict.
-pub(super) fn modulus(verdict: &Verdict) -> Amount {
-    if verdict.vanishes() { Amount::zero() } else { modulus_of(&verdict.sum) }
+/// `|S|` of a star.
+pub(super) fn modulus<'a>(judged: impl Into<JudgedStar<'a>>) -> Amount {
+    let judged = judged.into();
+    if judged.vanishes() { Amount::zero() } else { modulus_of(judged.sum) }
 }
 
 /// `|S|` of a sum that is not zero.

@@ -4,12 +4,11 @@
 //! couples, each times its distance from the middle, over the rod length (makers' project guides of large two-strokes, section 17.05).
 
 use num_complex::Complex;
-use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::EngineTorque;
 use super::order::star;
-use crate::engine::{Engine, Mechanism};
+use crate::engine::{CycleOrder, Engine, Mechanism};
 use crate::loads::Arm;
 use crate::numbers;
 
@@ -17,7 +16,7 @@ use crate::numbers;
 #[derive(Clone, Debug)]
 pub struct GuideMoments {
     /// The order κ.
-    pub order: BigRational,
+    pub order: CycleOrder,
     /// H, which rocks the frame; none where it vanishes exactly.
     pub rocking: Option<f64>,
     /// X, which twists it; none where it vanishes exactly.
@@ -43,7 +42,7 @@ pub fn guide_moments(engine: &Engine, torque: &EngineTorque) -> Option<Vec<Guide
         let arms: Vec<_> = torque
             .classes
             .iter()
-            .map(|class| star(class, &order.order, |index| engine.arm(&engine.cylinders()[index])))
+            .map(|class| star(class, order.order, |index| engine.arm(&engine.cylinders()[index])))
             .collect();
         let couple = |class: &super::Class| -> Complex<f64> {
             class.harmonics.torque[place + 1] + class.inertia_at(place + 1, revolutions).unwrap_or_default()
@@ -56,7 +55,7 @@ pub fn guide_moments(engine: &Engine, torque: &EngineTorque) -> Option<Vec<Guide
             .map(|((class, star), length)| couple(class) * numbers::evaluate(star) / length)
             .sum();
         GuideMoments {
-            order: order.order.clone(),
+            order: order.order,
             rocking: (!order.vanishes).then(|| order.total().norm()),
             twisting: arms.iter().any(|star| !star.vanishes()).then(|| sum.norm()),
         }

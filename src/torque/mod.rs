@@ -1,7 +1,7 @@
 //! Which torque does the engine give, how evenly does it turn, and what flywheel does it need?
 //!
 //! Each cylinder gives the torque of its gas and of its inertia, by its own angle ψ = θ − φ_j, φ_j where it fires. Equal cylinders
-//! are one class: the order κ of a class is `Re t_κ S_κ e^{iκθ}`, its star `S_κ = Σ e^{−iκφ_j}` exact (theory, section 11).
+//! are one class: the order κ of a class is `Re t_κ S_κ e^{iκθ}`, its star `S_κ = Σ e^{−iκφ_j}` exact (theory, section 12).
 
 mod class;
 mod course;
@@ -16,8 +16,6 @@ pub use evenness::{Evenness, evenness};
 pub use guide::{GuideMoments, guide_moments};
 pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
-
-use num_traits::ToPrimitive;
 
 use crate::engine::Engine;
 use crate::gas::Warning;
@@ -86,7 +84,7 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
 /// The sum of the orders at an angle.
 fn series(orders: &[TorqueOrder], theta: f64) -> f64 {
     let at = |order: &TorqueOrder| {
-        let kappa = order.order.to_f64().unwrap_or(f64::NAN);
+        let kappa = f64::from(order.order.halves()) / 2.0;
         (order.total() * num_complex::Complex::cis(kappa * theta)).re
     };
     orders.iter().filter(|order| !order.vanishes).map(at).sum()

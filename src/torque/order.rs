@@ -4,14 +4,15 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use super::class::Class;
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::engine::CycleOrder;
+use crate::exact::{PhasorSum, Term};
 use crate::numbers;
 
 /// One order: `Re(vector · e^{iκθ})`, in newton-metres.
 #[derive(Clone, Debug)]
 pub struct TorqueOrder {
     /// The order κ: a half, or whole.
-    pub order: BigRational,
+    pub order: CycleOrder,
     /// That of the gas.
     pub gas: Complex<f64>,
     /// That of the inertia: zero at halves; none where it is not known.
@@ -30,37 +31,35 @@ impl TorqueOrder {
 }
 
 /// The stars of an order, each cylinder weighed: `Σ w_j e^{−iκφ_j}`.
-pub(super) fn star(class: &Class, order: &BigRational, weight: impl Fn(usize) -> BigRational) -> PhasorSum {
+pub(super) fn star(class: &Class, order: CycleOrder, weight: impl Fn(usize) -> BigRational) -> PhasorSum {
     let terms = class.cylinders.iter().zip(&class.fires);
-    PhasorSum::new(
-        terms.map(|(&index, fires)| Term { angle: Turn::new(-(fires * order)), weight: weight(index) }).collect(),
-    )
+    PhasorSum::new(terms.map(|(&index, fires)| Term { angle: -&order.times(fires), weight: weight(index) }).collect())
 }
 
 /// The orders of these classes, from the first on.
 pub fn orders(classes: &[Class]) -> Vec<TorqueOrder> {
     let Some(first) = classes.first() else { return Vec::new() };
     let revolutions = first.harmonics.revolutions;
-    (1..first.harmonics.torque.len()).map(|index| order(classes, index, revolutions as usize)).collect()
+    (1..first.harmonics.torque.len()).filter_map(|index| order(classes, index, revolutions as usize)).collect()
 }
 
-fn order(classes: &[Class], index: usize, revolutions: usize) -> TorqueOrder {
-    let order = BigRational::new(index.into(), revolutions.into());
+fn order(classes: &[Class], index: usize, revolutions: usize) -> Option<TorqueOrder> {
+    let order = CycleOrder::of_halves(u32::try_from(2 * index / revolutions).ok()?)?;
     let one = BigRational::from_integer(1.into());
-    let stars: Vec<PhasorSum> = classes.iter().map(|class| star(class, &order, |_| one.clone())).collect();
+    let stars: Vec<PhasorSum> = classes.iter().map(|class| star(class, order, |_| one.clone())).collect();
     let zero = Complex::new(0.0, 0.0);
     let values: Vec<Complex<f64>> =
         stars.iter().map(|star| if star.vanishes() { zero } else { numbers::evaluate(star) }).collect();
     let sum = |of: &dyn Fn(&Class) -> Option<Complex<f64>>| -> Option<Complex<f64>> {
         classes.iter().zip(&values).map(|(class, star)| Some(of(class)? * star)).sum()
     };
-    TorqueOrder {
+    Some(TorqueOrder {
         gas: sum(&|class| Some(class.harmonics.torque[index])).unwrap_or_default(),
         inertia: sum(&|class| class.inertia_at(index, revolutions)),
         vanishes: stars.iter().all(PhasorSum::vanishes),
         order,
         stars,
-    }
+    })
 }
 
 impl Class {

@@ -35,6 +35,33 @@ impl Verdict {
     }
 }
 
+/// A star with its evidence, whatever order it is of: what an argument is made from, and a drawing.
+#[derive(Clone, Copy, Debug)]
+pub struct JudgedStar<'a> {
+    /// Of force, moment or torque.
+    pub quantity: Quantity,
+    /// Whose vectors they are.
+    pub sources: &'a [Source],
+    /// The sum, one term per source.
+    pub sum: &'a PhasorSum,
+    /// The evidence.
+    pub certificate: &'a Certificate,
+}
+
+impl JudgedStar<'_> {
+    /// Whether the sum is zero.
+    pub fn vanishes(&self) -> bool {
+        self.certificate.claims_zero()
+    }
+}
+
+impl<'a> From<&'a Verdict> for JudgedStar<'a> {
+    fn from(verdict: &'a Verdict) -> Self {
+        let Verdict { quantity, sources, sum, certificate, .. } = verdict;
+        JudgedStar { quantity: *quantity, sources, sum, certificate }
+    }
+}
+
 /// The two vectors of one order of the force or the moment, and what their sum traces.
 #[derive(Clone, Debug)]
 pub struct Balance {

@@ -7,7 +7,7 @@ mod reason;
 mod theorem;
 mod whole;
 
-pub use balance::{Balance, Class, Verdict};
+pub use balance::{Balance, Class, JudgedStar, Verdict};
 pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
 pub use judgement::{Judgement, NotJudged};
 pub use reason::{

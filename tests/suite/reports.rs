@@ -162,6 +162,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "claims",
                 "examples",
                 "families",
+                "firing",
                 "grigoryev",
                 "optimise",
                 "stability",

@@ -14,7 +14,7 @@ const STOREYS: [&[&str]; 12] = [
     &["file"],
     &["order", "numbers", "gas"],
     &["verdict"],
-    &["loads", "family"],
+    &["loads", "family", "firing"],
     &["accuracy", "remedy", "optimise", "sweep", "search", "torque"],
     &["claim"],
     &["page"],

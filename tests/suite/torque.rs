@@ -331,7 +331,7 @@ fn an_order_whose_star_vanishes_is_zero_at_any_pressure() {
         torque.orders.iter().filter(|order| order.vanishes).take(3).map(|order| order.order.to_string()).collect()
     };
     // 360-360, and 180-540: the half order is not zero.
-    assert_eq!(zeros(&twin("firing_angles = [0, 360]", "[0, 0]")), ["1/2", "3/2", "5/2"]);
+    assert_eq!(zeros(&twin("firing_angles = [0, 360]", "[0, 0]")), ["½", "1½", "2½"]);
     assert_eq!(zeros(&twin("firing_angles = [0, 180]", "[0, 180]")), ["1", "3", "5"]);
     // A cylinder that misfires belongs to no class of the others: nothing is proved.
     let misfire = SPARK.replace("throws = [0]", "throws = [0, 180, 180, 0]").replace("'1'", "'1-3-4-2'")

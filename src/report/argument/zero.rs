@@ -10,7 +10,7 @@ use crate::exact::Turn;
 use crate::order::Source;
 use crate::page::{Number, Text, phrase};
 use crate::proof::{Polygon, Quantity};
-use crate::verdict::{Verdict, corners, mirror_partners, opposed_partners};
+use crate::verdict::{JudgedStar, corners, mirror_partners, opposed_partners};
 
 /// A mirror plane across the crankshaft.
 pub(super) fn mirror(engine: &Engine) -> Text {
@@ -25,10 +25,10 @@ pub(super) fn mirror(engine: &Engine) -> Text {
 }
 
 /// Vectors that are equally long and opposite, two by two.
-pub(super) fn opposed(engine: &Engine, verdict: &Verdict) -> Text {
-    let partners = opposed_partners(&verdict.sum).unwrap_or_default();
-    let pairs = pairs(engine, &verdict.sources, partners.into_iter());
-    match (verdict.quantity, pairs.len()) {
+pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
+    let partners = opposed_partners(star.sum).unwrap_or_default();
+    let pairs = pairs(engine, star.sources, partners.into_iter());
+    match (star.quantity, pairs.len()) {
         (Quantity::Moment, 1) => phrase!(
             "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel.",
             listed(pairs)
@@ -54,9 +54,9 @@ fn pairs(engine: &Engine, sources: &[Source], indices: impl Iterator<Item = (usi
 }
 
 /// Each direction with the weights that cancel on it.
-pub(super) fn cancelling(engine: &Engine, verdict: &Verdict) -> Text {
+pub(super) fn cancelling(engine: &Engine, star: JudgedStar<'_>) -> Text {
     let mut directions: Vec<(&Turn, Vec<(Source, &BigRational)>)> = Vec::new();
-    for (source, term) in verdict.sources.iter().zip(verdict.sum.terms()) {
+    for (source, term) in star.sources.iter().zip(star.sum.terms()) {
         let entry = (*source, &term.weight);
         match directions.iter_mut().find(|(angle, _)| *angle == &term.angle) {
             Some((_, members)) => members.push(entry),
@@ -87,7 +87,7 @@ fn added(members: &[(Source, &BigRational)]) -> Text {
 }
 
 /// A star that a turn carries into itself, and its polygons.
-pub(super) fn rotation(engine: &Engine, verdict: &Verdict, fold: u32) -> Text {
+pub(super) fn rotation(engine: &Engine, star: JudgedStar<'_>, fold: u32) -> Text {
     let turn = angle(&Turn::fraction(1, i64::from(fold)));
     let symmetry = phrase!(
         "By symmetry: turned by {} the star is the same star, so its sum is the same when turned by {}, and only zero is.",
@@ -95,18 +95,18 @@ pub(super) fn rotation(engine: &Engine, verdict: &Verdict, fold: u32) -> Text {
         turn
     );
     // A word on turned vectors has to come before the star is spoken of.
-    let sentences = negative_turned(verdict).into_iter().chain([symmetry]).chain(sentences(engine, verdict));
+    let sentences = negative_turned(star).into_iter().chain([symmetry]).chain(sentences(engine, star));
     Text::joined(sentences, " ")
 }
 
 /// The polygons that the star is made of.
-pub(super) fn polygons(engine: &Engine, verdict: &Verdict) -> Text {
-    Text::joined(negative_turned(verdict).into_iter().chain(sentences(engine, verdict)), " ")
+pub(super) fn polygons(engine: &Engine, star: JudgedStar<'_>) -> Text {
+    Text::joined(negative_turned(star).into_iter().chain(sentences(engine, star)), " ")
 }
 
 /// What is done with vectors of negative weight, where there are some.
-fn negative_turned(verdict: &Verdict) -> Option<Text> {
-    Star::new(verdict).has_turned.then(|| match verdict.quantity {
+fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
+    Star::new(star).has_turned.then(|| match star.quantity {
         Quantity::Moment => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
         Quantity::Force | Quantity::Torque => {
             "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
@@ -115,8 +115,8 @@ fn negative_turned(verdict: &Verdict) -> Option<Text> {
 }
 
 /// A sentence on all polygons of so many sides; or, where some are taken away, on the polygons that make up the star.
-fn sentences(engine: &Engine, verdict: &Verdict) -> Vec<Text> {
-    let star = Star::new(verdict);
+fn sentences(engine: &Engine, star: JudgedStar<'_>) -> Vec<Text> {
+    let star = Star::new(star);
     if star.polygons.iter().any(|polygon| !is_part(&star, polygon)) {
         return vec![phrase!(
             "The star is put together from regular polygons, each of which sums to zero: {}. Where their corners meet, the lengths \

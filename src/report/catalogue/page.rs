@@ -89,7 +89,7 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 10] = [
+const BESIDE: [(&str, &str, &str); 11] = [
     (
         "atlas/README.md",
         "Atlas",
@@ -98,6 +98,11 @@ const BESIDE: [(&str, &str, &str); 10] = [
     ("families", "Families", "{}: engines with open angles and lengths."),
     ("examples", "Examples", "{}: engines with numbers, in newtons."),
     ("claims/README.md", "Claims", "{}: published claims, checked."),
+    (
+        "firing/four-stroke.md",
+        "Firing",
+        "{}: which orders of the gas torque each engine leaves, and what is said of firing orders, checked.",
+    ),
     ("thesis/README.md", "Thesis", "{}: a chapter of a thesis, reproduced."),
     ("accuracy/README.md", "Accuracy", "{}: what accuracy costs."),
     ("trust/README.md", "Trust", "{}: 100,000 random engines beside an independent method."),

@@ -25,6 +25,7 @@ fn one(evidence: &Evidence) -> Text {
             };
             phrase!(words, verdict.order)
         }
+        Evidence::FiringStar(order, _) => phrase!("Firing star of order {}", order.to_string()),
         Evidence::Comparison { about, .. } => (*about).into(),
     };
     match evidence.vanishes() {

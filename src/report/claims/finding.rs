@@ -5,8 +5,8 @@ use num_traits::ToPrimitive;
 
 use super::super::residual;
 use super::super::typeset::{self, Amount};
-use super::counterweights;
 use super::orders::Asked;
+use super::{counterweights, gas_torque};
 use crate::claim::{Absolute, Answer, Condition, Finding, Statement, Status, Subject};
 use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
 use crate::order::Masses;
@@ -55,6 +55,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Orders { surviving, judged, period, first }, _) => {
             Asked { surviving, judged: *judged, period: *period, first: first.as_deref() }.finding(statement)
         }
+        (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement),
         (Finding::Firing(None), _) => "The layout names no firing order.".into(),
         (Finding::Firing(Some(intervals)), _) => {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());

@@ -3,6 +3,7 @@
 mod counterweights;
 mod evidence;
 mod finding;
+mod gas_torque;
 mod orders;
 mod page;
 mod student;

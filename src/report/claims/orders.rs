@@ -52,6 +52,7 @@ impl Asked<'_> {
             | Statement::CrankshaftMass(_)
             | Statement::BearingLoad(_)
             | Statement::WorstBearings(_)
+            | Statement::GasTorque { .. }
             | Statement::FiresEvenly { .. } => false,
         };
         match self.period {
@@ -76,6 +77,7 @@ fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
+        | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => false,
     };
     let force = (!order.force.is_balanced()).then(|| phrase!("force {}", residual::force(order)));

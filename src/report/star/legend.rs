@@ -8,24 +8,30 @@ use super::{Ray, Scale, Star};
 use crate::engine::Engine;
 use crate::order::Source;
 use crate::proof::Quantity;
-use crate::verdict::{OrderBalance, Verdict};
+use crate::verdict::{JudgedStar, OrderBalance, Verdict};
 
 /// What stands below the stars of an order.
 pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> String {
-    let rows = order_rows(order);
-    legend(engine, &rows.iter().map(|row| &row[..]).collect::<Vec<_>>())
+    let rows = order_rows(order).into_iter().map(|row| row.map(JudgedStar::from).to_vec());
+    legend(engine, &rows.collect::<Vec<_>>())
 }
 
 /// What stands below the stars of the inertia torque.
 pub(in crate::report) fn torque_legend(engine: &Engine, verdicts: &[&Verdict]) -> String {
-    legend(engine, &[verdicts])
+    legend(engine, &[verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect()])
+}
+
+/// What stands below firing stars.
+pub(in crate::report) fn firing_legend(engine: &Engine, stars: &[JudgedStar<'_>]) -> String {
+    legend(engine, &[stars.to_vec()])
 }
 
 /// The words for stars whose rows have a scale each.
-fn legend(engine: &Engine, rows: &[&[&Verdict]]) -> String {
+fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> String {
     let mut words = vec!["The dashed line is direction 0.".to_owned()];
-    let drawn: Vec<(&Verdict, Star, Scale)> = rows.iter().flat_map(|row| of_row(engine, row)).collect();
-    let any = |holds: &dyn Fn(&Verdict, &Star) -> bool| drawn.iter().any(|(verdict, star, _)| holds(verdict, star));
+    let drawn: Vec<(JudgedStar<'_>, Star, Scale)> = rows.iter().flat_map(|row| of_row(engine, row)).collect();
+    let any =
+        |holds: &dyn Fn(&JudgedStar<'_>, &Star) -> bool| drawn.iter().any(|(judged, star, _)| holds(judged, star));
     let sides = |least: u64, most: u64| {
         any(&|_, star| star.polygons.iter().any(|polygon| (least..=most).contains(&polygon.sides)))
     };
@@ -41,7 +47,7 @@ fn legend(engine: &Engine, rows: &[&[&Verdict]]) -> String {
     if any(&|_, star| star.resultant.is_some()) {
         words.push("The red arrow in outline is the resultant.".to_owned());
     }
-    if any(&|verdict, star| star.has_turned && verdict.quantity == Quantity::Moment) {
+    if any(&|judged, star| star.has_turned && judged.quantity == Quantity::Moment) {
         words.push("A vector with a negative arm is drawn turned by 180°.".to_owned());
     } else if any(&|_, star| star.has_turned) {
         words.push("A vector with a negative weight is drawn turned by 180°.".to_owned());
@@ -57,11 +63,11 @@ fn legend(engine: &Engine, rows: &[&[&Verdict]]) -> String {
     words.join(" ")
 }
 
-fn of_row<'a>(engine: &Engine, row: &[&'a Verdict]) -> Vec<(&'a Verdict, Star, Scale)> {
-    let stars: Vec<Star> = row.iter().map(|verdict| Star::new(verdict)).collect();
+fn of_row<'a>(engine: &Engine, row: &[JudgedStar<'a>]) -> Vec<(JudgedStar<'a>, Star, Scale)> {
+    let stars: Vec<Star> = row.iter().map(|judged| Star::new(*judged)).collect();
     let Some(first) = row.first() else { return Vec::new() };
     let scale = Scale::of(&stars, first.quantity, engine);
-    row.iter().zip(stars).map(|(verdict, star)| (*verdict, star, scale)).collect()
+    row.iter().zip(stars).map(|(judged, star)| (*judged, star, scale)).collect()
 }
 
 /// The rays that have their names beside them.

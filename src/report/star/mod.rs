@@ -7,9 +7,10 @@ mod panel;
 mod sheet;
 mod small;
 
-pub(super) use legend::{star_legend, torque_legend};
+pub(super) use legend::{firing_legend, star_legend, torque_legend};
 pub(super) use names::shortened;
 pub(super) use panel::Panel;
+pub(super) use sheet::firing_figure;
 pub(super) use sheet::{Scale, Sheet, WIDTH};
 pub use sheet::{star_figure, torque_figure};
 pub use small::{small_star, told};
@@ -26,7 +27,7 @@ use crate::exact::Turn;
 use crate::numbers;
 use crate::order::Source;
 use crate::proof::Polygon;
-use crate::verdict::Verdict;
+use crate::verdict::JudgedStar;
 
 /// The vectors of one sum as they are drawn: all of positive length, those of negative weight turned by 180°.
 pub(super) struct Star {
@@ -65,10 +66,11 @@ fn decimal(length: &BigRational) -> f64 {
 }
 
 impl Star {
-    /// The star of a verdict.
-    pub fn new(verdict: &Verdict) -> Self {
+    /// A star as it is drawn.
+    pub fn new<'a>(judged: impl Into<JudgedStar<'a>>) -> Self {
+        let judged = judged.into();
         let mut by_angle: BTreeMap<Turn, Vec<(Source, BigRational)>> = BTreeMap::new();
-        let terms = verdict.sources.iter().zip(verdict.sum.terms());
+        let terms = judged.sources.iter().zip(judged.sum.terms());
         for (source, term) in terms.filter(|(_, term)| !term.weight.is_zero()) {
             let angle = if term.weight.is_negative() { term.angle.opposite() } else { term.angle.clone() };
             by_angle.entry(angle).or_default().push((*source, term.weight.abs()));
@@ -76,9 +78,9 @@ impl Star {
         let rays: Vec<Ray> = by_angle.into_iter().map(|(angle, members)| Ray { angle, members }).collect();
         Star {
             rays,
-            polygons: argument::polygons_shown(verdict),
-            resultant: (!verdict.vanishes()).then(|| numbers::evaluate(&verdict.sum)),
-            has_turned: verdict.sum.terms().iter().any(|term| term.weight.is_negative()),
+            polygons: argument::polygons_shown(judged),
+            resultant: (!judged.vanishes()).then(|| numbers::evaluate(judged.sum)),
+            has_turned: judged.sum.terms().iter().any(|term| term.weight.is_negative()),
         }
     }
 

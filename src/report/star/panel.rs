@@ -10,7 +10,7 @@ use crate::page::Number;
 use crate::page::figure::{Anchor, Dash, Extent, Figure, Ink, Point, Stroke, text_width};
 use crate::proof::{Polygon, Quantity};
 use crate::report::{residual, typeset};
-use crate::verdict::Verdict;
+use crate::verdict::{JudgedStar, Verdict};
 
 /// More rays than this are drawn without labels.
 pub(super) const MOST_LABELS: usize = 36;
@@ -44,12 +44,17 @@ pub(in crate::report) struct Panel {
 impl Panel {
     /// The star of a verdict.
     pub fn new(engine: &Engine, verdict: &Verdict, star: &Star, scale: Scale) -> Self {
+        Panel::headed(heading(verdict), engine, verdict.into(), star, scale)
+    }
+
+    /// Any star, under this heading.
+    pub fn headed(heading: String, engine: &Engine, judged: JudgedStar<'_>, star: &Star, scale: Scale) -> Self {
         let mut drawing = Figure::new(0.0, 0.0).lettered(LETTERS);
         match star.rays.is_empty() {
             true => drawing.text(Point::default(), "no vectors", Anchor::Middle),
             false => draw(&mut drawing, engine, star, scale.millimetres),
         }
-        Panel { heading: heading(verdict), sum: sum(verdict), drawing, scale }
+        Panel { heading, sum: sum(judged), drawing, scale }
     }
 
     /// What the star covers, its centre included.
@@ -70,9 +75,9 @@ fn heading(verdict: &Verdict) -> String {
 }
 
 /// `sum = 0`, `length = √10 ≈ 3.162`; in decimals alone where the exact form has no room.
-fn sum(verdict: &Verdict) -> (String, String) {
-    let modulus = residual::modulus(verdict);
-    let name = if verdict.vanishes() { "sum" } else { "length" };
+fn sum(judged: JudgedStar<'_>) -> (String, String) {
+    let modulus = residual::modulus(judged);
+    let name = if judged.vanishes() { "sum" } else { "length" };
     let in_decimals = format!("{name} {}", typeset::approximate(modulus.decimal));
     let plain = format!("{name} = {}", modulus.plain());
     match modulus.number() {

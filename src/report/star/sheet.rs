@@ -7,7 +7,7 @@ use crate::engine::{Engine, LengthUnit};
 use crate::page::figure::{Anchor, Figure, Ink, Mark, Point, Stroke, text_width};
 use crate::proof::Quantity;
 use crate::text::SUPERSCRIPTS;
-use crate::verdict::{Balance, OrderBalance, Verdict};
+use crate::verdict::{Balance, JudgedStar, OrderBalance, Verdict};
 
 /// Size of the letters of a star in millimetres.
 pub(super) const LETTERS: f64 = 3.4;
@@ -33,14 +33,23 @@ pub(in crate::report) struct Scale {
 impl Scale {
     /// The scale at which the longest of these stars fills a panel.
     pub fn of<'a>(stars: impl IntoIterator<Item = &'a Star>, quantity: Quantity, engine: &Engine) -> Self {
-        let reach = stars.into_iter().map(Star::reach).fold(0.0, f64::max);
-        let millimetres = if reach > 0.0 { RADIUS / reach } else { 0.0 };
         let unit = match (quantity, engine.length_unit()) {
             (Quantity::Force, _) => ("m r", "$m r$"),
             (Quantity::Moment, LengthUnit::Spacing) => ("m r a", "$m r a$"),
             (Quantity::Moment, LengthUnit::Metre) => ("m r · metre", "$m r$ · metre"),
             (Quantity::Torque, _) => ("m r²", "$m r^2$"),
         };
+        Scale::filling(stars, unit)
+    }
+
+    /// The same for stars of what is counted in crank radii.
+    pub fn of_crank_radii<'a>(stars: impl IntoIterator<Item = &'a Star>) -> Self {
+        Scale::filling(stars, ("r", "$r$"))
+    }
+
+    fn filling<'a>(stars: impl IntoIterator<Item = &'a Star>, unit: (&'static str, &'static str)) -> Self {
+        let reach = stars.into_iter().map(Star::reach).fold(0.0, f64::max);
+        let millimetres = if reach > 0.0 { RADIUS / reach } else { 0.0 };
         Scale { millimetres, unit }
     }
 
@@ -179,13 +188,26 @@ pub fn star_figure(engine: &Engine, order: &OrderBalance) -> Figure {
 
 /// The stars of the inertia torque, two beside each other, all to one scale.
 pub fn torque_figure(engine: &Engine, verdicts: &[&Verdict]) -> Figure {
-    let stars: Vec<Star> = verdicts.iter().map(|verdict| Star::new(verdict)).collect();
+    let stars: Vec<Star> = verdicts.iter().map(|verdict| Star::new(*verdict)).collect();
     let scale = Scale::of(&stars, Quantity::Torque, engine);
-    let mut sheet = Sheet::new(verdicts.len().min(2));
     let panels = verdicts.iter().zip(&stars).map(|(verdict, star)| Panel::new(engine, verdict, star, scale));
-    let mut panels = panels.peekable();
+    in_rows(panels.collect(), 2)
+}
+
+/// Firing stars under their headings, three beside each other, all to one scale.
+pub fn firing_figure(engine: &Engine, headed: Vec<(String, JudgedStar<'_>)>) -> Figure {
+    let stars: Vec<Star> = headed.iter().map(|(_, judged)| Star::new(*judged)).collect();
+    let scale = Scale::of_crank_radii(&stars);
+    let panel = |((heading, judged), star)| Panel::headed(heading, engine, judged, star, scale);
+    in_rows(headed.into_iter().zip(&stars).map(panel).collect(), 3)
+}
+
+/// Panels of one scale in rows of so many, the bar below the last.
+fn in_rows(panels: Vec<Panel>, columns: usize) -> Figure {
+    let mut sheet = Sheet::new(panels.len().min(columns));
+    let mut panels = panels.into_iter().peekable();
     while panels.peek().is_some() {
-        let row: Vec<Panel> = panels.by_ref().take(2).collect();
+        let row: Vec<Panel> = panels.by_ref().take(columns).collect();
         let is_last = panels.peek().is_none();
         sheet.row(row, is_last);
     }

@@ -144,7 +144,7 @@ fn order(order: &TorqueOrder) -> Order {
     let turns =
         |star: &crate::exact::PhasorSum| star.terms().iter().map(|term| term.angle.turns().to_string()).collect();
     Order {
-        order: order.order.to_string(),
+        order: order.order.exact().to_string(),
         vanishes: order.vanishes,
         gas: vector(order.gas),
         inertia: order.inertia.map(vector),
@@ -188,7 +188,7 @@ fn cylinders(engine: &Engine, class: &Class) -> Cylinders {
 
 fn guide(moments: &GuideMoments) -> Guide {
     Guide {
-        order: moments.order.to_string(),
+        order: moments.order.exact().to_string(),
         rocking: moments.rocking.unwrap_or(0.0),
         twisting: moments.twisting.unwrap_or(0.0),
     }

@@ -1,7 +1,6 @@
 //! Which tables tell the torque? The cylinders, the orders, the flywheel, the guide-force moments.
 
 use num_complex::Complex;
-use num_rational::BigRational;
 
 use super::super::residual;
 use super::words::{angle, cylinders, quantity};
@@ -44,16 +43,6 @@ pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
     table
 }
 
-/// An order as a person writes it: `1½`.
-pub(super) fn order_name(order: &BigRational) -> String {
-    let whole = order.to_integer();
-    match (order.is_integer(), whole == 0.into()) {
-        (true, _) => whole.to_string(),
-        (false, true) => "½".to_owned(),
-        (false, false) => format!("{whole}½"),
-    }
-}
-
 /// A vector that rotates: 0 where it is proved, else how long it is.
 fn amplitude(order: &TorqueOrder, value: Complex<f64>) -> Text {
     if order.vanishes { Text::zero() } else { Number::Decimal(value.norm()).into() }
@@ -76,15 +65,14 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
     }
     header.push("Angle at θ = 0".into());
     let mut table = Table::new(header);
-    let always = BigRational::from_integer(ALWAYS_SHOWN.into());
-    for order in torque.orders.iter().filter(|order| order.order <= always || !order.vanishes) {
-        let mut row: Vec<Text> = vec![Text::label(order_name(&order.order))];
+    for order in torque.orders.iter().filter(|order| order.order.halves() <= 2 * ALWAYS_SHOWN || !order.vanishes) {
+        let mut row: Vec<Text> = vec![Text::label(order.order.to_string())];
         if one_class {
             row.extend(order.stars.first().map(star));
         }
         row.push(amplitude(order, order.gas));
         if let Some(inertia) = order.inertia.filter(|_| with_inertia) {
-            let has_inertia = order.order.is_integer();
+            let has_inertia = order.order.is_whole();
             row.push(if has_inertia { amplitude(order, inertia) } else { Text::zero() });
             row.push(amplitude(order, order.total()));
         }
@@ -128,7 +116,7 @@ pub(super) fn guides(moments: &[GuideMoments]) -> Table {
     let mut table = Table::new(["Order κ", "H, rocking, in N·m", "X, twisting, in N·m"]);
     let size = |moment: Option<f64>| moment.map_or_else(Text::zero, |moment| Number::Decimal(moment).into());
     for moment in moments.iter().filter(|moment| moment.rocking.is_some() || moment.twisting.is_some()) {
-        table.push(vec![Text::label(order_name(&moment.order)), size(moment.rocking), size(moment.twisting)]);
+        table.push(vec![Text::label(moment.order.to_string()), size(moment.rocking), size(moment.twisting)]);
     }
     table
 }

@@ -5,7 +5,7 @@ mod symmetry;
 
 use num_traits::{Signed, Zero};
 
-use super::Verdict;
+use super::JudgedStar;
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order::Source;
@@ -55,12 +55,13 @@ pub enum Reason {
     Certificate,
 }
 
-/// The plainest reason for a verdict on this engine.
-pub fn reason(engine: &Engine, verdict: &Verdict) -> Reason {
-    let sum = &verdict.sum;
-    match &verdict.certificate {
+/// The plainest reason for a verdict on a star of this engine.
+pub fn reason<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Reason {
+    let star = star.into();
+    let sum = star.sum;
+    match star.certificate {
         Certificate::Polygons { .. } if sum.terms().iter().all(|term| term.weight.is_zero()) => Reason::NoWeight,
-        Certificate::Polygons { .. } if is_moment_of_pistons(verdict) && mirror_partners(engine).is_some() => {
+        Certificate::Polygons { .. } if is_moment_of_pistons(star) && mirror_partners(engine).is_some() => {
             Reason::Mirror
         }
         Certificate::Polygons { polygons } if polygons.is_empty() => Reason::Cancels,
@@ -70,8 +71,8 @@ pub fn reason(engine: &Engine, verdict: &Verdict) -> Reason {
 }
 
 /// Whether a mirror plane of the cylinders is one of all that the sum is about.
-fn is_moment_of_pistons(verdict: &Verdict) -> bool {
-    verdict.quantity == Quantity::Moment && verdict.sources.iter().all(|source| matches!(source, Source::Piston(_)))
+fn is_moment_of_pistons(star: JudgedStar<'_>) -> bool {
+    star.quantity == Quantity::Moment && star.sources.iter().all(|source| matches!(source, Source::Piston(_)))
 }
 
 /// Pairs are named where the certificate is pairs; else a symmetry comes before the polygons.
@@ -91,9 +92,10 @@ fn of_polygons(sum: &PhasorSum, polygons: &[Polygon]) -> Reason {
 ///
 /// They are those of the certificate, and pairs that cancel beside them: a polygon of negative weight with an odd number of
 /// sides is the one of positive weight turned by half a turn.
-pub fn drawn_polygons(verdict: &Verdict) -> Vec<Polygon> {
-    let Certificate::Polygons { polygons } = &verdict.certificate else { return Vec::new() };
-    let drawn = verdict.sum.positive();
+pub fn drawn_polygons<'a>(star: impl Into<JudgedStar<'a>>) -> Vec<Polygon> {
+    let star = star.into();
+    let Certificate::Polygons { polygons } = star.certificate else { return Vec::new() };
+    let drawn = star.sum.positive();
     let mut shown: Vec<Polygon> = Vec::new();
     // Pairs are counted anew, from what is left.
     for polygon in polygons.iter().filter(|polygon| polygon.sides != 2) {

@@ -1,0 +1,82 @@
+//! `firing`: which orders of the gas torque vanish, whatever the pressure is?
+
+use std::path::{Path, PathBuf};
+
+use crankstar::engine::{CycleOrder, Engine};
+use crankstar::file::{self, Layout, parse_number};
+use crankstar::firing::Weights;
+use crankstar::report::{self, FiringStudy};
+
+use super::failure::Failure;
+use super::layouts;
+use super::pages::Pages;
+
+/// Arguments of `firing`.
+#[derive(clap::Args)]
+pub struct Firing {
+    /// A name of the catalogue, or the path of a layout file; all of the catalogue where none is named
+    layout: Option<PathBuf>,
+    /// The cycle that the catalogue is run in
+    #[arg(long, value_enum, default_value = "four-stroke", conflicts_with = "layout")]
+    cycle: super::search::Cycle,
+    /// The orders to judge, such as 1/2,1,3/2 [default: up to the first that is major in even firing, at least 4]
+    #[arg(long, value_delimiter = ',')]
+    orders: Vec<CycleOrder>,
+    #[command(flatten)]
+    mode: ModeShape,
+    #[command(flatten)]
+    pages: Pages,
+}
+
+/// A mode of torsional vibration that the stars are weighed by.
+#[derive(clap::Args)]
+pub struct ModeShape {
+    /// Weigh the firing stars by the deflections of the throws in a mode of torsional vibration, one per cylinder: 6,5,4,3,2,1
+    #[arg(long, value_delimiter = ',', value_name = "DELTA", allow_hyphen_values = true)]
+    mode_shape: Vec<String>,
+}
+
+impl Firing {
+    /// Prints the verdicts, and writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        let Some(layout) = &self.layout else {
+            let engines = file::catalogue()?;
+            let answer = report::firing_catalogue_answer(&engines, self.cycle.into());
+            return self.pages.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
+        };
+        let engine = engine(layout)?;
+        let study = study(&engine, &self.orders, &self.mode)?;
+        self.pages.show(&report::firing_answer(&study), || report::firing_page(&study))
+    }
+}
+
+/// The engine of a layout without unknowns.
+pub fn engine(layout: &Path) -> Result<Engine, Failure> {
+    match layouts::read(layout)? {
+        Layout::Known(engine, _) => Ok(*engine),
+        Layout::Open(_) => {
+            Err(Failure::new("firing stars need an engine without unknowns; give them values below [values]"))
+        }
+    }
+}
+
+/// Judges the stars that are asked for.
+pub fn study<'a>(engine: &'a Engine, orders: &[CycleOrder], mode: &ModeShape) -> Result<FiringStudy<'a>, Failure> {
+    FiringStudy::new(engine, orders, mode.read()?).map_err(Failure::new)
+}
+
+impl ModeShape {
+    /// Whether one is given.
+    pub fn is_given(&self) -> bool {
+        !self.mode_shape.is_empty()
+    }
+
+    fn read(&self) -> Result<Weights, Failure> {
+        let value =
+            |text: &String| parse_number(text.trim()).map_err(|error| Failure::new(format!("--mode-shape: {error}")));
+        match self.mode_shape.as_slice() {
+            [] => Ok(Weights::Rigid),
+            values => Ok(Weights::ModeShape(values.iter().map(value).collect::<Result<_, _>>()?)),
+        }
+    }
+}

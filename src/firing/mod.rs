@@ -1,0 +1,110 @@
+//! Which orders of the gas torque vanish, whatever the pressure is? The firing star of each order, judged exactly.
+//!
+//! A cylinder that fires at the crank angle φ_j of the cycle adds `t_κ r_j e^{−iκφ_j}` to order κ of the torque, where t_κ is
+//! that of its pressure law. With one law for all cylinders, order κ is t_κ times the **firing star**
+//! `S_κ = Σ_j r_j e^{−iκφ_j}`: it vanishes for every law exactly where S_κ is zero (theory, section 11).
+//! Weighed by a mode shape, the same star is the sum of phase vectors of torsional vibration.
+
+mod pattern;
+mod star;
+mod strength;
+
+use std::fmt;
+
+use num_rational::BigRational;
+
+use crate::engine::{Cycle, CycleOrder, Engine, Firing, HIGHEST_ORDER};
+pub use pattern::{FiringPattern, LONGEST_PATTERN, NoPattern, pattern};
+pub use star::{FiringStar, StarOrder};
+pub use strength::by_length;
+
+/// What each cylinder's vector is multiplied by besides its crank radius.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Weights {
+    /// By one: the torque of a rigid crankshaft.
+    #[default]
+    Rigid,
+    /// By the deflection of its throw in a mode of torsional vibration, one per cylinder.
+    ModeShape(Vec<BigRational>),
+}
+
+impl Weights {
+    /// That of one cylinder.
+    pub fn of(&self, cylinder: usize) -> BigRational {
+        match self {
+            Weights::Rigid => num_traits::One::one(),
+            Weights::ModeShape(shape) => shape[cylinder].clone(),
+        }
+    }
+}
+
+/// Why there is no firing star.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoStar {
+    /// The layout says neither in which order nor when the cylinders fire.
+    NoFiring,
+    /// A half order of an engine that fires once per revolution.
+    HalfOrder(CycleOrder),
+    /// The mode shape has another number of values than the engine has cylinders.
+    ModeShape {
+        /// How many values it has.
+        values: usize,
+        /// How many cylinders there are.
+        cylinders: usize,
+    },
+}
+
+impl fmt::Display for NoStar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoStar::NoFiring => f.write_str(
+                "the layout does not say when the cylinders fire; add firing_order = \"1-3-4-2\" with the cylinders in the order of \
+                 their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
+            ),
+            NoStar::HalfOrder(order) => {
+                write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")
+            }
+            NoStar::ModeShape { values, cylinders } => {
+                write!(f, "the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")
+            }
+        }
+    }
+}
+
+impl std::error::Error for NoStar {}
+
+/// When the cylinders fire.
+///
+/// # Errors
+/// A layout that does not say it.
+pub fn firing_of(engine: &Engine) -> Result<&Firing, NoStar> {
+    engine.firing().ok_or(NoStar::NoFiring)
+}
+
+/// Judges the firing stars of these orders, as they stand.
+///
+/// # Errors
+/// See [`NoStar`].
+pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -> Result<Vec<StarOrder>, NoStar> {
+    let firing = firing_of(engine)?;
+    let cylinders = engine.cylinders().len();
+    match weights {
+        Weights::ModeShape(shape) if shape.len() != cylinders => {
+            return Err(NoStar::ModeShape { values: shape.len(), cylinders });
+        }
+        Weights::Rigid | Weights::ModeShape(_) => {}
+    }
+    if let Some(order) = orders.iter().find(|order| !order.exists_in(firing.cycle)) {
+        return Err(NoStar::HalfOrder(*order));
+    }
+    Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
+}
+
+/// The orders that are judged where none are asked for: up to the first at which all cylinders of an even order would add up,
+/// and at least up to 4.
+pub fn usual_orders(engine: &Engine, cycle: Cycle) -> Vec<CycleOrder> {
+    let step = cycle.lowest_order().halves();
+    let cylinders = u32::try_from(engine.cylinders().len()).unwrap_or(u32::MAX);
+    let last = cylinders.saturating_mul(step).clamp(8, 2 * HIGHEST_ORDER);
+    (1..=last / step).filter_map(|index| CycleOrder::of_halves(index * step)).collect()
+}

@@ -1,0 +1,64 @@
+//! What is the case with the orders of the gas torque, in words?
+
+use super::super::argument::listed;
+use super::super::{firing, residual};
+use crate::claim::{GasTorque, Statement};
+use crate::engine::CycleOrder;
+use crate::firing::StarOrder;
+use crate::page::{Text, phrase};
+
+/// The stars that a claim is about, or the strongest minor orders.
+pub(super) fn found(orders: &[StarOrder], statement: &Statement) -> Text {
+    match (statement, orders) {
+        (Statement::GasTorque { says: GasTorque::StrongestMinor, .. }, _) => strongest(orders),
+        (_, [only]) => of_order(only),
+        _ => of_several(orders),
+    }
+}
+
+/// The orders that vanish in one sentence, those that do not in another.
+fn of_several(orders: &[StarOrder]) -> Text {
+    let (zeros, left): (Vec<&StarOrder>, Vec<&StarOrder>) = orders.iter().partition(|order| order.vanishes());
+    let zeros = match zeros.as_slice() {
+        [] => None,
+        [only] => Some(of_order(only)),
+        several => {
+            let names = several.iter().map(|order| order.order.to_string().into()).collect();
+            Some(phrase!("The firing stars of orders {} are {}.", listed(names), Text::zero()))
+        }
+    };
+    let left = match left.as_slice() {
+        [] => None,
+        [only] => Some(of_order(only)),
+        several => {
+            let lengths = several.iter().map(|order| phrase!("{}: {}", order.order.to_string(), lengths(order)));
+            Some(phrase!("The firing stars have these lengths, by order: {}.", Text::joined(lengths, "; ")))
+        }
+    };
+    Text::joined(zeros.into_iter().chain(left), " ")
+}
+
+fn lengths(order: &StarOrder) -> Text {
+    Text::joined(order.stars.iter().map(|star| residual::modulus(star).into()), ", ")
+}
+
+/// What the stars of an order leave.
+fn of_order(order: &StarOrder) -> Text {
+    let name = order.order.to_string();
+    let lengths = lengths(order);
+    match (order.vanishes(), order.only()) {
+        (true, _) => phrase!("The firing star of order {} is {}.", name, Text::zero()),
+        (false, Some(_)) => phrase!("The firing star of order {} has length {}.", name, lengths),
+        (false, None) => {
+            phrase!("The firing stars of order {}, one for each kind of rod, have lengths {}.", name, lengths)
+        }
+    }
+}
+
+fn strongest(orders: &[StarOrder]) -> Text {
+    let names: Vec<CycleOrder> = orders.iter().map(|order| order.order).collect();
+    match orders.first().and_then(StarOrder::only) {
+        Some(star) => firing::strongest_in_words(&names, residual::modulus(star)),
+        None => "No minor order is left.".into(),
+    }
+}

@@ -1,0 +1,161 @@
+//! Which orders of the gas torque does each engine of the catalogue leave? One table per cycle, and the proof of each engine.
+
+use super::super::argument;
+use super::super::typeset;
+use super::words;
+use super::{FiringStudy, page};
+use crate::engine::{Cycle, Engine, Firing};
+use crate::file::Entry;
+use crate::firing::{FiringPattern, NoStar, StarOrder, Weights};
+use crate::page::{Block, Document, Fold, Table, Text, phrase};
+
+/// What the page is about.
+const FOUR_STROKE: &str = "Which orders of the gas torque vanish for every pressure law that all cylinders share, on a rigid crankshaft? Half orders \
+                           depend on the firing order, whole ones on the crankshaft alone.";
+const TWO_STROKE: &str = "Which orders of the gas torque vanish for every pressure law that all cylinders share, on a rigid crankshaft, where every engine of the \
+                          catalogue is run as a two-stroke? It then fires at each top dead centre, and there are whole orders alone.";
+
+/// The engine as it runs in this cycle: any as a two-stroke, one that says when it fires as a four-stroke.
+///
+/// # Errors
+/// An engine that does not say when it fires in this cycle.
+pub fn run_as(engine: &Engine, cycle: Cycle) -> Result<Engine, NoStar> {
+    match (cycle, engine.cycle(), engine.firing()) {
+        (Cycle::FourStroke, Some(Cycle::FourStroke), Some(_)) => Ok(engine.clone()),
+        (Cycle::FourStroke, _, _) => Err(NoStar::NoFiring),
+        (Cycle::TwoStroke, _, _) => {
+            let mut draft = engine.clone().into_draft();
+            draft.cycle = Some(cycle);
+            draft.firing = Some(Firing::two_stroke(engine.cylinders()));
+            draft.build().map_err(|_| NoStar::NoFiring)
+        }
+    }
+}
+
+/// The engines of the catalogue as they run in a cycle.
+struct Runs {
+    cycle: Cycle,
+    runs: Vec<(Entry, Option<Engine>)>,
+}
+
+impl Runs {
+    fn new(engines: &[(Entry, Engine)], cycle: Cycle) -> Self {
+        Runs { cycle, runs: engines.iter().map(|(entry, engine)| (*entry, run_as(engine, cycle).ok())).collect() }
+    }
+
+    /// The stars of those that say when they fire.
+    fn studies(&self) -> Vec<(Entry, FiringStudy<'_>)> {
+        let study = |engine| FiringStudy::new(engine, &[], Weights::Rigid).ok();
+        self.runs.iter().filter_map(|(entry, engine)| Some((*entry, study(engine.as_ref()?)?))).collect()
+    }
+
+    /// What is found of all, with a table; engines that do not say when they fire are named, and nothing else is said of them.
+    fn answer(&self, studies: &[(Entry, FiringStudy<'_>)]) -> Document {
+        let (name, title, words) = match self.cycle {
+            Cycle::FourStroke => ("four-stroke", "Firing stars of four-stroke engines", FOUR_STROKE),
+            Cycle::TwoStroke => ("two-stroke", "Firing stars of two-stroke engines", TWO_STROKE),
+        };
+        let mut page = Document::new(name, title);
+        page.push(Block::Answer(found(studies)));
+        page.push(Block::Paragraph(words.into()));
+        page.push(table(studies));
+        let silent = self.runs.iter().filter(|(_, engine)| engine.is_none()).map(|(entry, _)| entry.name);
+        let silent: Vec<&str> = silent.collect();
+        if !silent.is_empty() {
+            page.push(Block::Note(phrase!(
+                "The layouts of these engines do not say when they fire: {}.",
+                silent.join(", ")
+            )));
+        }
+        page
+    }
+}
+
+/// The table of a cycle.
+pub fn firing_catalogue_answer(engines: &[(Entry, Engine)], cycle: Cycle) -> Document {
+    let runs = Runs::new(engines, cycle);
+    runs.answer(&runs.studies())
+}
+
+/// The page of a cycle: the table, and the proof of each engine.
+pub fn firing_catalogue_page(engines: &[(Entry, Engine)], cycle: Cycle) -> Document {
+    let runs = Runs::new(engines, cycle);
+    let studies = runs.studies();
+    let mut page = runs.answer(&studies);
+    page.push(Block::Heading(1, "Proofs".into()));
+    page.blocks.extend(studies.iter().filter_map(|(entry, study)| proof(*entry, study)));
+    page.push(Block::Heading(1, "Assumptions".into()));
+    page.push(Block::List(page::assumed(false)));
+    page
+}
+
+/// What holds of all of them: counted, not supposed.
+fn found(studies: &[(Entry, FiringStudy<'_>)]) -> Vec<Text> {
+    let leaves_minor = |study: &FiringStudy<'_>| {
+        study.pattern.as_ref().is_ok_and(|pattern| pattern.left().any(|order| !order.is_major()))
+    };
+    let is_even = |study: &FiringStudy<'_>| study.engine.firing().is_some_and(Firing::is_even);
+    let count = |holds: &dyn Fn(&FiringStudy<'_>) -> bool| studies.iter().filter(|(_, study)| holds(study)).count();
+    let even = count(&is_even);
+    let fires = match count(&|study| is_even(study) && leaves_minor(study)) {
+        0 => phrase!(
+            "{} of {} engines fire evenly, and each of these leaves the major orders and no other: the multiples of its \
+             number of firings per revolution.",
+            even,
+            studies.len()
+        ),
+        minor => phrase!("{} of {} engines fire evenly; {} of these leave minor orders.", even, studies.len(), minor),
+    };
+    vec![fires, phrase!("{} engines leave minor orders; the table has the strongest of each.", count(&leaves_minor))]
+}
+
+/// Engines × (intervals, orders left, strongest minor order).
+fn table(studies: &[(Entry, FiringStudy<'_>)]) -> Table {
+    let mut table =
+        Table::new(["Engine", "Firing intervals", "Orders left of the gas torque", "Strongest minor order"]);
+    for (entry, study) in studies {
+        let (statement, strongest) = match &study.pattern {
+            Ok(pattern) => {
+                (words::left_in_short(pattern), words::strongest_in_short(pattern).unwrap_or_else(|| "none".into()))
+            }
+            Err(why) => (words::no_pattern(why), "–".into()),
+        };
+        let name = Text::link(entry.name.to_owned(), format!("../{}/report.md", entry.name));
+        table.push(vec![name, intervals(study.engine), statement, strongest]);
+    }
+    table
+}
+
+/// `18 × 40°`, or each of them.
+fn intervals(engine: &Engine) -> Text {
+    let Some(firing) = engine.firing() else { return "–".into() };
+    let all = firing.intervals();
+    let degrees = |turns: &num_rational::BigRational| {
+        typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into())))
+    };
+    match (all.as_slice(), firing.is_even()) {
+        ([first, ..], true) => phrase!("{} × {}", all.len(), degrees(first)),
+        _ => all.iter().map(degrees).collect::<Vec<_>>().join(", ").into(),
+    }
+}
+
+/// The stars of one period, up to its middle: the others are their mirror images.
+fn proof(entry: Entry, study: &FiringStudy<'_>) -> Option<Block> {
+    let pattern = study.pattern.as_ref().ok()?;
+    let lines = half(pattern).flat_map(|order| order.stars.iter().map(move |star| (order, star)));
+    let mut blocks = vec![Block::Paragraph(words::why(pattern))];
+    let (argued, certified): (Vec<Text>, Vec<Text>) = lines
+        .map(|(order, star)| {
+            let certificate = argument::certificate_of(&star.sum, &star.certificate);
+            (page::argued(study, order, star), phrase!("Order {}: {}", order.order.to_string(), certificate))
+        })
+        .unzip();
+    blocks.extend([Block::List(argued), Block::List(certified)]);
+    Some(Block::Folded(Fold { summary: phrase!("{}: {}", Text::label(entry.name), study.engine.title()), blocks }))
+}
+
+/// The orders of a period up to its middle, and the last.
+fn half(pattern: &FiringPattern) -> impl Iterator<Item = &StarOrder> {
+    let repeats = pattern.repeats_after().halves();
+    pattern.orders.iter().filter(move |order| 2 * order.order.halves() <= repeats || order.order.halves() == repeats)
+}

@@ -1,0 +1,53 @@
+//! What is said of the orders of the gas torque? The firing stars, what every order leaves, the proofs, and a JSON document.
+
+mod catalogue;
+mod document;
+mod page;
+mod tables;
+mod words;
+
+use std::collections::BTreeSet;
+
+use crate::engine::{CycleOrder, Engine};
+use crate::firing::{self, FiringPattern, NoPattern, NoStar, StarOrder, Weights};
+
+pub use catalogue::{firing_catalogue_answer, firing_catalogue_page, run_as};
+pub use document::{firing_document, firing_engine};
+pub use page::{firing_answer, firing_page};
+pub(super) use words::strongest_in_words;
+
+/// Firing stars that are judged, and what they say of every order.
+#[derive(Clone, Debug)]
+pub struct FiringStudy<'a> {
+    /// The engine.
+    pub engine: &'a Engine,
+    /// What the vectors are weighed by.
+    pub weights: Weights,
+    /// The orders that were asked for, rising, each once.
+    pub orders: Vec<StarOrder>,
+    /// The stars of one period.
+    pub pattern: Result<FiringPattern, NoPattern>,
+}
+
+impl<'a> FiringStudy<'a> {
+    /// Judges these orders, the usual ones where there are none, and one period of all.
+    ///
+    /// # Errors
+    /// Where the engine has no firing stars.
+    pub fn new(engine: &'a Engine, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoStar> {
+        let cycle = firing::firing_of(engine)?.cycle;
+        let orders: BTreeSet<CycleOrder> = match orders {
+            [] => firing::usual_orders(engine, cycle).into_iter().collect(),
+            asked => asked.iter().copied().collect(),
+        };
+        let orders: Vec<CycleOrder> = orders.into_iter().collect();
+        let orders = firing::firing_stars(engine, &orders, &weights)?;
+        let pattern = firing::pattern(engine, &weights);
+        Ok(FiringStudy { engine, weights, orders, pattern })
+    }
+
+    /// Whether all cylinders make the same torque from the same pressure.
+    fn is_of_one_class(&self) -> bool {
+        self.orders.iter().all(|order| order.only().is_some())
+    }
+}

@@ -1,0 +1,154 @@
+//! What stands on the page of the firing stars, and on the terminal?
+
+use super::super::star::{firing_figure, firing_legend};
+use super::super::{argument, residual};
+use super::words::names_of;
+use super::{FiringStudy, tables, words};
+use crate::firing::{FiringStar, StarOrder};
+use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::verdict::JudgedStar;
+
+/// At most so many stars are drawn.
+const MOST_DRAWN: usize = 12;
+
+const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
+const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
+
+const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
+                       where $t_\\kappa$ depends on the pressure in the cylinder. Where all cylinders have the same pressure and bore, order $\\kappa$ of the gas torque \
+                       is $t_\\kappa$ times the firing star";
+const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
+                       the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
+const ASSUMED: [&str; 3] = [
+    "Every cylinder fires once per cycle at the angle of the table, with the same pressure law and the same bore; a verdict holds whatever that law is. \
+     A single law may leave out further orders.",
+    "Lengths are counted in crank radii; r is that of the layout, 1 where all are alike.",
+    "At whole orders the inertia of the pistons adds to the torque; at half orders the gas is alone.",
+];
+const ASSUMED_RIGID: &str =
+    "The crankshaft is taken to be rigid: a minor order that vanishes here may still twist the shaft.";
+
+/// What shakes the crankshaft: how evenly it fires, which orders vanish, which is the strongest.
+fn answer(study: &FiringStudy<'_>) -> Vec<Text> {
+    let mut lines: Vec<Text> = words::evenness(study.engine).into_iter().collect();
+    match &study.pattern {
+        Ok(pattern) => {
+            let whose = match (study.has_mode_shape(), study.is_of_one_class()) {
+                (true, _) => "**Work of the gas on this mode, for every pressure law that all cylinders share.** {}",
+                (false, true) => {
+                    "**Gas torque of a rigid crankshaft, for every pressure law that all cylinders share.** {}"
+                }
+                (false, false) => {
+                    "**Gas torque of a rigid crankshaft, for every pressure law that all cylinders share; the rods differ.** {}"
+                }
+            };
+            lines.push(phrase!(whose, words::statement(pattern)));
+            lines.extend(words::major(pattern));
+            lines.extend(words::strongest(pattern));
+        }
+        Err(why) => lines.push(words::no_pattern(why)),
+    }
+    lines
+}
+
+/// The short answer.
+pub fn firing_answer(study: &FiringStudy<'_>) -> Document {
+    let mut page = Document::new("firing", study.engine.title());
+    page.push(tables::orders(study));
+    page.blocks.extend(answer(study).into_iter().map(Block::Paragraph));
+    page
+}
+
+/// The page, with the stars that are left and the proof of each.
+pub fn firing_page(study: &FiringStudy<'_>) -> Document {
+    let mut page = Document::new("firing", phrase!("{}: firing stars", study.engine.title()));
+    page.push(Block::Answer(answer(study)));
+    page.blocks.extend(section(study));
+    page
+}
+
+/// All that stands below the answer.
+pub(in crate::report) fn section(study: &FiringStudy<'_>) -> Vec<Block> {
+    let heading = |words: &'static str| Block::Heading(1, words.into());
+    let (meaning, formula) = match study.has_mode_shape() {
+        true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
+        false => (MEANING, STAR),
+    };
+    let mut blocks = vec![Block::Pictures(vec![picture(study)]), heading("Orders of the gas torque")];
+    blocks.push(tables::orders(study).into());
+    blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
+    blocks.extend([heading("When the cylinders fire"), tables::firings(study).into()]);
+    if let Ok(pattern) = &study.pattern {
+        blocks.extend([heading("Every order"), Block::Paragraph(words::why(pattern))]);
+    }
+    blocks.extend([heading("Proofs"), Block::List(each(study, argued))]);
+    let certificates = each(study, certified);
+    blocks.push(Block::Folded(Fold {
+        summary: "Firing stars: the certificates".into(),
+        blocks: vec![Block::List(certificates)],
+    }));
+    blocks.extend([heading("Assumptions"), Block::List(assumed(study.has_mode_shape()))]);
+    blocks
+}
+
+/// What the verdicts rest on.
+pub(super) fn assumed(with_mode_shape: bool) -> Vec<Text> {
+    ASSUMED.into_iter().chain((!with_mode_shape).then_some(ASSUMED_RIGID)).map(Text::from).collect()
+}
+
+/// The stars of the first orders, all of them up to so many.
+fn picture(study: &FiringStudy<'_>) -> Picture {
+    let of_order = |order: &'_ StarOrder| -> Vec<(String, String)> {
+        order.stars.iter().map(|star| (order.order.to_string(), names_of(study.engine, star))).collect()
+    };
+    let names: Vec<(String, String)> = study.orders.iter().flat_map(of_order).collect();
+    let stars = study.orders.iter().flat_map(|order| &order.stars).map(JudgedStar::from);
+    let is_single = study.is_of_one_class();
+    let headed: Vec<(String, JudgedStar<'_>)> = names
+        .into_iter()
+        .zip(stars)
+        .take(MOST_DRAWN)
+        .map(|((order, of), star)| {
+            (if is_single { format!("Order {order}") } else { format!("Order {order}, {of}") }, star)
+        })
+        .collect();
+    let drawn: Vec<JudgedStar<'_>> = headed.iter().map(|(_, star)| *star).collect();
+    Picture {
+        name: "firing-stars".to_owned(),
+        caption: phrase!("Firing stars. {}", firing_legend(study.engine, &drawn)),
+        figure: firing_figure(study.engine, headed),
+    }
+}
+
+/// A line per star.
+fn each(study: &FiringStudy<'_>, line: fn(&FiringStudy<'_>, &StarOrder, &FiringStar) -> Text) -> Vec<Text> {
+    study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| line(study, order, star))).collect()
+}
+
+/// A star with its argument.
+pub(super) fn argued(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Text {
+    let argument = argument::argument(study.engine, star);
+    let name = order.order.to_string();
+    let value = match star.vanishes() {
+        true => Text::formula(format!("{} = 0", symbol(order))),
+        false => phrase!(
+            "{}, length {}, angle {}",
+            Text::formula(format!("{} \\ne 0", symbol(order))),
+            residual::modulus(star),
+            residual::bearing(&star.sum)
+        ),
+    };
+    match order.only() {
+        Some(_) => phrase!("**Order {}:** {}. {}", name, value, argument),
+        None => phrase!("**Order {} ({}):** {}. {}", name, names_of(study.engine, star), value, argument),
+    }
+}
+
+fn certified(_: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Text {
+    phrase!("{}: {}", Text::formula(symbol(order)), argument::certificate_of(&star.sum, &star.certificate))
+}
+
+/// `S_{3/2}`.
+fn symbol(order: &StarOrder) -> String {
+    format!("S_{{{}}}", order.order.exact())
+}

@@ -1,0 +1,200 @@
+//! In which sentences is it said which orders of the gas torque vanish?
+
+use super::super::residual;
+use super::super::typeset::{self, Amount};
+use super::FiringStudy;
+use crate::engine::{CycleOrder, Engine};
+use crate::firing::{FiringPattern, FiringStar, NoPattern, StarOrder};
+use crate::page::{Text, phrase};
+
+/// Up to so many classes of orders are named one by one, as `4j − 1`.
+const MOST_NAMED: usize = 4;
+/// Longer lists of intervals are not written out.
+const MOST_INTERVALS: usize = 16;
+
+/// How evenly the cylinders fire.
+pub(super) fn evenness(engine: &Engine) -> Option<Text> {
+    let firing = engine.firing()?;
+    let degrees = |turns: &num_rational::BigRational| {
+        Text::from(typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into()))))
+    };
+    let intervals = firing.intervals();
+    Some(match (intervals.as_slice(), firing.is_even()) {
+        ([only], _) => phrase!("The one cylinder fires every {}.", degrees(only)),
+        ([first, ..], true) => phrase!("The cylinders fire evenly, every {}.", degrees(first)),
+        (_, _) if intervals.len() <= MOST_INTERVALS => {
+            let all = Text::joined(intervals.iter().map(degrees), ", ");
+            phrase!("The cylinders fire unevenly: the intervals are {}.", all)
+        }
+        _ => "The cylinders fire unevenly.".into(),
+    })
+}
+
+/// What is said of every order at once.
+pub(super) fn statement(pattern: &FiringPattern) -> Text {
+    let (length, left) = shortest(pattern);
+    let zeros = zeros(pattern, length);
+    let repeats = pattern.orders[length - 1].order;
+    match (left.as_slice(), zeros.as_slice()) {
+        (_, []) => "No order vanishes.".into(),
+        ([], _) => "Every order vanishes.".into(),
+        (left, _) if left.len() <= MOST_NAMED => phrase!("Every order vanishes but these: {}.", classes(left, repeats)),
+        (_, zeros) if zeros.len() <= MOST_NAMED => {
+            phrase!("These orders vanish, and no other: {}.", classes(zeros, repeats))
+        }
+        (left, zeros) if left.len() <= zeros.len() => phrase!(
+            "Every order vanishes but {}, and those that differ from one of these by a multiple of {}.",
+            in_a_row(left),
+            repeats.to_string()
+        ),
+        (_, zeros) => phrase!(
+            "The orders {} vanish, and those that differ from one of these by a multiple of {}; no other order vanishes.",
+            in_a_row(zeros),
+            repeats.to_string()
+        ),
+    }
+}
+
+/// `2, 4, … = 2j`, or `all but 2, 6, … = 4j − 2`.
+pub(super) fn left_in_short(pattern: &FiringPattern) -> Text {
+    let (length, left) = shortest(pattern);
+    let repeats = pattern.orders[length - 1].order;
+    let zeros: Vec<CycleOrder> = zeros(pattern, length);
+    match (left.is_empty(), zeros.is_empty()) {
+        (true, _) => "none".into(),
+        (false, true) => "all".into(),
+        (false, false) if left.len() <= zeros.len() => classes(&left, repeats),
+        (false, false) => phrase!("all but {}", classes(&zeros, repeats)),
+    }
+}
+
+/// The orders that vanish among the first so many.
+fn zeros(pattern: &FiringPattern, length: usize) -> Vec<CycleOrder> {
+    pattern.orders[..length].iter().filter(|order| order.vanishes()).map(|order| order.order).collect()
+}
+
+/// After how many orders the verdicts repeat, and the orders that are left among the first so many.
+fn shortest(pattern: &FiringPattern) -> (usize, Vec<CycleOrder>) {
+    let left: Vec<bool> = pattern.orders.iter().map(|order| !order.vanishes()).collect();
+    let repeats = |length: &usize| left.len().is_multiple_of(*length) && left[*length..] == left[..left.len() - length];
+    let length = (1..=left.len()).find(repeats).unwrap_or(left.len());
+    let orders = pattern.orders[..length].iter().filter(|order| !order.vanishes());
+    (length, orders.map(|order| order.order).collect())
+}
+
+/// `½, 2½, … = 2j − 3/2; 1, 3, … = 2j − 1`.
+fn classes(lowest: &[CycleOrder], repeats: CycleOrder) -> Text {
+    Text::joined(lowest.iter().map(|order| class(*order, repeats)), "; ")
+}
+
+fn class(lowest: CycleOrder, repeats: CycleOrder) -> Text {
+    let step = match repeats.halves() {
+        2 => "j".to_owned(),
+        whole if whole.is_multiple_of(2) => format!("{}j", tex(whole)),
+        halves => format!("{}\\,j", tex(halves)),
+    };
+    let formula = match repeats.halves() - lowest.halves() {
+        0 => step,
+        less => format!("{step} - {}", tex(less)),
+    };
+    let second = CycleOrder::of_halves(lowest.halves() + repeats.halves());
+    let second = second.map(|order| order.to_string()).unwrap_or_default();
+    phrase!("{}, {}, … = {}", lowest.to_string(), second, Text::formula(formula))
+}
+
+/// So many halves in TeX.
+fn tex(halves: u32) -> String {
+    match halves.is_multiple_of(2) {
+        true => (halves / 2).to_string(),
+        false => format!("\\tfrac{{{halves}}}{{2}}"),
+    }
+}
+
+fn in_a_row(orders: &[CycleOrder]) -> String {
+    orders.iter().map(CycleOrder::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// The minor orders with the longest stars up to the middle of a period, and how long these are; above the middle the stars are
+/// mirror images.
+fn strongest_minor(pattern: &FiringPattern) -> Option<(Vec<CycleOrder>, Amount)> {
+    let strongest = pattern.strongest_minor();
+    let half = pattern.repeats_after().halves();
+    let below = strongest.iter().map(|order| order.order).filter(|order| 2 * order.halves() <= half);
+    Some((below.collect(), residual::modulus(strongest.first()?.only()?)))
+}
+
+/// `1½: 3√2`.
+pub(super) fn strongest_in_short(pattern: &FiringPattern) -> Option<Text> {
+    let (orders, length) = strongest_minor(pattern)?;
+    Some(phrase!("{}: {}", in_a_row(&orders), length))
+}
+
+/// The minor orders that leave most, with the length of their stars.
+pub(super) fn strongest(pattern: &FiringPattern) -> Option<Text> {
+    strongest_minor(pattern).map(|(orders, length)| strongest_in_words(&orders, length))
+}
+
+/// Which minor orders are the strongest.
+pub(in crate::report) fn strongest_in_words(orders: &[CycleOrder], length: Amount) -> Text {
+    match orders {
+        [only] => phrase!("The strongest minor order is {}, with a star of length {}.", only.to_string(), length),
+        _ => phrase!("The strongest minor orders are {}, with stars of length {}.", in_a_row(orders), length),
+    }
+}
+
+/// The orders at which all vectors point the same way.
+pub(super) fn major(pattern: &FiringPattern) -> Option<Text> {
+    let majors: Vec<&StarOrder> = pattern.orders.iter().filter(|order| order.is_major()).collect();
+    let first = majors.first()?;
+    let repeats = pattern.repeats_after();
+    let list: Vec<CycleOrder> = majors.iter().map(|order| order.order).collect();
+    let is_regular = list.windows(2).all(|pair| pair[1].halves() - pair[0].halves() == first.order.halves())
+        && repeats.halves() == first.order.halves() * u32::try_from(list.len()).unwrap_or(u32::MAX);
+    let orders = if is_regular { class(first.order, first.order) } else { classes(&list, repeats) };
+    Some(phrase!("The major orders, at which all vectors point the same way, are {}.", orders))
+}
+
+/// Why nothing is said of every order at once.
+pub(super) fn no_pattern(why: &NoPattern) -> Text {
+    match why {
+        NoPattern::NoStar(why) => phrase!("No statement is made on every order: {}.", why.to_string()),
+        NoPattern::PeriodTooLong(_) => {
+            "No statement is made on every order at once: the firing angles repeat only after very many orders.".into()
+        }
+    }
+}
+
+/// Why one period tells of all orders.
+pub(super) fn why(pattern: &FiringPattern) -> Text {
+    let repeats = pattern.repeats_after();
+    if pattern.orders.len() == 1 {
+        return phrase!(
+            "All vectors point the same way in every order, so every star is that of order {}.",
+            repeats.to_string()
+        );
+    }
+    phrase!(
+        "Each firing angle times {} is a whole number of turns, so the star of order $\\kappa$ is that of order $\\kappa$ + {}: the \
+         {} orders up to {} tell of all. Order {} − $\\kappa$ has the mirror image of the star of order $\\kappa$.",
+        repeats.to_string(),
+        repeats.to_string(),
+        pattern.orders.len(),
+        repeats.to_string(),
+        repeats.to_string()
+    )
+}
+
+/// `1, 3, 5`.
+pub(super) fn names_of(engine: &Engine, star: &FiringStar) -> String {
+    star.sources.iter().map(|source| source.name(engine)).collect::<Vec<_>>().join(", ")
+}
+
+impl FiringStudy<'_> {
+    /// Whether the stars are weighed by a mode shape.
+    pub(super) fn has_mode_shape(&self) -> bool {
+        match self.weights {
+            crate::firing::Weights::Rigid => false,
+            crate::firing::Weights::ModeShape(_) => true,
+        }
+    }
+}
