@@ -1,4 +1,4 @@
-//! What is the integral of a smooth function? Sixteen points of Gauss and Legendre.
+//! What is the integral of a smooth function? Sixteen points of Gauss and Legendre, five over a short way.
 
 use std::ops::{Add, Mul};
 
@@ -25,4 +25,19 @@ pub(super) fn points(from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
 /// `∫ f` from one place to another, exact for polynomials of degree 31.
 pub fn integrate<T: Add<Output = T> + Mul<f64, Output = T>>(zero: T, from: f64, to: f64, f: impl Fn(f64) -> T) -> T {
     points(from, to).fold(zero, |sum, (x, weight)| sum + f(x) * weight)
+}
+
+/// The five points in (0, 1) and their weights.
+const FEW: [(f64, f64); 5] = [
+    (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
+    (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
+    (0.5, 0.284_444_444_444_444_44),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_24),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+];
+
+/// `∫ f` over a way so short that f is nearly a polynomial of degree 9 there.
+pub fn integrate_short(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let width = to - from;
+    FEW.into_iter().map(|(part, weight)| weight * f(from + width * part)).sum::<f64>() * width
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_traits::ToPrimitive;
 
 use super::class::{Class, Inertia};
-use crate::gas::{CylinderGas, integrate};
+use crate::gas::{CylinderGas, integrate, integrate_short};
 
 /// The torque over the crank angle θ, in radians.
 #[derive(Clone, Debug)]
@@ -39,16 +39,12 @@ pub struct Extreme {
     pub angle: f64,
 }
 
-impl Extreme {
-    pub(super) fn negated(self) -> Self {
-        Extreme { value: -self.value, ..self }
-    }
-}
-
 /// Steps of a revolution in which the largest value is looked for: a quarter of a degree each.
 pub(super) const STEPS: usize = 1440;
 /// Parts of the gas work are at most so wide, in radians.
 const WIDEST: f64 = 0.05;
+/// A top of the grid lower than the highest by more than this part of the range is no highest value.
+const NEAR_TOP: f64 = 0.02;
 /// Two tops closer than this part of their size are one, by roundings.
 const EQUAL: f64 = 1e-9;
 
@@ -76,7 +72,7 @@ impl ClassCourse {
         let psi = first + (psi - first).rem_euclid(self.gas.period());
         let place = self.work.partition_point(|(at, _)| *at <= psi).saturating_sub(1);
         let (from, sum) = self.work[place];
-        sum + integrate(0.0, from, psi, |psi| self.gas.torque(psi) - self.mean)
+        sum + integrate_short(from, psi, |psi| self.gas.torque(psi) - self.mean)
     }
 }
 
@@ -141,19 +137,28 @@ impl Course {
         })
     }
 
-    /// The largest value of a function in the cycle: on a grid, then by golden sections beside each of its tops.
-    pub fn extreme(&self, value: impl Fn(f64) -> f64) -> Extreme {
+    /// The largest and the smallest value of a function in the cycle: on a grid, then by golden sections beside its tops.
+    pub fn extremes(&self, value: impl Fn(f64) -> f64) -> [Extreme; 2] {
         let count = (self.period / TAU * STEPS as f64).round() as usize;
         let step = self.period / count as f64;
         let values: Vec<f64> = (0..count).map(|index| value(index as f64 * step)).collect();
+        let opposite: Vec<f64> = values.iter().map(|value| -value).collect();
+        let lowest = self.highest(&opposite, step, |theta| -value(theta));
+        [self.highest(&values, step, value), Extreme { value: -lowest.value, ..lowest }]
+    }
+
+    fn highest(&self, values: &[f64], step: f64, value: impl Fn(f64) -> f64) -> Extreme {
+        let count = values.len();
         let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
         let is_top = |&index: &usize| {
             let beside = values[(index + count - 1) % count].max(values[(index + 1) % count]);
-            values[index] >= beside && values[index] >= highest - 0.02 * (highest - lowest)
+            values[index] >= beside && values[index] >= highest - NEAR_TOP * (highest - lowest)
         };
         let mut best = Extreme { value: f64::NEG_INFINITY, angle: 0.0 };
-        for index in (0..count).filter(is_top) {
+        // Where nothing changes one place is as good as all.
+        let most = if highest > lowest { count } else { 1 };
+        for index in (0..count).filter(is_top).take(most) {
             let place = index as f64 * step;
             let theta = refined(place - step, place + step, &value);
             let theta = if value(theta) > values[index] { theta } else { place };

@@ -59,8 +59,7 @@ const HALVINGS: usize = 100;
 
 /// How evenly an engine turns at this speed, in radians a second.
 pub fn evenness(engine: &Engine, course: &Course, omega: f64) -> Evenness {
-    let fastest = course.extreme(|theta| course.work(theta));
-    let slowest = course.extreme(|theta| -course.work(theta)).negated();
+    let [fastest, slowest] = course.extremes(|theta| course.work(theta));
     let energy = fastest.value - slowest.value;
     let squared = omega * omega;
     let count = (course.period() / std::f64::consts::TAU * STEPS as f64).round() as usize;
@@ -119,6 +118,6 @@ pub fn by_energy(course: &Course, inertia: f64, omega: f64) -> Option<f64> {
     }
     let energy = (low + high) / 2.0;
     let at = |theta: f64| speed(energy, (course.gas_work(theta), inertia + course.reduced_inertia(theta)));
-    let (fastest, slowest) = (course.extreme(at).value, course.extreme(|theta| -at(theta)).negated().value);
-    Some((fastest - slowest) / omega)
+    let [fastest, slowest] = course.extremes(at);
+    Some((fastest.value - slowest.value) / omega)
 }

@@ -65,13 +65,15 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
     let moved: f64 = classes.iter().map(|class| class.gas.peak_pressure().0 * class.gas.geometry().swept()).sum();
     let omega = class::omega(engine);
     let warnings = class::warnings(engine, &classes);
+    let [highest, lowest] = course.extremes(|theta| course.total(theta));
+    let missed = course.extremes(|theta| (course.total(theta) - mean - series(&orders, theta)).abs())[0].value;
     Ok(EngineTorque {
         mean,
         balance: (mean * course.period() - work).abs() / work.abs().max(1e-3 * moved),
-        highest: course.extreme(|theta| course.total(theta)),
-        lowest: course.extreme(|theta| -course.total(theta)).negated(),
-        roll: [course.extreme(|theta| course.roll(theta)), course.extreme(|theta| -course.roll(theta)).negated()],
-        missed: course.extreme(|theta| (course.total(theta) - mean - series(&orders, theta)).abs()).value,
+        highest,
+        lowest,
+        roll: course.extremes(|theta| course.roll(theta)),
+        missed,
         power: omega.map(|omega| mean * omega),
         evenness: omega.filter(|omega| *omega > 0.0).map(|omega| evenness(engine, &course, omega)),
         classes,
