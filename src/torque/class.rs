@@ -25,6 +25,8 @@ pub struct Class {
     pub cylinders: Vec<usize>,
     /// The crank angle θ at which each fires, in turns of the cycle.
     pub fires: Vec<BigRational>,
+    /// The first class with the same inertia, whatever its gas is.
+    pub same_inertia: usize,
 }
 
 /// The inertia torque of a cylinder.
@@ -88,13 +90,11 @@ pub(super) fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
     let Some(gas) = engine.gas() else { return Err(NoGas::Gas.into()) };
     let fires = fires(engine)?;
     let cylinders = engine.cylinders();
-    let is_alike = |one: usize, other: usize| {
+    let moves_alike = |one: usize, other: usize| {
         let (a, b) = (&cylinders[one], &cylinders[other]);
-        gas.chambers[one] == gas.chambers[other]
-            && a.mechanism == b.mechanism
-            && a.crank_radius == b.crank_radius
-            && a.reciprocating_mass == b.reciprocating_mass
+        a.mechanism == b.mechanism && a.crank_radius == b.crank_radius && a.reciprocating_mass == b.reciprocating_mass
     };
+    let is_alike = |one: usize, other: usize| gas.chambers[one] == gas.chambers[other] && moves_alike(one, other);
     let mut classes: Vec<Class> = Vec::new();
     for (index, fires) in fires.into_iter().enumerate() {
         match classes.iter_mut().find(|class| is_alike(class.cylinders[0], index)) {
@@ -106,7 +106,15 @@ pub(super) fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
                 let gas = CylinderGas::new(engine, index)?;
                 let harmonics = gas.harmonics((HIGHEST * gas.revolutions()) as usize);
                 let inertia = inertia(engine, index);
-                classes.push(Class { gas, harmonics, inertia, cylinders: vec![index], fires: vec![fires] });
+                let same_inertia = classes.iter().position(|class| moves_alike(class.cylinders[0], index));
+                classes.push(Class {
+                    gas,
+                    harmonics,
+                    inertia,
+                    cylinders: vec![index],
+                    fires: vec![fires],
+                    same_inertia: same_inertia.unwrap_or(classes.len()),
+                });
             }
         }
     }

@@ -39,8 +39,8 @@ pub struct Extreme {
     pub angle: f64,
 }
 
-/// Steps of a revolution in which the largest value is looked for: a quarter of a degree each.
-pub(super) const STEPS: usize = 1440;
+/// Steps of a revolution in which the largest value is looked for: half a degree each.
+const STEPS: usize = 720;
 /// Parts of the gas work are at most so wide, in radians.
 const WIDEST: f64 = 0.05;
 /// A top of the grid lower than the highest by more than this part of the range is no highest value.
@@ -137,11 +137,17 @@ impl Course {
         })
     }
 
-    /// The largest and the smallest value of a function in the cycle: on a grid, then by golden sections beside its tops.
-    pub fn extremes(&self, value: impl Fn(f64) -> f64) -> [Extreme; 2] {
+    /// Angles through the cycle, half a degree apart.
+    pub fn angles(&self) -> impl Iterator<Item = f64> {
         let count = (self.period / TAU * STEPS as f64).round() as usize;
         let step = self.period / count as f64;
-        let values: Vec<f64> = (0..count).map(|index| value(index as f64 * step)).collect();
+        (0..count).map(move |index| index as f64 * step)
+    }
+
+    /// The largest and the smallest value of a function in the cycle: on a grid, then by golden sections beside its tops.
+    pub fn extremes(&self, value: impl Fn(f64) -> f64) -> [Extreme; 2] {
+        let values: Vec<f64> = self.angles().map(&value).collect();
+        let step = self.period / values.len() as f64;
         let opposite: Vec<f64> = values.iter().map(|value| -value).collect();
         let lowest = self.highest(&opposite, step, |theta| -value(theta));
         [self.highest(&values, step, value), Extreme { value: -lowest.value, ..lowest }]

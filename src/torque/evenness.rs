@@ -6,7 +6,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::course::{Course, Extreme, STEPS};
+use super::course::{Course, Extreme};
 use crate::engine::Engine;
 
 /// How evenly an engine turns at its speed.
@@ -62,9 +62,8 @@ pub fn evenness(engine: &Engine, course: &Course, omega: f64) -> Evenness {
     let [fastest, slowest] = course.extremes(|theta| course.work(theta));
     let energy = fastest.value - slowest.value;
     let squared = omega * omega;
-    let count = (course.period() / std::f64::consts::TAU * STEPS as f64).round() as usize;
-    let angle = |index: usize| course.period() * index as f64 / count as f64;
-    let reciprocating = (0..count).map(|index| course.reduced_inertia(angle(index))).sum::<f64>() / count as f64;
+    let reciprocating =
+        course.angles().map(|theta| course.reduced_inertia(theta)).sum::<f64>() / course.angles().count() as f64;
     let flywheel = engine.flywheel();
     let float = |number: &num_rational::BigRational| number.to_f64().unwrap_or(f64::NAN);
     let given = flywheel.inertia.as_ref().map(|inertia| {
@@ -90,11 +89,8 @@ pub fn evenness(engine: &Engine, course: &Course, omega: f64) -> Evenness {
 /// The irregularity by the balance of energy: its beginning is where the mean of largest and smallest speed is the given one. None where
 /// the flywheel is too light to carry the engine through its cycle.
 pub fn by_energy(course: &Course, inertia: f64, omega: f64) -> Option<f64> {
-    let count = (course.period() / std::f64::consts::TAU * STEPS as f64).round() as usize;
-    let angle = |index: usize| course.period() * index as f64 / count as f64;
-    let grid: Vec<(f64, f64)> = (0..count)
-        .map(|index| (course.gas_work(angle(index)), inertia + course.reduced_inertia(angle(index))))
-        .collect();
+    let grid: Vec<(f64, f64)> =
+        course.angles().map(|theta| (course.gas_work(theta), inertia + course.reduced_inertia(theta))).collect();
     let speed = |energy: f64, (work, inertia): (f64, f64)| (2.0 * (energy + work) / inertia).max(0.0).sqrt();
     let middle = |energy: f64| {
         let speeds = grid.iter().map(|&point| speed(energy, point));

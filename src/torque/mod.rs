@@ -66,7 +66,8 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
     let omega = class::omega(engine);
     let warnings = class::warnings(engine, &classes);
     let [highest, lowest] = course.extremes(|theta| course.total(theta));
-    let missed = course.extremes(|theta| (course.total(theta) - mean - series(&orders, theta)).abs())[0].value;
+    let missed =
+        course.angles().map(|theta| (course.total(theta) - mean - series(&orders, theta)).abs()).fold(0.0, f64::max);
     Ok(EngineTorque {
         mean,
         balance: (mean * course.period() - work).abs() / work.abs().max(1e-3 * moved),

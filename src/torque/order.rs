@@ -17,6 +17,8 @@ pub struct TorqueOrder {
     pub gas: Complex<f64>,
     /// That of the inertia: zero at halves; none where it is not known.
     pub inertia: Option<Complex<f64>>,
+    /// Whether that of the inertia is zero, proved: its stars are, with those of cylinders that only the gas tells apart as one.
+    pub inertia_vanishes: bool,
     /// The exact stars `Σ e^{−iκφ_j}`, one a class of equal cylinders.
     pub stars: Vec<PhasorSum>,
     /// Whether every star is zero: then the order is, proved, for every pressure that the cylinders of a class share.
@@ -47,19 +49,29 @@ fn order(classes: &[Class], index: usize, revolutions: usize) -> Option<TorqueOr
     let order = CycleOrder::of_halves(u32::try_from(2 * index / revolutions).ok()?)?;
     let one = BigRational::from_integer(1.into());
     let stars: Vec<PhasorSum> = classes.iter().map(|class| star(class, order, |_| one.clone())).collect();
-    let zero = Complex::new(0.0, 0.0);
-    let values: Vec<Complex<f64>> =
-        stars.iter().map(|star| if star.vanishes() { zero } else { numbers::evaluate(star) }).collect();
-    let sum = |of: &dyn Fn(&Class) -> Option<Complex<f64>>| -> Option<Complex<f64>> {
-        classes.iter().zip(&values).map(|(class, star)| Some(of(class)? * star)).sum()
-    };
+    // Stars of equal inertia are added before they are judged.
+    let moving: Vec<(&Class, PhasorSum)> = (0..classes.len())
+        .filter(|&first| classes[first].same_inertia == first)
+        .map(|first| {
+            let alike = classes.iter().zip(&stars).filter(|(class, _)| class.same_inertia == first);
+            (&classes[first], alike.fold(PhasorSum::new(Vec::new()), |sum, (_, star)| sum.plus(star)))
+        })
+        .collect();
+    let inertia = moving.iter().map(|(class, star)| Some(class.inertia_at(index, revolutions)? * value(star))).sum();
+    let gas = classes.iter().zip(&stars).map(|(class, star)| class.harmonics.torque[index] * value(star)).sum();
     Some(TorqueOrder {
-        gas: sum(&|class| Some(class.harmonics.torque[index])).unwrap_or_default(),
-        inertia: sum(&|class| class.inertia_at(index, revolutions)),
+        gas,
+        inertia,
+        inertia_vanishes: !order.is_whole() || moving.iter().all(|(_, star)| star.vanishes()),
         vanishes: stars.iter().all(PhasorSum::vanishes),
         order,
         stars,
     })
+}
+
+/// A star in decimals: zero where it is proved to be.
+fn value(star: &PhasorSum) -> Complex<f64> {
+    if star.vanishes() { Complex::new(0.0, 0.0) } else { numbers::evaluate(star) }
 }
 
 impl Class {

@@ -46,6 +46,7 @@ struct Order {
     gas: Vector,
     /// Null where masses or speed are not known.
     inertia: Option<Vector>,
+    inertia_vanishes: bool,
     total: Vector,
     /// One a class of equal cylinders: turns of the terms, each of weight 1.
     stars: Vec<Vec<String>>,
@@ -148,6 +149,7 @@ fn order(order: &TorqueOrder) -> Order {
         vanishes: order.vanishes,
         gas: vector(order.gas),
         inertia: order.inertia.map(vector),
+        inertia_vanishes: order.inertia_vanishes,
         total: vector(order.total()),
         stars: order.stars.iter().map(turns).collect(),
     }

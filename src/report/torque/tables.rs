@@ -36,7 +36,7 @@ pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
             angle(at.to_degrees()),
             Number::Decimal(class.gas.mean_pressure() / BAR).into(),
             Number::Decimal(class.gas.work()).into(),
-            class.gas.heat().map_or_else(|| "–".into(), |heat| Number::Decimal(heat).into()),
+            class.gas.heat().filter(|heat| *heat > 0.0).map_or_else(|| "–".into(), |heat| Number::Decimal(heat).into()),
             Number::Decimal(class.harmonics.torque[0].re).into(),
         ]);
     }
@@ -72,8 +72,7 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
         }
         row.push(amplitude(order, order.gas));
         if let Some(inertia) = order.inertia.filter(|_| with_inertia) {
-            let has_inertia = order.order.is_whole();
-            row.push(if has_inertia { amplitude(order, inertia) } else { Text::zero() });
+            row.push(if order.inertia_vanishes { Text::zero() } else { Number::Decimal(inertia.norm()).into() });
             row.push(amplitude(order, order.total()));
         }
         row.push(match order.vanishes {
