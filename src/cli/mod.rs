@@ -24,6 +24,7 @@ mod report;
 mod search;
 mod spoken;
 mod sweep;
+mod torque;
 mod torsion;
 mod verify;
 mod write;
@@ -79,6 +80,8 @@ enum Command {
     Firing(firing::Firing),
     /// Compute what the main bearings feel
     Bearings(bearings::Bearings),
+    /// Compute the torque of gas and inertia, and the flywheel
+    Torque(torque::Torque),
     /// Find the speeds at which the crankshaft twists
     Torsion(torsion::Torsion),
     /// Compare methods for the peak loads: error, guarantee and time
@@ -185,6 +188,7 @@ pub fn run() -> ExitCode {
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Firing(firing) => firing.run().map(done),
+        Command::Torque(torque) => torque.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),

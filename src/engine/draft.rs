@@ -6,7 +6,9 @@ use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
 use super::firing::{Cycle, Firing};
+use super::flywheel::Flywheel;
 use super::form::Form;
+use super::gas::Gas;
 use super::length::LengthUnit;
 use super::model::Effects;
 use super::title_block::TitleBlock;
@@ -48,6 +50,10 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub cycle: Option<Cycle>,
     /// When the cylinders fire.
     pub firing: Option<Firing>,
+    /// What presses on the pistons; none where nothing is known of it.
+    pub gas: Option<Gas>,
+    /// What is known, or wanted, of the flywheel.
+    pub flywheel: Flywheel,
     /// Positions of the main bearings; none where nothing is known of them.
     pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
@@ -89,6 +95,8 @@ impl<A, L> Draft<A, L> {
             orders: Vec::new(),
             cycle: None,
             firing: None,
+            gas: None,
+            flywheel: Flywheel::default(),
             bearings: Vec::new(),
             dimensions: Dimensions::default(),
             crankshaft: Crankshaft::default(),
@@ -116,6 +124,8 @@ impl<A, L> Draft<A, L> {
             orders: self.orders.clone(),
             cycle: self.cycle,
             firing: self.firing.clone(),
+            gas: self.gas.clone(),
+            flywheel: self.flywheel.clone(),
             bearings: self.bearings.clone(),
             dimensions: self.dimensions.clone(),
             crankshaft: self.crankshaft.clone(),
