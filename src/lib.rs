@@ -31,7 +31,7 @@
 //! report
 //! page
 //! claim
-//! accuracy  remedy  optimise  sweep  search  torque
+//! accuracy  remedy  optimise  sweep  search  torque  torsion
 //! loads  family  firing
 //! verdict
 //! order  numbers  gas
@@ -107,6 +107,8 @@ pub mod search;
 pub mod sweep;
 #[allow(clippy::disallowed_types)]
 pub mod torque;
+#[allow(clippy::disallowed_types)]
+pub mod torsion;
 
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};

@@ -241,7 +241,7 @@ fn pages_of_several_engines_compile_and_the_poster_fits_its_sheet() {
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-poster");
     fs::create_dir_all(&folder).expect("a folder");
-    let poster = report::poster(&file::catalogue().expect("the catalogue reads"));
+    let poster = report::poster(&file::catalogue().expect("the catalogue reads"), Language::De);
     fs::write(folder.join("report.tex"), &poster[1].text).expect("the poster");
     compile("poster", &folder);
     let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();

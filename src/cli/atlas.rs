@@ -1,42 +1,65 @@
 //! `atlas`: what does every engine of the catalogue leave, and which stars in line are the best?
 
-use std::path::PathBuf;
-
 use crankstar::engine::Cycle;
 use crankstar::file;
 use crankstar::page::File;
 use crankstar::report;
-use crankstar::search::{self, Options};
+use crankstar::search::{self, Best, Options};
 
 use super::failure::Failure;
+use super::pages::{Format, Look};
 use super::{folder, layouts, progress, write};
 
 /// Arguments of `atlas`.
 #[derive(clap::Args)]
+#[command(mut_arg("output", |folder| folder.required(true)))]
 pub struct Atlas {
     /// Write the poster alone: the catalogue on one sheet of A3, poster.svg and poster.tex
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["format", "math", "fragment", "siunitx", "stamp", "symbols"])]
     poster: bool,
-    /// Folder for README.md with its pictures, atlas.tex, atlas.html and atlas.csv, or for the poster
-    #[arg(long, value_name = "DIR")]
-    output: PathBuf,
+    /// What the page is written in [default: README.md, atlas.tex and atlas.html]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    #[command(flatten)]
+    look: Look,
 }
 
 impl Atlas {
     /// Writes the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let files = if self.poster { report::poster(&file::catalogue()?) } else { atlas()? };
-        folder::write(&self.output, &files)?;
+        let files = match self.poster {
+            true => report::poster(&file::catalogue()?, self.look.language()),
+            false => self.atlas()?,
+        };
+        let Some(to) = self.look.folder() else { return Ok(()) };
+        folder::write(to, &files)?;
         let pictures = |file: &&File| !file.name.starts_with("stars-");
         let names: Vec<String> =
-            files.iter().filter(pictures).map(|file| layouts::shown(&self.output.join(&file.name))).collect();
+            files.iter().filter(pictures).map(|file| layouts::shown(&to.join(&file.name))).collect();
         write::to_stdout(&format!("Written: {}\n", names.join(", ")))
+    }
+
+    /// The pages, and the numbers for a spreadsheet.
+    fn atlas(&self) -> Result<Vec<File>, Failure> {
+        let engines = file::catalogue()?;
+        let stars = stars()?;
+        let atlas = report::Atlas::new(&engines, &stars).map_err(Failure::new)?;
+        let mut files = match self.format {
+            Some(format) => self.look.files(&atlas.page(), format)?,
+            None => {
+                let [readme, named] = atlas.pages();
+                let written = [(&readme, Format::Markdown), (&named, Format::Latex), (&named, Format::Html)];
+                let written = written.map(|(page, format)| self.look.files(page, format));
+                written.into_iter().collect::<Result<Vec<_>, _>>()?.concat()
+            }
+        };
+        files.push(atlas.csv());
+        Ok(files)
     }
 }
 
-/// Searches the stars and makes the pages.
-fn atlas() -> Result<Vec<File>, Failure> {
-    let engines = file::catalogue()?;
+/// The best stars in line.
+fn stars() -> Result<Vec<Best>, Failure> {
     let options = Options::default();
     let mut stars = Vec::new();
     let bar = progress::bar("stars");
@@ -48,5 +71,5 @@ fn atlas() -> Result<Vec<File>, Failure> {
         }
     }
     bar.finish_and_clear();
-    report::atlas(&engines, &stars).map_err(Failure::new)
+    Ok(stars)
 }

@@ -8,8 +8,7 @@ use crankstar::loads::{self, Needed};
 use crankstar::report::{self, LoadsDocument, Numbers};
 
 use super::failure::Failure;
-use super::pages::shown;
-use super::spoken::Spoken;
+use super::pages::Pages;
 use super::verify::proved_or_without;
 use super::{EngineAndOrders, write};
 
@@ -22,12 +21,12 @@ pub struct Loads {
     #[command(flatten)]
     about: EngineAndOrders,
     /// Print the loads as JSON
-    #[arg(long)]
+    #[arg(long, conflicts_with = "output")]
     json: bool,
     #[command(flatten)]
     auto: Auto,
     #[command(flatten)]
-    spoken: Spoken,
+    pages: Pages,
 }
 
 /// The choice of the orders by a wanted accuracy.
@@ -70,7 +69,7 @@ impl Auto {
 }
 
 impl Loads {
-    /// Prints the loads.
+    /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let (layout, orders) = self.about.read()?;
         let Layout::Known(engine, _) = layout else {
@@ -85,7 +84,7 @@ impl Loads {
             }
             false => {
                 let answer = report::loads_answer(&engine, &numbers, needed.as_ref());
-                write::to_stdout(&shown(&answer, self.spoken.language()))
+                self.pages.show(&answer, || report::loads_page(&engine, &numbers, needed.as_ref()))
             }
         }
     }

@@ -25,6 +25,7 @@ mod search;
 mod spoken;
 mod sweep;
 mod torque;
+mod torsion;
 mod verify;
 mod write;
 
@@ -37,7 +38,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use crankstar::engine::{CycleOrder, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
-use crankstar::loads::usual_orders;
+use crankstar::loads::{usual_bearing_orders, usual_orders};
 use crankstar::text;
 use failure::Failure;
 
@@ -81,6 +82,8 @@ enum Command {
     Bearings(bearings::Bearings),
     /// Compute the torque of gas and inertia, and the flywheel
     Torque(torque::Torque),
+    /// Find the speeds at which the crankshaft twists
+    Torsion(torsion::Torsion),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel what is left
@@ -128,9 +131,18 @@ impl EngineAndOrders {
 
     /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_orders)
+    }
+
+    /// The same for what the main bearings feel, which has orders of its own.
+    fn read_for_bearings(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_bearing_orders)
+    }
+
+    fn read_or(&self, usual: fn(&crankstar::engine::Engine) -> Vec<u32>) -> Result<(Layout, Vec<u32>), Failure> {
         let layout = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &layout) {
-            ([], Layout::Known(engine, _)) => usual_orders(engine),
+            ([], Layout::Known(engine, _)) => usual(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (_, _) => self.asked()?,
         };
@@ -187,6 +199,7 @@ pub fn run() -> ExitCode {
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),
+        Command::Torsion(torsion) => torsion.run().map(done),
         Command::Sweep(sweep) => sweep.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };

@@ -1,6 +1,6 @@
 //! How is a page written: in which format, into which folder, with what at its foot?
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use crankstar::page::{self, Document, File, Language, Options};
@@ -131,6 +131,16 @@ impl Look {
     /// Whether a folder is named.
     pub fn has_folder(&self) -> bool {
         self.output.is_some()
+    }
+
+    /// The folder that is named.
+    pub fn folder(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+
+    /// The language.
+    pub fn language(&self) -> Language {
+        self.reader.spoken.language()
     }
 }
 

@@ -15,6 +15,7 @@ use super::mechanism::Mechanism;
 use super::model::Engine;
 use super::order::{NotAnOrder, are_orders, pistons_have_order};
 use super::throws::throws;
+use super::torsion::NoShaft;
 use crate::proof::Quantity;
 
 /// An engine has at most so many cylinders.
@@ -64,6 +65,8 @@ pub enum BuildError {
     Firing,
     /// A pressure that cannot be.
     Gas(GasMistake),
+    /// Discs and springs that are no shaft for the crankpins.
+    Torsion(NoShaft),
 }
 
 impl fmt::Display for BuildError {
@@ -85,6 +88,7 @@ impl fmt::Display for BuildError {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
         }
@@ -178,6 +182,10 @@ impl Draft {
         for shaft in &crankshaft.balancers {
             not_negative(&shaft.mass_radius, || "the mass-radius of a balancer shaft".into())?;
             are_orders(&[shaft.order]).map_err(BuildError::Order)?;
+        }
+        if let Some(torsion) = engine.torsion() {
+            let pins = engine.cylinders().iter().map(|cylinder| cylinder.pin + 1).max().unwrap_or(0);
+            torsion.check(pins).map_err(BuildError::Torsion)?;
         }
         if let Some(firing) = engine.firing() {
             let cylinders: BTreeSet<usize> = firing.shots.iter().map(|shot| shot.cylinder).collect();

@@ -12,6 +12,7 @@ use super::gas::Gas;
 use super::length::LengthUnit;
 use super::model::Effects;
 use super::title_block::TitleBlock;
+use super::torsion::Torsion;
 use crate::exact::Turn;
 use crate::text::Untrusted;
 
@@ -59,6 +60,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub dimensions: Dimensions,
     /// Masses on the crankshaft, and the balancer shafts that it drives.
     pub crankshaft: Crankshaft,
+    /// The shaft as discs and springs, where its torsional vibration is asked about.
+    pub torsion: Option<Torsion>,
     /// What is asked for beyond force and moment.
     pub effects: Effects,
     /// What stands in the title block of a calculation report.
@@ -97,6 +100,7 @@ impl<A, L> Draft<A, L> {
             bearings: Vec::new(),
             dimensions: Dimensions::default(),
             crankshaft: Crankshaft::default(),
+            torsion: None,
             effects: Effects::default(),
             title_block: TitleBlock::default(),
             file: Untrusted::new(""),
@@ -125,6 +129,7 @@ impl<A, L> Draft<A, L> {
             bearings: self.bearings.clone(),
             dimensions: self.dimensions.clone(),
             crankshaft: self.crankshaft.clone(),
+            torsion: self.torsion.clone(),
             effects: self.effects,
             title_block: self.title_block.clone(),
             file: self.file.clone(),

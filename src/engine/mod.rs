@@ -20,6 +20,7 @@ mod model;
 mod order;
 mod throws;
 mod title_block;
+mod torsion;
 
 pub use build::{BuildError, MOST_CYLINDERS};
 pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
@@ -42,3 +43,4 @@ pub use model::{Effects, Engine};
 pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, NotAnOrder, ORDERS, WHY_NOT, are_orders};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;
+pub use torsion::{MOST_DISCS, NoShaft, Torsion};

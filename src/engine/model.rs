@@ -15,6 +15,7 @@ use super::gas::Gas;
 use super::length::{Length, LengthUnit};
 use super::mechanism::{Mechanism, Rod};
 use super::title_block::TitleBlock;
+use super::torsion::Torsion;
 use crate::exact::Turn;
 use crate::text::Untrusted;
 
@@ -128,6 +129,11 @@ impl<A, L> Engine<A, L> {
     /// Masses on the crankshaft, and the balancer shafts that it drives.
     pub fn crankshaft(&self) -> &Crankshaft {
         &self.draft.crankshaft
+    }
+
+    /// The shaft as discs and springs, where its torsional vibration is asked about.
+    pub fn torsion(&self) -> Option<&Torsion> {
+        self.draft.torsion.as_ref()
     }
 
     /// What is asked for beyond force and moment.

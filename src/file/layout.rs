@@ -20,6 +20,7 @@ use super::gas_keys;
 use super::mechanism_keys;
 use super::quantities;
 use super::title_block_keys;
+use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
 use crate::engine::{
     BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Firing, Form,
@@ -47,6 +48,7 @@ struct File {
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     gas: Option<Spanned<Table<gas_keys::Keys>>>,
     flywheel: Option<Table<flywheel_keys::Keys>>,
+    torsion: Option<Spanned<Table<torsion_keys::Keys>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -162,6 +164,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         bearings: bearings.transpose()?.unwrap_or_default(),
         dimensions,
         crankshaft: Crankshaft::default(),
+        torsion: None,
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
         file: Untrusted::new(source),
@@ -186,6 +189,10 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         if let Some(list) = given_bearings {
             return Err(bearings::of_open_layout(list));
         }
+        if let Some(table) = &file.torsion {
+            let message = "a shaft that twists in an engine whose angles or positions are open";
+            return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
+        }
         return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
             None => Ok(Layout::Open(Box::new(valued.unwrap_or(family)))),
             span => Err(LayoutError::new(
@@ -200,6 +207,10 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         engine = turning.read(engine)?;
     }
     bearings::check_ends(given_bearings, &engine)?;
+    if let Some(table) = &file.torsion {
+        let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
+        engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
+    }
     if let Some(firing) = firing(&file.firing_order, &file.firing_angles, cycle, engine.cylinders())? {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
     }

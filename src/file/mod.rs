@@ -21,6 +21,7 @@ mod number;
 mod quantities;
 mod template;
 mod title_block_keys;
+mod torsion_keys;
 pub(crate) mod units;
 pub(crate) mod written;
 

@@ -81,6 +81,15 @@ const INERTIAS: Units = &[
     ("g m²", (1, 1000)),
     ("g m2", (1, 1000)),
 ];
+const TORSIONAL_STIFFNESSES: Units = &[
+    ("MN m/rad", (1_000_000, 1)),
+    ("MNm/rad", (1_000_000, 1)),
+    ("kN m/rad", (1000, 1)),
+    ("kNm/rad", (1000, 1)),
+    ("N m/rad", (1, 1)),
+    ("N·m/rad", (1, 1)),
+    ("Nm/rad", (1, 1)),
+];
 const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
@@ -146,6 +155,12 @@ pub(crate) fn energy(text: &str) -> Result<BigRational, String> {
 /// A moment of inertia in kilograms times square metres, which is also what a number without a unit means.
 pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, INERTIAS, "\"0.5\", \"0.5 kg m²\" or \"5000 kg cm²\"")?;
+    sized(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+/// A torsional stiffness in N m per radian; in those where no unit stands.
+pub(crate) fn torsional_stiffness(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")?;
     sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 

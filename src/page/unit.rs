@@ -34,6 +34,10 @@ impl Unit {
     pub const KILOGRAM_SQUARE_METRE: Unit = Unit { name: "kg·m²", tex: "kg\\,m^2" };
     /// Degrees of crank angle.
     pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
+    /// Oscillations a second.
+    pub const HERTZ: Unit = Unit { name: "Hz", tex: "Hz" };
+    /// Revolutions a minute.
+    pub const PER_MINUTE: Unit = Unit { name: "1/min", tex: "min^{-1}" };
     /// Parts of a hundred.
     pub const PERCENT: Unit = Unit { name: "%", tex: "\\%" };
 
@@ -52,6 +56,8 @@ impl Unit {
             (Unit::METRE, "\\metre"),
             (Unit::MILLIMETRE, "\\milli\\metre"),
             (Unit::DEGREE, "\\degree"),
+            (Unit::HERTZ, "\\hertz"),
+            (Unit::PER_MINUTE, "\\per\\minute"),
             (Unit::PERCENT, "\\percent"),
         ];
         known.into_iter().find(|(unit, _)| unit.name == self.name).map(|(_, commands)| commands)

@@ -34,6 +34,7 @@ mod table;
 mod theorem;
 mod theorem_words;
 mod torque;
+mod torsion;
 mod views;
 
 pub use views::{end_view, side_view};
@@ -46,9 +47,9 @@ pub use accuracy::{
     accuracy_section,
 };
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
-pub use atlas::{ATLAS_CYLINDERS, atlas};
+pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
-pub use calculation::{Numbers, loads_answer};
+pub use calculation::{Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
@@ -74,3 +75,4 @@ pub use search::{search_answer, search_page};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueDocument, torque_answer, torque_document, torque_page};
+pub use torsion::{NoTorsion, TorsionDocument, TorsionStudy, torsion_answer, torsion_document, torsion_page};

@@ -4,7 +4,7 @@ use super::catalogue::{Family, Stamp, families};
 use super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use crate::engine::Engine;
 use crate::file::Entry;
-use crate::page::{self, Document, File, Format, Options, Text, phrase};
+use crate::page::{self, Document, File, Format, Language, Options, Picture, Text, phrase};
 use crate::page::{svg, tikz};
 
 /// A3 upright, in millimetres.
@@ -19,10 +19,15 @@ const HEADING: f64 = 8.0;
 const MOST_COLUMNS: usize = 16;
 
 /// The poster: a drawing for a browser, and a file for pdflatex.
-pub fn poster(engines: &[(Entry, Engine)]) -> Vec<File> {
-    let figure = poster_sheet(engines);
+pub fn poster(engines: &[(Entry, Engine)], language: Language) -> Vec<File> {
+    let title = title(engines.len());
+    let drawn = Picture { name: "poster".to_owned(), caption: title.clone(), figure: poster_sheet(engines) };
+    let figure = language.picture(&drawn).figure;
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
-    vec![file("poster.svg", svg(&figure, &title(engines.len()).plain())), file("poster.tex", in_latex(&figure))]
+    vec![
+        file("poster.svg", svg(&figure, &language.label(&title.plain()))),
+        file("poster.tex", in_latex(&figure, language)),
+    ]
 }
 
 fn title(engines: usize) -> Text {
@@ -98,8 +103,8 @@ const BEGIN: &str = "\\documentclass[a3paper]{article}
 ";
 
 /// A file of its own for pdflatex, with the colours of every other page.
-fn in_latex(figure: &Figure) -> String {
-    let fragment = Options { fragment: true, ..Options::default() };
+fn in_latex(figure: &Figure, language: Language) -> String {
+    let fragment = Options { fragment: true, language, ..Options::default() };
     let colours = page::write(&Document::new("poster", ""), Format::Latex, &fragment);
     let colours: String = colours.into_iter().map(|file| file.text).collect();
     let drawing = tikz(figure);

@@ -65,7 +65,9 @@ fn equals(value: &BigRational) -> String {
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
     let rod = match &class.factor {
-        Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
+        Factor::Motion(Mechanism::SliderCrank(rod))
+        | Factor::Torque(Mechanism::SliderCrank(rod))
+        | Factor::Side(Mechanism::SliderCrank(rod)) => {
             let offset = match rod.offset.is_zero() {
                 true => String::new(),
                 false => format!(", δ {}", equals(&rod.offset)),
@@ -83,8 +85,11 @@ const MOST_NAMED: usize = 3;
 /// `cylinders 1–3`, `balancer shaft 1`, `6 masses that turn`.
 pub(super) fn class_sources(class: &Class) -> String {
     let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
-    let several = if names.len() == 1 { "" } else { "s" };
-    let cylinders = (!names.is_empty()).then(|| format!("cylinder{several} {}", typeset::names(&names)));
+    let cylinders = match names.as_slice() {
+        [] => None,
+        [only] => Some(format!("cylinder {only}")),
+        several => Some(format!("cylinders {}", typeset::names(several))),
+    };
     let turning = match class.turning.as_slice() {
         [] => None,
         named if named.len() <= MOST_NAMED => Some(named.join(", ")),
@@ -126,7 +131,8 @@ pub(super) fn force(order: &OrderBalance) -> Text {
 
 /// The moment of an order in a few words: zero or `couple √10 ≈ 3.162, rotating`.
 pub(super) fn moment(order: &OrderBalance) -> Text {
-    if order.exists { summary(&order.moment, Some(moment_name(order))) } else { DOES_NOT_EXIST.into() }
+    let words = if order.moment_is_couple() { "couple {}, {}" } else { "moment {}, {}" };
+    if order.exists { summary(&order.moment, Some(words)) } else { DOES_NOT_EXIST.into() }
 }
 
 /// The inertia torque of an order in a few words: zero or its amplitude.
@@ -220,11 +226,12 @@ pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     apart.next().map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }
 
-fn summary(balance: &Balance, kind: Option<&'static str>) -> Text {
+/// In words with places for size and shape; without them in both alone.
+fn summary(balance: &Balance, words: Option<&'static str>) -> Text {
     let size = || Text::from(largest(balance));
-    match (balance.shape, kind) {
+    match (balance.shape, words) {
         (Shape::Balanced, _) => Text::zero(),
-        (shape, Some(kind)) => phrase!("{} {}, {}", kind, size(), shape_name(shape)),
+        (shape, Some(words)) => phrase!(words, size(), shape_name(shape)),
         (shape, None) => phrase!("{}, {}", size(), shape_name(shape)),
     }
 }

@@ -11,9 +11,12 @@ use std::{env, fs};
 
 use crankstar::engine::Cycle;
 use crankstar::file;
-use crankstar::page::Block;
+use crankstar::page::{Block, Document, Language, Picture};
 use crankstar::report;
 use crankstar::search::{self, Best, Options, Problem};
+
+use crate::support::german::has_words;
+use crate::support::program::{program, scratch};
 
 fn best(cylinders: u32, cycle: Cycle) -> Best {
     search::best_in_line(cylinders, cycle, &Options::default()).expect("there are stars")
@@ -62,7 +65,7 @@ fn the_atlas_is_as_stored() {
 #[test]
 fn every_engine_of_the_catalogue_stands_on_the_poster_and_no_text_lies_on_another() {
     let engines = file::catalogue().expect("it reads");
-    let files = report::poster(&engines);
+    let files = report::poster(&engines, Language::En);
     assert_eq!(files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), ["poster.svg", "poster.tex"]);
     for (entry, _) in &engines {
         assert!(files[0].text.contains(&format!(">{}</text>", entry.name)), "{}", entry.name);
@@ -70,6 +73,60 @@ fn every_engine_of_the_catalogue_stands_on_the_poster_and_no_text_lies_on_anothe
     }
     assert!(files[1].text.starts_with("\\documentclass[a3paper]{article}"));
     let sheet = report::poster_sheet(&engines);
+    assert_eq!((sheet.width, sheet.height), (297.0, 420.0));
+    assert!(sheet.overlaps().is_empty() && sheet.leaving().is_empty(), "{:?} {:?}", sheet.overlaps(), sheet.leaving());
+}
+
+/// The files of a call of `atlas` with these arguments, by name.
+fn written_with(name: &str, arguments: &[&str]) -> BTreeMap<String, String> {
+    let folder = scratch(name);
+    let output = program().arg("atlas").args(arguments).arg("--output").arg(&folder).output();
+    let output = output.expect("the program starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let files = fs::read_dir(&folder).expect("the folder").map(|entry| entry.expect("an entry"));
+    let text = |path: PathBuf| fs::read_to_string(path).expect("a text");
+    files.map(|file| (file.file_name().to_string_lossy().into_owned(), text(file.path()))).collect()
+}
+
+#[test]
+fn the_atlas_stands_in_one_format_where_one_is_named_with_the_same_numbers() {
+    for (format, file) in [("latex", "atlas.tex"), ("typst", "atlas.typ"), ("text", "atlas.txt")] {
+        let files = written_with(&format!("atlas-{format}"), &["--format", format]);
+        let pages = files.keys().filter(|name| !name.ends_with(".svg")).collect::<Vec<_>>();
+        assert_eq!(pages, ["atlas.csv", file]);
+        assert_eq!(files["atlas.csv"], written()["atlas.csv"]);
+        assert!(
+            files[file].contains("Atlas of engine balance") && files[file].contains("Its numbers for a spreadsheet")
+        );
+    }
+    let german = written_with("atlas-german", &["--format", "html", "--lang", "de"]);
+    assert_eq!(german.keys().collect::<Vec<_>>(), ["atlas.csv", "atlas.html"]);
+    assert_eq!(german["atlas.csv"], written()["atlas.csv"], "a spreadsheet is in no language");
+    assert!(german["atlas.html"].contains("<html lang=\"de\">"));
+    let both = program().args(["atlas", "--poster", "--format", "html", "--output", "somewhere"]).output();
+    assert_eq!(both.expect("the program starts").status.code(), Some(2));
+    let nowhere = program().args(["atlas", "--format", "html"]).output();
+    assert_eq!(nowhere.expect("the program starts").status.code(), Some(2));
+}
+
+#[test]
+fn the_atlas_has_german_for_every_phrase() {
+    let engines = file::catalogue().expect("it reads");
+    let stars = [best(5, Cycle::TwoStroke), best(8, Cycle::FourStroke), best(12, Cycle::TwoStroke)];
+    let atlas = report::Atlas::new(&engines, &stars).expect("an atlas");
+    let pages: Vec<Document> = atlas.pages().into_iter().chain([atlas.page()]).collect();
+    let phrases = pages.iter().flat_map(Document::phrases);
+    let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+    assert!(missing.is_empty(), "no German for {missing:#?}");
+}
+
+#[test]
+fn the_poster_speaks_german_and_no_text_lies_on_another_or_leaves_the_sheet() {
+    let engines = file::catalogue().expect("it reads");
+    let files = report::poster(&engines, Language::De);
+    assert!(files[0].text.contains("Massenausgleich von") && files[1].text.contains("Reihenmotoren"));
+    let sheet = Picture { name: String::new(), caption: "".into(), figure: report::poster_sheet(&engines) };
+    let sheet = Language::De.picture(&sheet).figure;
     assert_eq!((sheet.width, sheet.height), (297.0, 420.0));
     assert!(sheet.overlaps().is_empty() && sheet.leaving().is_empty(), "{:?} {:?}", sheet.overlaps(), sheet.leaving());
 }

@@ -5,26 +5,15 @@ use std::fs;
 use std::path::Path;
 
 use crankstar::engine::Engine;
-use crankstar::family;
-use crankstar::file::{self, Layout};
-use crankstar::loads::{Method, bearing_loads};
+use crankstar::file;
+use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
-use crankstar::remedy::{self, Wish};
 use crankstar::report::{self, Compared};
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
+use crate::support::german::{has_words, is_said, literals, outside, pages_of, pages_of_files};
 use crate::support::pages;
-
-/// What stands in a phrase outside of its formulas.
-fn outside(words: &str) -> impl Iterator<Item = &str> {
-    words.split('$').step_by(2)
-}
-
-/// Whether a phrase has words, and not only places and signs.
-fn has_words(words: &str) -> bool {
-    outside(words).any(|part| part.contains(char::is_alphabetic))
-}
 
 /// The places of a phrase: how many, and which are named.
 fn places(words: &str) -> Vec<String> {
@@ -34,33 +23,6 @@ fn places(words: &str) -> Vec<String> {
 
 fn formulas(words: &str) -> BTreeSet<&str> {
     words.split('$').skip(1).step_by(2).collect()
-}
-
-/// The report on an engine, with its remedy and its bearings where it has any.
-fn pages_of(engine: &Engine) -> Vec<Document> {
-    let remedy = remedy::remedy(engine, &Wish { orders: vec![1, 2], ..Wish::default() });
-    let solve = |method| bearing_loads(engine, engine.orders(), method).ok();
-    let bearings = solve(Method::Continuous).zip(solve(Method::Determinate));
-    let remedy = remedy.ok().map(|remedy| report::remedy_page(&remedy));
-    let bearings = bearings.map(|(continuous, determinate)| report::bearings_page(engine, &continuous, &determinate));
-    [Some(pages::document(engine)), remedy, bearings].into_iter().flatten().collect()
-}
-
-/// The pages on the layout files of a folder below this project.
-fn pages_of_files(folder: &str) -> Vec<Document> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-    let files = files.map(|path| if path.is_dir() { path.join("layout.toml") } else { path });
-    let texts = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
-    let page = |path| match file::parse_layout("layout.toml", &fs::read_to_string(path).expect("a text")) {
-        Ok(Layout::Known(engine, _)) => pages_of(&engine),
-        Ok(Layout::Open(open)) => {
-            let orders = family::classify(&open, open.orders()).expect("orders");
-            vec![report::family_page(&open, &orders, false), report::family_answer(&open, &orders)]
-        }
-        Err(_) => Vec::new(),
-    };
-    texts.flat_map(page).collect()
 }
 
 fn assert_known(documents: &[Document]) {
@@ -175,3 +137,43 @@ fn a_value_may_stand_in_another_order() {
         assert!(named.iter().all(|place| (1..=places(english).len()).contains(place)), "{english:?}");
     }
 }
+
+#[test]
+fn every_entry_translates_what_the_program_says() {
+    let said = literals(&["src", "templates"]);
+    assert!(said.len() > 2000, "{}", said.len());
+    let entries = Language::De.entries().map(|(english, _)| english);
+    let dead: Vec<&str> = entries.filter(|english| !is_said(&said, english)).collect();
+    assert!(dead.is_empty(), "nothing says {dead:#?}");
+    assert!(!is_said(&said, "A sentence that the program does not say."));
+}
+
+#[test]
+fn every_name_in_a_drawing_has_german() {
+    let engines = file::catalogue().expect("the catalogue reads");
+    let mut pages: Vec<Document> = engines.iter().flat_map(|(_, engine)| pages_of(engine)).collect();
+    pages.extend(["reports/examples", "reports/families", "tests/pages"].into_iter().flat_map(pages_of_files));
+    pages.push(report::catalogue_page(&engines));
+    let mut missing = BTreeSet::new();
+    for picture in pages.iter().flat_map(Document::pictures) {
+        for (english, german) in picture.figure.marks.iter().zip(&Language::De.picture(picture).figure.marks) {
+            let (Mark::Text { text: english, .. }, Mark::Text { text: german, .. }) = (english, german) else {
+                continue;
+            };
+            // Names of cylinders, symbols and units stay; a word of more than two small letters is English.
+            let words = english.split(|letter: char| !letter.is_alphabetic());
+            let small = |word: &&str| word.chars().count() > 2 && word.chars().all(char::is_lowercase);
+            let is_word = |word: &str| words_of(german).any(|other| other == word) && !IN_BOTH.contains(&word);
+            missing
+                .extend(words.filter(small).filter(|word| is_word(word)).map(|word| format!("{word} in {english:?}")));
+        }
+    }
+    assert!(missing.is_empty(), "no German for {missing:#?}");
+}
+
+fn words_of(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|letter: char| !letter.is_alphabetic())
+}
+
+/// Words that are German too.
+const IN_BOTH: [&str; 2] = ["cos", "sin"];

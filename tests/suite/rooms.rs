@@ -15,7 +15,7 @@ const STOREYS: [&[&str]; 12] = [
     &["order", "numbers", "gas"],
     &["verdict"],
     &["loads", "family", "firing"],
-    &["accuracy", "remedy", "optimise", "sweep", "search", "torque"],
+    &["accuracy", "remedy", "optimise", "sweep", "search", "torque", "torsion"],
     &["claim"],
     &["page"],
     &["report"],

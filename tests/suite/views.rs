@@ -125,17 +125,34 @@ fn boxes_of(page: &str) -> ((f64, f64), Vec<TextBox>) {
     ((size[2], size[3]), texts.map(read).collect())
 }
 
-fn assert_readable(name: &str, (width, height): (f64, f64), boxes: &[TextBox]) {
+fn assert_readable(name: &str, size: (f64, f64), boxes: &[TextBox]) {
+    let wrong = unreadable(size, boxes);
+    assert!(wrong.is_empty(), "{name}: {wrong:#?}");
+}
+
+/// What is wrong with the texts of a page of this size.
+fn unreadable((width, height): (f64, f64), boxes: &[TextBox]) -> Vec<String> {
+    let mut wrong = Vec::new();
     for (index, one) in boxes.iter().enumerate() {
         let [left, right, bottom, top] = one.ends;
         let inside = left >= -0.05 && right <= width + 0.05 && bottom >= -0.05 && top <= height + 0.05;
-        assert!(inside, "{name}: `{}` leaves the page of {width} by {height}: {:?}", one.text, one.ends);
+        if !inside {
+            wrong.push(format!("`{}` leaves the page of {width} by {height}: {:?}", one.text, one.ends));
+        }
         for other in &boxes[..index] {
             let apart = right <= other.ends[0] + 0.05 || other.ends[1] <= left + 0.05;
             let apart = apart || top <= other.ends[2] + 0.05 || other.ends[3] <= bottom + 0.05;
-            assert!(apart, "{name}: `{}` lies on `{}`", one.text, other.text);
+            if !apart {
+                wrong.push(format!("`{}` lies on `{}`", one.text, other.text));
+            }
         }
     }
+    wrong
+}
+
+/// What is wrong with the texts of a view or a plot.
+pub fn unreadable_texts(figure: &Figure) -> Vec<String> {
+    unreadable((figure.width, figure.height), &boxes(figure))
 }
 
 fn assert_figure(name: &str, figure: &Figure) {
@@ -335,7 +352,7 @@ fn crank_angles_at_one_place_share_a_mark() {
 fn open_figure(text: &str) -> Option<(Figure, String)> {
     let Layout::Open(family) = file::parse_layout("test", text).expect("a family") else { return None };
     let orders = family::classify(&family, family.orders()).expect("orders");
-    amplitudes(&family, &orders).zip(amplitudes_caption(&family, &orders))
+    amplitudes(&family, &orders).zip(amplitudes_caption(&family, &orders).map(|caption| caption.plain()))
 }
 
 #[test]

@@ -87,6 +87,9 @@ pub fn text_width(text: &str, letters: f64) -> f64 {
     text.chars().map(width).sum::<f64>() * letters
 }
 
+/// Around texts for which a page was made larger, in millimetres.
+const AIR: f64 = 0.8;
+
 impl Mark {
     /// A text with what it covers; nothing of other marks.
     fn text_box(&self, letters: f64) -> Option<(&str, Extent)> {
@@ -193,6 +196,18 @@ impl Figure {
     pub fn leaving(&self) -> Vec<&str> {
         let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
         self.text_boxes().into_iter().filter(|(_, text)| !page.holds(text)).map(|(text, _)| text).collect()
+    }
+
+    /// The same marks on a page that holds all their texts, which may have become longer in another language.
+    pub fn with_room_for_texts(self) -> Figure {
+        let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
+        let leaving = self.text_boxes().into_iter().map(|(_, text)| text).filter(|text| !page.holds(text));
+        let Some(leaving) = leaving.reduce(|all, text| all.joined(&text)) else { return self };
+        let all = page.joined(&leaving.grown(AIR));
+        let size = all.high - all.low;
+        let mut larger = Figure::new(size.re, size.im).lettered(self.letters);
+        larger.place(self, -all.low);
+        larger
     }
 
     /// What all marks together cover; nothing where there are none.

@@ -115,7 +115,7 @@ impl Language {
         }
     }
 
-    /// Signs that are finished: a name in a drawing, numbers in a row, the sentences of a caption.
+    /// Signs that are finished: a name in a drawing, numbers in a row, a note beside what moves.
     pub fn label<'a>(self, english: &'a str) -> Cow<'a, str> {
         match self {
             Language::En => Cow::Borrowed(english),
@@ -204,7 +204,7 @@ impl Language {
     }
 
     /// A picture whose drawing has its words in the language; its caption is a text as others.
-    pub(super) fn picture(self, picture: &Picture) -> Picture {
+    pub fn picture(self, picture: &Picture) -> Picture {
         let mut out = picture.clone();
         if self == Language::En {
             return out;
@@ -223,6 +223,7 @@ impl Language {
                 | Mark::Rectangles { .. } => {}
             }
         }
+        out.figure = out.figure.with_room_for_texts();
         out
     }
 }

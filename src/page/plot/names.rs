@@ -1,9 +1,10 @@
 //! Which curve is which? Names on the curves, where they hide none; those of curves that coincide together.
 
+use super::super::Language;
 use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use super::Curve;
 use super::frame::Frame;
-use super::labels::{LINE, Labels, Place};
+use super::labels::{LINE, Labels, Place, area};
 use super::number::text_width;
 
 /// Curves whose points are nearer than this on the page, in millimetres, are drawn on each other.
@@ -48,17 +49,19 @@ pub(super) fn name_curves<'a>(
 ) -> Vec<&'a Curve> {
     let mut homeless = Vec::new();
     for group in coinciding(curves, frame) {
-        let names: Vec<&str> = group.iter().map(|number| curves[*number].name.as_str()).collect();
-        let name = names.join(" ≈ ");
+        let names = group.iter().map(|number| curves[*number].name.clone());
+        let name = names.reduce(|names, name| format!("{names} ≈ {name}")).unwrap_or_default();
         let others = lines.iter().enumerate().filter(|(number, _)| !group.contains(number));
         let others: Vec<Point> = others.flat_map(|(_, runs)| runs.iter().flat_map(|run| dense(run))).collect();
         let own: Vec<Point> = lines[group[0]].iter().flat_map(|run| dense(run)).collect();
-        let places = if text_width(&name) > LONGEST { Vec::new() } else { places(&name, &own, &others) };
-        let best = labels.best(&name, places.iter().map(|(place, cost, _)| (*place, *cost)));
+        let wide = widest(&name);
+        let places = if text_width(&wide) > LONGEST { Vec::new() } else { places(&wide, &own, &others) };
+        let best = labels.best(&wide, places.iter().map(|(place, cost, _)| (*place, *cost)));
         match best.filter(|(_, cost)| *cost <= WORST) {
             Some((index, _)) => {
                 let (place, _, from) = places[index];
                 labels.write(figure, &name, &[place]);
+                labels.avoid_area(area(&wide, &place));
                 let end = nearest_side(&name, place, from);
                 if (end - from).norm() > 1.6 {
                     figure.line(from, end, Stroke::solid(Ink::Grey, 0.15));
@@ -68,6 +71,12 @@ pub(super) fn name_curves<'a>(
         }
     }
     homeless
+}
+
+/// A name in the language in which it is the widest: there is room for it in each.
+fn widest(name: &str) -> String {
+    let spelled = Language::ALL.into_iter().map(|language| language.label(name).into_owned());
+    spelled.max_by(|one, other| text_width(one).total_cmp(&text_width(other))).unwrap_or_default()
 }
 
 /// Points of a line that are a millimetre apart at most.

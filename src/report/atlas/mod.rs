@@ -7,7 +7,7 @@ mod tables;
 
 use crate::engine::{BuildError, Engine};
 use crate::file::Entry;
-use crate::page::{Document, File, Format, Options, write};
+use crate::page::{Document, File};
 use crate::search::Best;
 use entry::EngineRow;
 
@@ -22,22 +22,36 @@ const OFFSET: [u32; 3] = [3, 5, 7];
 /// The orders that the remedies are for.
 const REMEDIED: [u32; 2] = [1, 2];
 
-/// The atlas: `README.md` with its pictures, `atlas.tex`, `atlas.html` and `atlas.csv`.
-///
-/// # Errors
-/// Those of a layout file, for a star that is no engine; none is known to arise.
-pub fn atlas(engines: &[(Entry, Engine)], stars: &[Best]) -> Result<Vec<File>, BuildError> {
-    let mut all: Vec<EngineRow> = engines.iter().map(|(known, layout)| EngineRow::known(known.name, layout)).collect();
-    for best in stars {
-        for star in &best.stars {
-            all.push(EngineRow::found(best, star)?);
-        }
+/// The atlas: every engine of it, judged.
+pub struct Atlas<'a> {
+    engines: &'a [(Entry, Engine)],
+    rows: Vec<EngineRow>,
+}
+
+impl<'a> Atlas<'a> {
+    /// The engines of the catalogue, and the best stars.
+    ///
+    /// # Errors
+    /// Those of a layout file, for a star that is no engine; none is known to arise.
+    pub fn new(engines: &'a [(Entry, Engine)], stars: &[Best]) -> Result<Self, BuildError> {
+        let known = engines.iter().map(|(known, layout)| Ok(EngineRow::known(known.name, layout)));
+        let found = stars.iter().flat_map(|best| best.stars.iter().map(move |star| EngineRow::found(best, star)));
+        Ok(Atlas { engines, rows: known.chain(found).collect::<Result<_, _>>()? })
     }
-    let readme = page::page(engines, &all);
-    let named = Document { name: "atlas", ..readme.clone() };
-    let written = [(&readme, Format::GITHUB), (&named, Format::Latex), (&named, Format::Html)];
-    let mut files: Vec<File> =
-        written.into_iter().flat_map(|(page, format)| write(page, format, &Options::default())).collect();
-    files.push(File { name: "atlas.csv".to_owned(), text: csv::csv(&all) });
-    Ok(files)
+
+    /// The page, which says that `atlas.csv` stands beside it.
+    pub fn page(&self) -> Document {
+        page::page(self.engines, &self.rows, page::ALONE)
+    }
+
+    /// The page where it is written in several formats: as README that leads to the others, and as one of those.
+    pub fn pages(&self) -> [Document; 2] {
+        let named = page::page(self.engines, &self.rows, page::WITH_OTHERS);
+        [Document { name: "README", ..named.clone() }, named]
+    }
+
+    /// `atlas.csv`: a line per engine and order.
+    pub fn csv(&self) -> File {
+        File { name: "atlas.csv".to_owned(), text: csv::csv(&self.rows) }
+    }
 }

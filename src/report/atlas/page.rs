@@ -10,8 +10,8 @@ use crate::page::{Block, Document, Fold, Text, phrase};
 use crate::proof::Quantity;
 
 /// The page in no format yet.
-pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow]) -> Document {
-    let mut page = Document::new("README", "Atlas of engine balance");
+pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Beside) -> Document {
+    let mut page = Document::new("atlas", "Atlas of engine balance");
     page.has_contents = true;
     let families = families(engines);
     let of = |origin: Origin| all.iter().filter(|row| row.origin == origin).collect::<Vec<_>>();
@@ -46,15 +46,38 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow]) -> Document {
     page.push(Block::List(tables::longer_forms(all)));
     page.push(Block::Heading(1, "How it is read".into()));
     page.push(Block::List(NOTES.map(Text::from).into()));
-    page.push(Block::Paragraph(phrase!(
-        "The same page for print: {}; for a browser: {}; its numbers for a spreadsheet: {}. {} writes them all.",
-        Text::link("atlas.tex", "atlas.tex"),
-        Text::link("atlas.html", "atlas.html"),
-        Text::link("atlas.csv", "atlas.csv"),
-        Text::code("crankstar atlas --output DIR")
-    )));
+    page.push(Block::Paragraph(beside()));
     page
 }
+
+/// A file beside the page.
+fn file(name: &'static str) -> Text {
+    Text::link(Text::label(name), name)
+}
+
+/// What is said of the files beside the page.
+pub(super) type Beside = fn() -> Text;
+
+/// The page stands in one format.
+pub(super) const ALONE: Beside = || {
+    let csv = file("atlas.csv");
+    phrase!(
+        "Its numbers for a spreadsheet: {}. {} writes both.",
+        csv,
+        Text::code("crankstar atlas --output DIR --format FORMAT")
+    )
+};
+
+/// The page stands in three formats.
+pub(super) const WITH_OTHERS: Beside = || {
+    phrase!(
+        "The same page for print: {}; for a browser: {}; its numbers for a spreadsheet: {}. {} writes them all.",
+        file("atlas.tex"),
+        file("atlas.html"),
+        file("atlas.csv"),
+        Text::code("crankstar atlas --output DIR")
+    )
+};
 
 /// The forces and the moments of each order; folded those of the orders that only a pin offset has.
 fn by_order(page: &mut Document, rows: &[&EngineRow]) {

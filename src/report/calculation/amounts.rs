@@ -76,34 +76,46 @@ pub(crate) fn largest(swing: &Swing, unit: Unit) -> Text {
     if swing.vanishes() {
         return Text::zero();
     }
-    let open = [&swing.direct, &swing.reverse].map(|vector| matches!(vector.outcome, Outcome::Undecided { .. }));
-    let known = [&swing.direct, &swing.reverse].map(|vector| vector.outcome == Outcome::NotZero);
-    match open != [false, false] && known == [false, false] {
-        true => undecided(&[&swing.direct, &swing.reverse], unit),
-        false => amount(swing.largest(), unit),
+    match is_left(swing) {
+        false => bounded(&[&swing.direct, &swing.reverse], unit),
+        true => amount(swing.largest(), unit),
     }
 }
 
+/// Whether one of its vectors is proved not to be zero.
+pub(super) fn is_left(swing: &Swing) -> bool {
+    [&swing.direct, &swing.reverse].iter().any(|vector| vector.outcome == Outcome::NotZero)
+}
+
 /// How little vectors that are not decided are known to be below.
-fn undecided(vectors: &[&Vector], unit: Unit) -> Text {
+fn bounded(vectors: &[&Vector], unit: Unit) -> Text {
     let bound = |vector: &&Vector| match vector.outcome {
         Outcome::Undecided { below } => below,
         Outcome::Zero | Outcome::NotZero => 0.0,
     };
-    let sum: f64 = vectors.iter().map(bound).sum();
-    phrase!("not decided, below {}", digits((sum / 2.0 * unit.factor).next_up()))
+    undecided(vectors.iter().map(bound).sum::<f64>() / 2.0, unit)
+}
+
+/// That only so much is known of a value.
+pub(super) fn undecided(below: f64, unit: Unit) -> Text {
+    match unit.factor == 0.0 {
+        true => Text::zero(),
+        false => phrase!("not decided, below {}", digits((below * unit.factor).next_up())),
+    }
 }
 
 /// A vector: zero, or its length and its angle at θ = 0.
 pub(crate) fn vector(vector: &Vector, unit: Unit) -> Text {
     match vector.outcome {
         Outcome::Zero => Text::zero(),
+        // At rest no force points anywhere.
+        Outcome::NotZero | Outcome::Undecided { .. } if unit.factor == 0.0 => Text::zero(),
         Outcome::NotZero => {
             let angle = super::expression::rounded(numbers::degrees(vector.value), DIGITS);
             // Half a turn has two names.
             let angle = if angle == -180.0 { 180.0 } else { angle };
             phrase!("{} at {}°", amount(vector.value.norm() / 2.0, unit), typeset::decimal(angle))
         }
-        Outcome::Undecided { .. } => undecided(&[vector], unit),
+        Outcome::Undecided { .. } => bounded(&[vector], unit),
     }
 }

@@ -43,7 +43,10 @@ pub(super) fn table(engine: &Engine) -> Table {
         table.push(vec![
             name.into(),
             Text::formula(symbol),
-            Text::label(format!("{value} {unit}").trim()),
+            match given.quantity == Measure::Speed {
+                true => phrase!("{} rpm", value),
+                false => Text::label(format!("{value} {unit}").trim()),
+            },
             (&given.written).into(),
             given.cylinder.map_or("all".into(), |index| engine.cylinders()[index].name.clone().into()),
         ]);

@@ -7,14 +7,17 @@ mod equations;
 mod expression;
 mod inputs;
 mod largest;
+mod page;
 mod plots;
 mod results;
 mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, largest, vector};
+pub(super) use amounts::{Unit, digits, largest, vector};
 pub use largest::Numbers;
+pub(super) use largest::percent;
+pub use page::loads_page;
 pub use summary::loads_answer;
 
 use super::bearings;
@@ -69,6 +72,7 @@ fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     blocks.extend(bearings::answer(continuous, determinate).map(Block::Paragraph));
     blocks.push(bearings::peaks(engine, continuous, determinate).into());
     blocks.push(bearings::orders(continuous).into());
+    blocks.extend(bearings::left_out(engine, continuous).map(Block::Paragraph));
     blocks.extend(bearings::drawings(continuous).into_iter().map(|pictures| Block::Pictures(pictures.into())));
     blocks
 }

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::amounts::Unit;
+use super::amounts::{Unit, is_left};
 use crate::engine::Engine;
-use crate::loads::{Circle, Loads, Waveform};
+use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
 use crate::page::plot::{Axis, Curve, Plot, Polar, stacked};
 use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
@@ -16,54 +16,86 @@ const STEPS: usize = 360;
 /// A component below this part of the largest is the rounding of one that is zero.
 const NOTHING: f64 = 1e-12;
 
+/// What is drawn of the force, the moment or the torque.
+struct Drawing<'a> {
+    /// What the names of its files begin with.
+    name: &'static str,
+    /// The waveform, and what it is counted in.
+    waveform: &'a Waveform,
+    unit: Unit,
+    /// What stands at its axis, with a place for the unit.
+    axis: &'static str,
+}
+
+impl Drawing<'_> {
+    fn axis(&self) -> String {
+        self.axis.replacen("{}", self.unit.name, 1)
+    }
+}
+
+/// What stands above a plot, and what its caption begins with.
+type Heading = [&'static str; 2];
+
+const FORCE: [Heading; 2] =
+    [["Force along the reference direction"; 2], ["Force across it, in the plane of the cylinders"; 2]];
+const MOMENT: [Heading; 2] = [
+    ["Pitching moment", "Moment of the forces along the reference direction (pitching)"],
+    ["Yawing moment", "Moment of the forces across it (yawing)"],
+];
+const FORCE_PATH: [&str; 2] = [
+    "Path of the force in a revolution",
+    "Path of the tip of the force in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
+];
+const MOMENT_PATH: [&str; 2] = [
+    "Path of the moment, arm times force, in a revolution",
+    "Path of the tip of the moment, arm times force, in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
+];
+
 /// All plots of the numbers of an engine; none of what is zero.
 pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
     let mut figures = Vec::new();
-    let forces = ("force", "Force", &loads.force, Unit::of(engine, loads, Quantity::Force));
-    let moments = ("moment", "Moment", &loads.moment, Unit::of(engine, loads, Quantity::Moment));
-    for (name, title, waveform, unit) in [forces, moments] {
-        let sides = match name {
-            "force" => ["along the reference direction", "across it, in the plane of the cylinders"],
-            _ => ["of the forces along the reference direction (pitching)", "of the forces across it (yawing)"],
-        };
-        let parts: [fn(Complex<f64>) -> f64; 2] = [|vector| vector.re, |vector| vector.im];
-        let drawn = [0, 1].map(|side| curves(waveform, unit, title, sides[side], parts[side]));
-        let both = drawn.iter().all(Option::is_some);
-        for (mark, drawn) in ["along", "across"].into_iter().zip(drawn) {
-            figures.extend(drawn.map(|drawn| drawn.named(format!("{name}-{mark}"))));
-        }
-        figures.extend(both.then(|| path(name, title, waveform, unit)));
+    let drawing = |name, waveform, axis, quantity| {
+        let unit = Unit::of(engine, loads, quantity);
+        Drawing { name, waveform, unit, axis }
+    };
+    if loads.orders.iter().any(|order| is_left(&order.force)) {
+        let drawing = drawing("force", &loads.force, "Force in {}", Quantity::Force);
+        figures.extend(vectors(&drawing, FORCE, FORCE_PATH));
     }
-    if let Some(torque) = &loads.torque {
-        let unit = Unit::of(engine, loads, Quantity::Torque);
-        let drawn = curves(&torque.waveform, unit, "Inertia torque", "on the crankshaft", |vector| vector.re);
-        figures.extend(drawn.map(|drawn| drawn.named("torque".into())));
+    if loads.orders.iter().any(|order| is_left(&order.moment)) {
+        let drawing = drawing("moment", &loads.moment, "Moment in {}", Quantity::Moment);
+        figures.extend(vectors(&drawing, MOMENT, MOMENT_PATH));
+    }
+    let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
+    if let Some(torque) = loads.torque.as_ref().filter(is_left) {
+        let drawing = drawing("torque", &torque.waveform, "Inertia torque in {}", Quantity::Torque);
+        figures.extend(curves(&drawing, ["Inertia torque on the crankshaft"; 2], "", |vector| vector.re));
     }
     figures
+}
+
+/// Both components of a vector, and its path where it has both.
+fn vectors(drawing: &Drawing, headings: [Heading; 2], path_words: [&'static str; 2]) -> Vec<Picture> {
+    let along = curves(drawing, headings[0], "-along", |vector| vector.re);
+    let across = curves(drawing, headings[1], "-across", |vector| vector.im);
+    let path = (along.is_some() && across.is_some()).then(|| path(drawing, path_words));
+    [along, across, path].into_iter().flatten().collect()
 }
 
 /// More curves than this are not drawn in one plot.
 const MOST_CURVES: usize = 3;
 
-/// A component over the crank angle: its plots below each other, and what they show.
-struct Drawn {
-    plots: Vec<Plot>,
-    caption: String,
-}
-
-impl Drawn {
-    fn named(self, name: String) -> Picture {
-        let figure = stacked(self.plots.iter().map(Plot::figure).collect());
-        Picture { name, caption: Text::phrase(self.caption, Vec::new()), figure }
-    }
-}
-
 /// One order of a component: its number, and its points.
 type Order = (u32, Vec<(f64, f64)>);
 
-/// The plots of one component; none where it is zero. The sum and the two largest orders come first, the rest below.
-fn curves(waveform: &Waveform, unit: Unit, title: &str, side: &str, part: fn(Complex<f64>) -> f64) -> Option<Drawn> {
-    let waveform = waveform.scaled(unit.factor);
+/// One component over the crank angle; none where it is zero. The sum and the two largest orders come first, the rest below.
+fn curves(
+    drawing: &Drawing,
+    [heading, subject]: Heading,
+    mark: &str,
+    part: fn(Complex<f64>) -> f64,
+) -> Option<Picture> {
+    let waveform = drawing.waveform.scaled(drawing.unit.factor);
     let points = |waveform: &Waveform| -> Vec<(f64, f64)> {
         let degrees = |step: usize| step as f64 * 360.0 / STEPS as f64;
         (0..=STEPS).map(|step| (degrees(step), part(waveform.at(step as f64 * TAU / STEPS as f64)))).collect()
@@ -77,29 +109,57 @@ fn curves(waveform: &Waveform, unit: Unit, title: &str, side: &str, part: fn(Com
         return None;
     }
     left.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)).then(a.0.cmp(&b.0)));
-    let whole = format!("{title} {side}");
-    let plot = |heading: String| {
+    let plot = |heading: &str| {
         let angle = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-        Plot::new(heading, angle, Axis::linear(format!("{title} in {}", unit.name)))
+        Plot::new(heading, angle, Axis::linear(drawing.axis()))
     };
-    let mut first = plot(whole.clone());
+    let mut first = plot(heading);
     if left.len() > 1 {
         first.curves.push(Curve { width: 0.8, ..Curve::new(0, "sum", sum) });
     }
     let rest = left.split_off(left.len().min(MOST_CURVES - first.curves.len()));
-    let mut caption = match first.curves.is_empty() {
-        true => format!("{whole} against the crank angle: order {}, the only one that is not zero.", left[0].0),
-        false => format!("{whole} against the crank angle: the sum (wide) and its {}.", numbered(&left, "largest ")),
-    };
+    let caption = caption(subject, &left, &rest);
     add(&mut first, left);
     let mut plots = vec![first];
     if !rest.is_empty() {
-        caption.push_str(&format!(" Below, to a larger scale, {}.", rest_words(&rest)));
-        let mut second = plot("The smaller orders".to_owned());
+        let mut second = plot("The smaller orders");
         add(&mut second, with_others(rest));
         plots.push(second);
     }
-    Some(Drawn { plots, caption })
+    let figure = stacked(plots.iter().map(Plot::figure).collect());
+    Some(Picture { name: format!("{}{mark}", drawing.name), caption, figure })
+}
+
+/// What the plots of a component show: the orders in the first, and those below.
+fn caption(subject: &'static str, first: &[Order], rest: &[Order]) -> Text {
+    let words = match first {
+        [(only, _)] => phrase!(
+            "{} against the crank angle: order {}; no other of those listed is large enough to be drawn.",
+            subject,
+            *only
+        ),
+        several => {
+            phrase!("{} against the crank angle: the sum (wide) and its largest orders {}.", subject, numbers(several))
+        }
+    };
+    let below = match rest {
+        [] => return words,
+        [(only, _)] => phrase!("Below, to a larger scale, order {}.", *only),
+        few if few.len() <= MOST_CURVES => phrase!("Below, to a larger scale, orders {}.", numbers(few)),
+        many => {
+            let (shown, others) = many.split_at(MOST_CURVES - 1);
+            phrase!(
+                "Below, to a larger scale, orders {} and the sum of the others, orders {}.",
+                numbers(shown),
+                numbers(others)
+            )
+        }
+    };
+    words.and(" ").and(below)
+}
+
+fn numbers(orders: &[Order]) -> String {
+    orders.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ")
 }
 
 /// The orders as curves that differ from those before them.
@@ -124,26 +184,9 @@ fn with_others(mut orders: Vec<Order>) -> Vec<Order> {
     orders
 }
 
-/// `order 6`, `orders 6, 8`, `orders 6, 8 and the sum of orders 10, 12`.
-fn rest_words(orders: &[Order]) -> String {
-    match orders.len() > MOST_CURVES {
-        false => numbered(orders, ""),
-        true => {
-            let (shown, others) = orders.split_at(MOST_CURVES - 1);
-            format!("{} and the sum of {}", numbered(shown, ""), numbered(others, "the others, "))
-        }
-    }
-}
-
-/// `order 2`, `largest orders 2, 4`.
-fn numbered(orders: &[Order], which: &str) -> String {
-    let numbers: Vec<String> = orders.iter().map(|(order, _)| order.to_string()).collect();
-    format!("{which}order{} {}", if numbers.len() == 1 { "" } else { "s" }, numbers.join(", "))
-}
-
 /// The path of the tip of the vector, as seen from the free end.
-fn path(name: &str, title: &str, waveform: &Waveform, unit: Unit) -> Picture {
-    let waveform = waveform.scaled(unit.factor);
+fn path(drawing: &Drawing, [heading, caption]: [&'static str; 2]) -> Picture {
+    let waveform = drawing.waveform.scaled(drawing.unit.factor);
     let tip = |step: usize| {
         let vector = waveform.at(step as f64 * TAU / STEPS as f64);
         // Direction 0 points up, angles grow anticlockwise.
@@ -151,16 +194,7 @@ fn path(name: &str, title: &str, waveform: &Waveform, unit: Unit) -> Picture {
     };
     let tips: Vec<(f64, f64)> = (0..=STEPS).map(tip).collect();
     let curve = Curve::new(0, "", tips.clone());
-    let what = if name == "force" { "the force" } else { "the moment, arm times force," };
-    let mut polar =
-        Polar::new(format!("Path of {what} in a revolution"), format!("{title} in {}", unit.name), vec![curve]);
+    let mut polar = Polar::new(heading, drawing.axis(), vec![curve]);
     polar.mark_quarters(&tips, STEPS);
-    Picture {
-        name: format!("{name}-path"),
-        caption: phrase!(
-            "Path of the tip of {} in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
-            what
-        ),
-        figure: polar.figure(),
-    }
+    Picture { name: format!("{}-path", drawing.name), caption: caption.into(), figure: polar.figure() }
 }

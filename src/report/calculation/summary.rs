@@ -17,7 +17,7 @@ pub fn loads_answer(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>)
 }
 
 /// The largest force, moment and torque of each order, zero to peak.
-fn by_order(engine: &Engine, loads: &Loads) -> Table {
+pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     let [force, moment, torque] =
         [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(engine, loads, quantity));
     let mut header: Vec<Text> =
@@ -57,7 +57,8 @@ pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> T
     match (engine.pistons_have_order(Quantity::Torque, order.order), &order.vector.outcome) {
         (false, _) => DOES_NOT_EXIST.into(),
         (true, Outcome::Zero) => Text::zero(),
-        (true, Outcome::NotZero | Outcome::Undecided { .. }) => amount(order.vector.value.norm(), unit),
+        (true, Outcome::NotZero) => amount(order.vector.value.norm(), unit),
+        (true, Outcome::Undecided { below }) => amounts::undecided(*below, unit),
     }
 }
 

@@ -75,6 +75,10 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Quantit
         row.extend([Text::zero(), "–".into(), Text::zero(), Text::zero(), Text::zero()]);
         return row;
     }
+    if !amounts::is_left(swing) {
+        row.extend(["–"; 5].map(Text::from));
+        return row;
+    }
     let largest = swing.largest();
     // What is zero only as far as the decimals go is not said to be.
     let part = |value: f64, is_zero: bool| match is_zero {
@@ -124,7 +128,8 @@ pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
     for order in &torque.orders {
         let (angle, multiple) = match order.vector.outcome {
             Outcome::Zero => ("–".into(), Text::zero()),
-            Outcome::NotZero | Outcome::Undecided { .. } => (
+            Outcome::Undecided { .. } => ("–".into(), "not decided".into()),
+            Outcome::NotZero => (
                 phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
                 Number::Decimal(order.vector.value.norm()).into(),
             ),

@@ -6,13 +6,17 @@ use crate::page::{Block, Text, phrase};
 
 /// The conventions of a report.
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
+    let lines = [SEEN.into(), CENTRES.into(), FIRES.into(), reference_plane(engine), assumed(engine)];
+    vec![Block::Heading(1, "Conventions".into()), Block::List(lines.into())]
+}
+
+/// About which plane moments are taken.
+pub(in crate::report) fn reference_plane(engine: &Engine) -> Text {
     let plane = table::place(engine, engine.reference_plane());
-    let plane = match engine.reference_plane_given() {
+    match engine.reference_plane_given() {
         true => phrase!("Moments are taken about the plane z = {}, as the layout file says.", plane),
         false => phrase!("Moments are taken about the plane z = {}, the middle of the cylinders.", plane),
-    };
-    let lines = [SEEN.into(), CENTRES.into(), FIRES.into(), plane, assumed(engine)];
-    vec![Block::Heading(1, "Conventions".into()), Block::List(lines.into())]
+    }
 }
 
 /// What the exact tables count in.

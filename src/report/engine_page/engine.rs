@@ -9,22 +9,14 @@ use crate::page::{Block, Picture, Text, phrase};
 
 /// The engine from its free end, beside the first star that is left, or else the first of all.
 pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> {
-    let end = Picture {
-        name: "end-view".to_owned(),
-        caption: Text::phrase(end_view_caption(engine), Vec::new()),
-        figure: end_view(engine),
-    };
+    let end = Picture { name: "end-view".to_owned(), caption: end_view_caption(engine), figure: end_view(engine) };
     let left = stars.iter().find(|star| star.is_left()).or(stars.first());
     [end].into_iter().chain(left.map(|star| star.picture(engine))).collect()
 }
 
 /// The crankshaft from the side, the cylinders one by one, and how they fire.
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
-    let side = Picture {
-        name: "side-view".to_owned(),
-        caption: Text::phrase(side_view_caption(engine), Vec::new()),
-        figure: side_view(engine),
-    };
+    let side = Picture { name: "side-view".to_owned(), caption: side_view_caption(engine), figure: side_view(engine) };
     let mut blocks = vec![Block::Heading(1, "The engine".into()), side.into(), table::cylinders(engine).into()];
     blocks.extend(engine.firing().map(|firing| Block::Paragraph(fires(engine, firing))));
     let source = engine.source().map(|source| phrase!("Source of the crank star: {}.", source));

@@ -2,12 +2,13 @@
 
 mod answer;
 mod conventions;
+mod cures;
 mod engine;
 mod orders;
 mod torque;
 
 pub use answer::engine_answer;
-pub(super) use conventions::{ASSUMED, FIRES, SEEN};
+pub(super) use conventions::{ASSUMED, FIRES, SEEN, reference_plane};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};

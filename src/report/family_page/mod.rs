@@ -89,7 +89,7 @@ fn left_open(family: &Family) -> Text {
 /// The amplitude of each order over the one open angle, with its exact zeros.
 fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
     let (figure, caption) = amplitudes(family, orders).zip(amplitudes_caption(family, orders))?;
-    Some(Picture { name: "amplitudes".to_owned(), caption: Text::phrase(caption, Vec::new()), figure }.into())
+    Some(Picture { name: "amplitudes".to_owned(), caption, figure }.into())
 }
 
 /// What is open, and where each order vanishes.

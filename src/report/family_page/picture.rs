@@ -12,6 +12,7 @@ use crate::exact::Turn;
 use crate::family::{OpenOrder, OpenVerdict, phase};
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
+use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Sense};
 
 /// Steps of a turn of the open angle.
@@ -32,17 +33,16 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     let symbol = if unknown == PHI { "Bank angle φ in °" } else { "Pin split δ in °" };
     let mut plots = Vec::new();
     for (quantity, curves) in shown(family, orders) {
-        let title = match quantity {
-            Quantity::Force => "Force",
-            Quantity::Moment => "Moment",
-            Quantity::Torque => "Torque",
-        };
         let unit = unit(family, quantity)?;
+        let axis = match quantity {
+            Quantity::Force => format!("Force in {unit}"),
+            Quantity::Moment | Quantity::Torque => format!("Moment in {unit}"),
+        };
         // As many plots as needed, with about as many curves in each.
         let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);
         for chunk in curves.chunks(in_each) {
             let x = Axis::angle(symbol, 0.0, 360.0, 30);
-            let mut plot = Plot::new(heading(title, chunk), x, Axis::amplitude(format!("{title} in {unit}")));
+            let mut plot = Plot::new(heading(quantity, chunk), x, Axis::amplitude(axis.clone()));
             for (order, verdicts) in chunk {
                 add(&mut plot, family, unknown, *order, verdicts);
             }
@@ -53,49 +53,57 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
 }
 
 /// What the drawing of [`amplitudes`] shows.
-pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<String> {
+pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let unknown = open_angle(family)?;
-    let name = if unknown == PHI { "bank angle φ" } else { "pin split δ" };
+    let over = if unknown == PHI {
+        "Largest value of each order through a revolution over the bank angle φ."
+    } else {
+        "Largest value of each order through a revolution over the pin split δ."
+    };
     let drawn = shown(family, orders);
-    let mut words = vec![format!(
-        "Largest value of each order through a revolution over the {name}. Rings are its exact zeros in \
-         (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the other turns at constant length \
-         (marked for orders with no more than {MOST_DOTS} of them)."
-    )];
-    for (quantity, of) in [Quantity::Force, Quantity::Moment].map(|quantity| (quantity, of_quantity(orders, quantity)))
-    {
-        let numbers = |orders: Vec<u32>| orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-        let always: Vec<u32> = of
-            .iter()
-            .filter(|(_, verdicts)| verdicts.iter().all(OpenVerdict::always))
-            .map(|(order, _)| *order)
-            .collect();
-        if !always.is_empty() {
-            words.push(format!("Not drawn, since zero for all angles: {} at {}.", quantity.name(), numbers(always)));
-        }
-        let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
-        let left: Vec<u32> = of
-            .iter()
-            .filter(|(_, verdicts)| !verdicts.iter().all(OpenVerdict::always))
-            .map(|(order, _)| *order)
-            .collect();
+    let mut words = vec![over.into(), phrase!(MARKS, MOST_DOTS)];
+    for (quantity, said) in [(Quantity::Force, OF_FORCE), (Quantity::Moment, OF_MOMENT)] {
+        let of = of_quantity(orders, quantity);
+        let is_always = |(_, verdicts): &&OfOrder| verdicts.iter().all(OpenVerdict::always);
+        let (always, left): (Vec<&OfOrder>, Vec<&OfOrder>) = of.iter().partition(is_always);
         let open = |verdict: &OpenVerdict| !verdict.always() && verdict.angles_of(unknown).is_none();
-        let unsolved: Vec<u32> =
-            of.iter().filter(|(_, verdicts)| verdicts.iter().any(open)).map(|(order, _)| *order).collect();
-        if !unsolved.is_empty() {
-            words.push(format!(
-                "Not solved, so that zeros may be unmarked: {} at {}.",
-                quantity.name(),
-                numbers(unsolved)
-            ));
-        }
+        let unsolved: Vec<&OfOrder> = of.iter().filter(|(_, verdicts)| verdicts.iter().any(open)).collect();
+        let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
+        words.extend((!always.is_empty()).then(|| phrase!(said.always, numbers(&always))));
+        words.extend((!unsolved.is_empty()).then(|| phrase!(said.unsolved, numbers(&unsolved))));
         if unit(family, quantity).is_none() {
-            words.push(format!("The {} is not drawn: its arms hold several open lengths.", quantity.name()));
+            // A force has no arms.
+            words.push("The moment is not drawn: its arms hold several open lengths.".into());
         } else if curves < left.len() {
-            words.push(format!("Not drawn: {} at {}.", quantity.name(), numbers(left[curves..].to_vec())));
+            words.push(phrase!(said.not_drawn, numbers(&left[curves..])));
         }
     }
-    (!drawn.is_empty()).then(|| words.join(" "))
+    (!drawn.is_empty()).then(|| Text::joined(words, " "))
+}
+
+const MARKS: &str = "Rings are its exact zeros in (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the \
+                     other turns at constant length (marked for orders with no more than {} of them).";
+
+/// What is said of orders that have no curve, or may have zeros without a ring.
+struct Said {
+    always: &'static str,
+    unsolved: &'static str,
+    not_drawn: &'static str,
+}
+
+const OF_FORCE: Said = Said {
+    always: "Not drawn, since zero for all angles: force at {}.",
+    unsolved: "Not solved, so that zeros may be unmarked: force at {}.",
+    not_drawn: "Not drawn: force at {}.",
+};
+const OF_MOMENT: Said = Said {
+    always: "Not drawn, since zero for all angles: moment at {}.",
+    unsolved: "Not solved, so that zeros may be unmarked: moment at {}.",
+    not_drawn: "Not drawn: moment at {}.",
+};
+
+fn numbers(orders: &[&OfOrder]) -> String {
+    orders.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ")
 }
 
 /// The one open angle; none where two are open.
@@ -145,9 +153,14 @@ fn unit(family: &Family, quantity: Quantity) -> Option<String> {
     }
 }
 
-fn heading(title: &str, chunk: &[OfOrder]) -> String {
-    let orders: Vec<String> = chunk.iter().map(|(order, _)| order.to_string()).collect();
-    format!("{title}, order{} {}", if orders.len() == 1 { "" } else { "s" }, orders.join(", "))
+fn heading(quantity: Quantity, chunk: &[OfOrder]) -> String {
+    let orders = chunk.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ");
+    match (quantity, chunk.len()) {
+        (Quantity::Force, 1) => format!("Force, order {orders}"),
+        (Quantity::Force, _) => format!("Force, orders {orders}"),
+        (Quantity::Moment | Quantity::Torque, 1) => format!("Moment, order {orders}"),
+        (Quantity::Moment | Quantity::Torque, _) => format!("Moment, orders {orders}"),
+    }
 }
 
 /// Adds the curve of an order with its zeros, which are points of the curve too.

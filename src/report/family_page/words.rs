@@ -58,17 +58,17 @@ fn condition_of(sum: &OpenSum) -> Option<Text> {
 }
 
 /// `2φ − δ ≡ 180°`, alternatives joined by "or".
-fn conditions(angles: &Angles) -> String {
+fn conditions(angles: &Angles) -> Text {
     let one = |condition: &Condition| {
         // φ, or else δ, is shown entering positively.
         let Condition { phi, delta, turn } = condition;
-        match phi.is_negative() || phi.is_zero() && delta.is_negative() {
+        Text::label(match phi.is_negative() || phi.is_zero() && delta.is_negative() {
             true => format!("{} ≡ {}", unknowns(&-phi, &-delta), typeset::angle(&-turn)),
             false => format!("{} ≡ {}", unknowns(phi, delta), typeset::angle(turn)),
-        }
+        })
     };
-    let together = |alternative: &Alternative| alternative.conditions.iter().map(one).collect::<Vec<_>>().join(" and ");
-    angles.alternatives.iter().map(together).collect::<Vec<_>>().join(", or ")
+    let together = |alternative: &Alternative| Text::joined(alternative.conditions.iter().map(one), " and ");
+    Text::joined(angles.alternatives.iter().map(together), ", or ")
 }
 
 /// `2φ − δ`.

@@ -89,9 +89,11 @@ pub(super) fn notes(engine: &Engine) -> Vec<String> {
     let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none());
     let short = engine.rods().any(|rod| rod.ratio < ratio(LEAST_RATIO));
     let named = |of: (i64, i64)| typeset::number(&ratio(of));
-    let drawn = |which: &str, of| format!("{which} are drawn with λ = {}; no verdict depends on it.", named(of));
-    let unknown = unknown.then(|| drawn("Rods of which the file says nothing", USUAL_RATIO));
-    let short = short.then(|| drawn("Rods longer than eight crank radii", LEAST_RATIO));
+    let (usual, least) = (named(USUAL_RATIO), named(LEAST_RATIO));
+    let unknown = unknown
+        .then(|| format!("Rods of which the file says nothing are drawn with λ = {usual}; no verdict depends on it."));
+    let short = short
+        .then(|| format!("Rods longer than eight crank radii are drawn with λ = {least}; no verdict depends on it."));
     let offset = engine.has_offset().then(|| OFFSET.to_owned());
     unknown.into_iter().chain(short).chain(offset).collect()
 }

@@ -3,7 +3,7 @@
 use super::super::star::{star_figure, star_legend};
 use super::super::views::{end_view, end_view_caption};
 use crate::order::Masses;
-use crate::page::{Picture, Text, phrase};
+use crate::page::{Picture, phrase};
 use crate::proof::Quantity;
 use crate::search::{FoundStar, Problem};
 use crate::verdict::classify;
@@ -13,7 +13,7 @@ pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Ve
     let Ok(engine) = star.engine(problem) else { return Vec::new() };
     let from_the_end = Picture {
         name: format!("star-{number}"),
-        caption: phrase!("Star {}. {}", number, Text::phrase(end_view_caption(&engine), Vec::new())),
+        caption: phrase!("Star {}. {}", number, end_view_caption(&engine)),
         figure: end_view(&engine),
     };
     let left = star.moments.iter().find(|moment| !moment.sum.vanishes()).or(star.moments.first());
@@ -28,7 +28,7 @@ pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Ve
             "Star {}, order {}: the two vectors of each cylinder, of the force and of the moment. {}",
             number,
             order.order,
-            Text::phrase(star_legend(&engine, order), Vec::new())
+            star_legend(&engine, order)
         ),
         figure: star_figure(&engine, order),
     });

@@ -8,7 +8,7 @@ use super::{Ray, Star, corners, decimal, towards, upright};
 use crate::engine::Engine;
 use crate::page::Number;
 use crate::page::figure::{Anchor, Dash, Extent, Figure, Ink, Point, Stroke, text_width};
-use crate::proof::{Polygon, Quantity};
+use crate::proof::{Polygon, Quantity, Sense};
 use crate::report::{residual, typeset};
 use crate::verdict::{JudgedStar, Verdict};
 
@@ -65,24 +65,27 @@ impl Panel {
 }
 
 fn heading(verdict: &Verdict) -> String {
-    let quantity = match verdict.quantity {
-        Quantity::Force => "Force",
-        Quantity::Moment => "Moment",
-        Quantity::Torque => "Torque",
-    };
-    let sense = verdict.sense.map(|sense| format!(", {}", sense.name())).unwrap_or_default();
-    format!("{quantity}{sense}, order {}", verdict.order)
+    let order = verdict.order;
+    match (verdict.quantity, verdict.sense) {
+        (Quantity::Force, Some(Sense::Direct)) => format!("Force, direct, order {order}"),
+        (Quantity::Force, Some(Sense::Reverse)) => format!("Force, reverse, order {order}"),
+        (Quantity::Force, None) => format!("Force, order {order}"),
+        (Quantity::Moment, Some(Sense::Direct)) => format!("Moment, direct, order {order}"),
+        (Quantity::Moment, Some(Sense::Reverse)) => format!("Moment, reverse, order {order}"),
+        (Quantity::Moment, None) => format!("Moment, order {order}"),
+        (Quantity::Torque, _) => format!("Torque, order {order}"),
+    }
 }
 
 /// `sum = 0`, `length = √10 ≈ 3.162`; in decimals alone where the exact form has no room.
 fn sum(judged: JudgedStar<'_>) -> (String, String) {
     let modulus = residual::modulus(judged);
-    let name = if judged.vanishes() { "sum" } else { "length" };
-    let in_decimals = format!("{name} {}", typeset::approximate(modulus.decimal));
-    let plain = format!("{name} = {}", modulus.plain());
+    let named = |value: String| if judged.vanishes() { format!("sum {value}") } else { format!("length {value}") };
+    let in_decimals = named(typeset::approximate(modulus.decimal));
+    let plain = named(format!("= {}", modulus.plain()));
     match modulus.number() {
         Number::Zero | Number::Exact(_) | Number::Closed(..) if text_width(&plain, LETTERS) <= WIDTH - 2.0 => {
-            (plain, format!("{name} = {}", modulus.prose()))
+            (plain, named(format!("= {}", modulus.prose())))
         }
         Number::Zero | Number::Exact(_) | Number::Closed(..) | Number::Decimal(_) => (in_decimals.clone(), in_decimals),
     }

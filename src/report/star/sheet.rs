@@ -26,7 +26,7 @@ const LONGEST_BAR: f64 = 14.0;
 pub(in crate::report) struct Scale {
     /// Millimetres a unit.
     pub millimetres: f64,
-    /// The unit in plain text and as prose.
+    /// Values in the unit, in plain text and as prose.
     unit: (&'static str, &'static str),
 }
 
@@ -34,10 +34,10 @@ impl Scale {
     /// The scale at which the longest of these stars fills a panel.
     pub fn of<'a>(stars: impl IntoIterator<Item = &'a Star>, quantity: Quantity, engine: &Engine) -> Self {
         let unit = match (quantity, engine.length_unit()) {
-            (Quantity::Force, _) => ("m r", "$m r$"),
-            (Quantity::Moment, LengthUnit::Spacing) => ("m r a", "$m r a$"),
-            (Quantity::Moment, LengthUnit::Metre) => ("m r · metre", "$m r$ · metre"),
-            (Quantity::Torque, _) => ("m r²", "$m r^2$"),
+            (Quantity::Force, _) => ("{} m r", "{} $m r$"),
+            (Quantity::Moment, LengthUnit::Spacing) => ("{} m r a", "{} $m r a$"),
+            (Quantity::Moment, LengthUnit::Metre) => ("{} m r · metre", "{} $m r$ · metre"),
+            (Quantity::Torque, _) => ("{} m r²", "{} $m r^2$"),
         };
         Scale::filling(stars, unit)
     }
@@ -142,7 +142,7 @@ impl Sheet {
     fn bar(&mut self, at: Point, scale: Scale) {
         let Some((units, written)) = scale.bar() else { return };
         let long = units * scale.millimetres;
-        let text = format!("{written} {}", scale.unit.0);
+        let text = scale.unit.0.replacen("{}", &written, 1);
         let start = at - Point::new((long + GAP + text_width(&text, LETTERS)) / 2.0, 0.0);
         let (end, tick) = (start + long, Point::new(0.0, 0.9));
         let stroke = Stroke::solid(Ink::Black, 0.35);
@@ -152,7 +152,7 @@ impl Sheet {
         self.figure.marks.push(Mark::Text {
             at: end + GAP,
             text,
-            prose: Some(format!("{written} {}", scale.unit.1)),
+            prose: Some(scale.unit.1.replacen("{}", &written, 1)),
             anchor: Anchor::Start,
             bold: false,
         });

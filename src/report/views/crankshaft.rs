@@ -41,15 +41,6 @@ impl Side {
         }
     }
 
-    /// What the legend calls it.
-    pub fn words(self) -> &'static str {
-        match self {
-            Side::Away => "away",
-            Side::InPlane => "in the plane of the page",
-            Side::Near => "towards the reader",
-        }
-    }
-
     /// Filled, grey or hollow; the outline of what is behind is dashed.
     pub fn style(self, ink: Ink) -> (Stroke, Ink) {
         match self {

@@ -82,11 +82,13 @@ enum Entry {
 }
 
 impl Entry {
-    fn words(&self) -> String {
+    fn words(&self) -> &'static str {
         match self {
-            Entry::Pin(side) => format!("pin {}", side.words()),
-            Entry::Counterweight(_) => "counterweight, likewise".to_owned(),
-            Entry::Bearing => "main bearing".to_owned(),
+            Entry::Pin(Side::Near) => "pin towards the reader",
+            Entry::Pin(Side::InPlane) => "pin in the plane of the page",
+            Entry::Pin(Side::Away) => "pin away from the reader",
+            Entry::Counterweight(_) => "counterweight, likewise",
+            Entry::Bearing => "main bearing",
         }
     }
 
@@ -110,7 +112,7 @@ fn draw_legend(figure: &mut Figure, engine: &Engine, throws: &[Drawn], (left, ri
     let (mut x, mut y) = (start, top);
     for entry in pins.chain(weight).chain(bearings) {
         let words = entry.words();
-        let width = 3.2 + text_width(&words);
+        let width = 3.2 + text_width(words);
         if x > start && x + width > start + LEGEND.max(right - start) {
             (x, y) = (start, y - LINE - 1.4);
         }

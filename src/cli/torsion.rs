@@ -1,0 +1,37 @@
+//! `torsion`: at which speeds does the crankshaft twist?
+
+use std::path::PathBuf;
+
+use crankstar::engine::CycleOrder;
+use crankstar::report::{self, TorsionStudy};
+
+use super::failure::Failure;
+use super::pages::Pages;
+use super::{firing, print_json};
+
+/// Arguments of `torsion`.
+#[derive(clap::Args)]
+pub struct Torsion {
+    /// A name of the catalogue, or the path of a layout file with a table [torsion]
+    layout: PathBuf,
+    /// The orders whose critical speeds are shown, such as 1/2,1,3/2 [default: up to 12]
+    #[arg(long, value_delimiter = ',')]
+    orders: Vec<CycleOrder>,
+    /// Print modes and critical speeds as JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    #[command(flatten)]
+    pages: Pages,
+}
+
+impl Torsion {
+    /// Prints the critical speeds, and writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        let engine = firing::engine(&self.layout)?;
+        let study = TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)?;
+        if self.json {
+            return print_json(&report::torsion_document(&study));
+        }
+        self.pages.show(&report::torsion_answer(&study), || report::torsion_page(&study))
+    }
+}

@@ -1,0 +1,137 @@
+//! What stands on the page of the loads? The largest values first, how they run through a revolution, then order by order.
+
+use super::super::engine_page::{SEEN, reference_plane};
+use super::amounts::{Unit, amount, digits};
+use super::largest::{Numbers, chosen_lines, largest_lines};
+use super::{SHARES, heading, plots, summary, tables, words};
+use crate::accuracy::Largest;
+use crate::engine::{Engine, WHY_NOT};
+use crate::loads::{Loads, Needed};
+use crate::numbers;
+use crate::page::{Block, Document, Number, Text, phrase};
+use crate::proof::Quantity;
+
+/// The page: the largest force, moment and torque, their plots, their orders.
+pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
+    let loads = &numbers.loads;
+    let title = match loads.torque {
+        Some(_) => phrase!("{}: forces, moments and torque", engine.title()),
+        None => phrase!("{}: forces and moments", engine.title()),
+    };
+    let mut page = Document::new("loads", title);
+    page.push(Block::Answer(answer(engine, numbers)));
+    let pictures = plots::figures(engine, loads);
+    page.blocks.extend(pictures.chunks(2).map(|pair| Block::Pictures(pair.to_vec())));
+    page.blocks.extend(order_by_order(engine, numbers, needed));
+    page.blocks.extend([heading(1, "What is in the scene"), tables::effects(engine, loads).into()]);
+    page.push(Block::Note(SHARES.into()));
+    page.blocks.extend([heading(1, "Assumptions"), Block::List(words::assumptions(engine, loads))]);
+    page.blocks.extend([heading(1, "Limits of validity"), Block::List(words::limits(engine, loads))]);
+    page.blocks.extend([heading(1, "Conventions"), Block::List(conventions(engine, loads))]);
+    page
+}
+
+/// What stands in the box.
+fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
+    let Numbers { loads, largest, .. } = numbers;
+    let mut lines = largest_lines(engine, numbers);
+    let swings = [(Quantity::Force, &largest.force), (Quantity::Moment, &largest.moment)];
+    lines.extend(swings.into_iter().filter_map(|(quantity, largest)| comes_to(engine, loads, quantity, largest)));
+    let torque = loads.torque.as_ref().zip(largest.torque.as_ref()).filter(|(_, largest)| **largest != Largest::Zero);
+    let listed = |peak| summary::peak(&peak, Unit::of(engine, loads, Quantity::Torque));
+    lines.extend(torque.map(|(torque, _)| phrase!(TORQUE, listed(torque.waveform.real_peak()))));
+    lines.push(scale(engine, loads));
+    lines
+}
+
+/// What the values are counted in, and at which speed.
+fn scale(engine: &Engine, loads: &Loads) -> Text {
+    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| Unit::of(engine, loads, quantity));
+    match &loads.scale {
+        Some(scale) => phrase!(
+            "The values are zero to peak, at {} rpm, where m r ω² is {} N.",
+            Number::exact(&scale.speed),
+            amount(1.0, force)
+        ),
+        None => phrase!(
+            "The values are zero to peak, forces in {}, moments in {}: the layout does not give mass, crank radius and speed together.",
+            force.name,
+            moment.name
+        ),
+    }
+}
+
+const FORCE: [&str; 2] = [
+    "The force of the orders listed comes to {} and points to ≈ {}° there.",
+    "The force of the orders listed comes to {}.",
+];
+const MOMENT: [&str; 2] = [
+    "The moment of the orders listed comes to {} and points to ≈ {}° there.",
+    "The moment of the orders listed comes to {}.",
+];
+const TORQUE: &str = "The inertia torque of the orders listed comes to {}.";
+
+/// A vector that is less well known than this part of its length has no direction to name.
+const WELL_KNOWN: f64 = 1e-9;
+
+/// The peak of the orders that are listed, with its direction; none where nothing is left, or what is left is not decided.
+fn comes_to(engine: &Engine, loads: &Loads, quantity: Quantity, largest: &Largest) -> Option<Text> {
+    let unit = Unit::of(engine, loads, quantity);
+    let (waveform, [pointing, turning]) = match quantity {
+        Quantity::Moment => (&loads.moment, MOMENT),
+        Quantity::Force | Quantity::Torque => (&loads.force, FORCE),
+    };
+    let peak = waveform.peak();
+    let swing = |order: &crate::loads::OrderLoads| match quantity {
+        Quantity::Moment => order.moment.doubt(),
+        Quantity::Force | Quantity::Torque => order.force.doubt(),
+    };
+    let doubt: f64 = loads.orders.iter().map(swing).sum();
+    if *largest == Largest::Zero || doubt > WELL_KNOWN * peak.value {
+        return None;
+    }
+    let listed = summary::peak(&peak, unit);
+    Some(match peak.angle.filter(|_| peak.value > 0.0 && unit.factor != 0.0) {
+        Some(_) => phrase!(pointing, listed, digits(direction(numbers::degrees(peak.vector)))),
+        None => phrase!(turning, listed),
+    })
+}
+
+/// In thousandths of a degree, half a turn by its one name.
+fn direction(degrees: f64) -> f64 {
+    let rounded = (degrees * 1e3).round() / 1e3 + 0.0;
+    if rounded == -180.0 { 180.0 } else { rounded }
+}
+
+/// The tables of the orders.
+fn order_by_order(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Block> {
+    let loads = &numbers.loads;
+    let mut blocks = vec![heading(1, "Order by order"), Block::Paragraph("The largest value of each order:".into())];
+    blocks.push(summary::by_order(engine, loads).into());
+    if loads.orders.iter().any(|order| !order.exists(engine)) {
+        blocks.push(Block::Note(WHY_NOT.into()));
+    }
+    let chosen = chosen_lines(engine, numbers, needed);
+    if !chosen.is_empty() {
+        blocks.push(Block::Paragraph(Text::joined(chosen, " ")));
+    }
+    blocks.extend([heading(2, "The ellipse of each order"), tables::ellipses(engine, loads).into()]);
+    blocks.push(Block::Note(tables::units(engine, loads)));
+    blocks.push(heading(2, "The two vectors of each order, whose lengths add up to the largest value"));
+    blocks.push(tables::vectors(engine, loads).into());
+    if let Some(torque) = &loads.torque {
+        blocks.extend([heading(2, "Inertia torque"), tables::torque(engine, loads, torque).into()]);
+    }
+    blocks
+}
+
+const MOMENTS: &str =
+    "A moment points where a single force with the same moment points that acts between that plane and the free end.";
+const ON_CRANKSHAFT: &str =
+    "The inertia torque is that on the crankshaft; on the frame it acts with the opposite sign.";
+
+fn conventions(engine: &Engine, loads: &Loads) -> Vec<Text> {
+    let mut lines = vec![SEEN.into(), reference_plane(engine), MOMENTS.into()];
+    lines.extend(loads.torque.as_ref().map(|_| ON_CRANKSHAFT.into()));
+    lines
+}

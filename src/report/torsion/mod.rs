@@ -1,0 +1,95 @@
+//! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
+
+mod document;
+mod page;
+mod plots;
+mod tables;
+mod words;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::engine::{CycleOrder, Engine, Torsion};
+use crate::firing::{self, NoStar};
+use crate::torsion::{Critical, CriticalSpeeds, critical_speeds};
+
+pub use document::{TorsionDocument, torsion_document};
+pub use page::{torsion_answer, torsion_page};
+
+/// Orders up to this one are shown where none are asked for, in halves.
+const USUAL_HALVES: u32 = 24;
+/// Stars that differ by less than this part are equally long for all that decimals tell.
+const ALIKE: f64 = 1e-9;
+
+/// The modes of an engine's shaft, with their critical speeds.
+#[derive(Clone, Debug)]
+pub struct TorsionStudy<'a> {
+    /// The engine.
+    pub engine: &'a Engine,
+    /// Its shaft.
+    pub torsion: &'a Torsion,
+    /// The modes, rising.
+    pub modes: Vec<CriticalSpeeds>,
+    /// The speed of the layout in revolutions a minute, where it has one.
+    pub speed: Option<f64>,
+}
+
+/// Why there is no study.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoTorsion {
+    /// The layout has no table of the shaft.
+    NoShaft,
+    /// There are no firing stars.
+    NoStar(NoStar),
+}
+
+impl std::fmt::Display for NoTorsion {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            NoTorsion::NoShaft => f.write_str(
+                "the layout does not say how the shaft twists; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free \
+                 end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
+            ),
+            NoTorsion::NoStar(why) => why.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for NoTorsion {}
+
+impl<'a> TorsionStudy<'a> {
+    /// The modes with the critical speeds of these orders; of those up to 12 where there are none.
+    ///
+    /// # Errors
+    /// See [`NoTorsion`].
+    pub fn new(engine: &'a Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
+        let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
+        let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
+        let orders: Vec<CycleOrder> = match orders {
+            [] => {
+                let all = (1..=USUAL_HALVES).filter_map(CycleOrder::of_halves);
+                all.filter(|order| order.exists_in(cycle)).collect()
+            }
+            asked => {
+                let mut orders = asked.to_vec();
+                orders.sort_unstable();
+                orders.dedup();
+                orders
+            }
+        };
+        let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
+        let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
+        Ok(TorsionStudy { engine, torsion, modes, speed })
+    }
+
+    /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above
+    /// the speed of the layout are left out where it has one.
+    fn strongest<'b>(&self, mode: &'b CriticalSpeeds) -> Vec<&'b Critical> {
+        let met = |critical: &&Critical| self.speed.is_none_or(|speed| critical.rpm <= speed);
+        let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();
+        let in_steps = |critical: &Critical| (critical.star.norm() / mode.longest / ALIKE).round();
+        orders.sort_by(|one, other| in_steps(other).total_cmp(&in_steps(one)).then(one.order.cmp(&other.order)));
+        orders.retain(|critical| in_steps(critical) > 0.0);
+        orders
+    }
+}

@@ -1,0 +1,72 @@
+//! At which speeds does an order of the firing meet a natural frequency, and how much does it work on the mode?
+
+use num_complex::Complex;
+
+use super::{Mode, Shaft, modes};
+use crate::engine::{CycleOrder, Engine, Torsion};
+use crate::firing::{NoStar, firing_of};
+use crate::numbers;
+
+/// A speed at which an order has a natural frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Critical {
+    /// The order κ.
+    pub order: CycleOrder,
+    /// The speed in revolutions a minute.
+    pub rpm: f64,
+    /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length.
+    pub star: Complex<f64>,
+}
+
+/// A mode with the speeds at which it is excited.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalSpeeds {
+    /// The mode.
+    pub mode: Mode,
+    /// The deflection at each cylinder.
+    pub deflections: Vec<f64>,
+    /// The longest star that the mode can have: `Σ |Δ_j| r_j`.
+    pub longest: f64,
+    /// The orders, rising, so that the speeds fall.
+    pub orders: Vec<Critical>,
+}
+
+/// The critical speeds of each mode, for these orders.
+///
+/// # Errors
+/// A layout that does not say when the cylinders fire, and half orders of a two-stroke engine.
+pub fn critical_speeds(
+    engine: &Engine,
+    torsion: &Torsion,
+    orders: &[CycleOrder],
+) -> Result<Vec<CriticalSpeeds>, NoStar> {
+    let firing = firing_of(engine)?;
+    if let Some(order) = orders.iter().find(|order| !order.exists_in(firing.cycle)) {
+        return Err(NoStar::HalfOrder(*order));
+    }
+    let radius = |cylinder: usize| decimal(&engine.cylinders()[cylinder].crank_radius);
+    let of_mode = |mode: Mode| {
+        let deflections: Vec<f64> =
+            engine.cylinders().iter().map(|cylinder| mode.shape[torsion.pins[cylinder.pin]]).collect();
+        let star = |order: CycleOrder| -> Complex<f64> {
+            let vector = |shot: &crate::engine::Shot| {
+                let direction = numbers::direction(&-&order.times(&shot.angle));
+                direction * deflections[shot.cylinder] * radius(shot.cylinder)
+            };
+            firing.shots.iter().map(vector).sum()
+        };
+        let critical = |&order: &CycleOrder| Critical {
+            order,
+            rpm: 60.0 * mode.hertz() * 2.0 / f64::from(order.halves()),
+            star: star(order),
+        };
+        let orders = orders.iter().map(critical).collect();
+        let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
+        CriticalSpeeds { orders, longest, deflections, mode }
+    };
+    Ok(modes(&Shaft::new(torsion)).into_iter().map(of_mode).collect())
+}
+
+fn decimal(value: &num_rational::BigRational) -> f64 {
+    num_traits::ToPrimitive::to_f64(value).unwrap_or(f64::MAX)
+}

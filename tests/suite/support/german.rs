@@ -1,0 +1,145 @@
+//! What is to be translated, and of what does the program speak?
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use crankstar::engine::Engine;
+use crankstar::family;
+use crankstar::file::{self, Layout};
+use crankstar::loads::{Method, bearing_loads, usual_orders};
+use crankstar::page::Document;
+use crankstar::remedy::{self, Wish};
+use crankstar::report::{self, Numbers};
+
+use super::pages;
+
+/// What stands in a phrase outside of its formulas.
+pub fn outside(words: &str) -> impl Iterator<Item = &str> {
+    words.split('$').step_by(2)
+}
+
+/// Whether a phrase has words, and not only places and signs.
+pub fn has_words(words: &str) -> bool {
+    outside(words).any(|part| part.contains(char::is_alphabetic))
+}
+
+/// The report on an engine, with its remedy, and its loads and its bearings where it has any.
+pub fn pages_of(engine: &Engine) -> Vec<Document> {
+    let remedy = remedy::remedy(engine, &Wish { orders: vec![1, 2], ..Wish::default() });
+    let solve = |method| bearing_loads(engine, engine.orders(), method).ok();
+    let bearings = solve(Method::Continuous).zip(solve(Method::Determinate));
+    let remedy = remedy.ok().map(|remedy| report::remedy_page(&remedy));
+    let bearings = bearings.map(|(continuous, determinate)| report::bearings_page(engine, &continuous, &determinate));
+    let numbers = Numbers::new(engine, &usual_orders(engine), None).ok();
+    let loads = numbers
+        .iter()
+        .flat_map(|numbers| [report::loads_page(engine, numbers, None), report::loads_answer(engine, numbers, None)]);
+    [Some(pages::document(engine)), remedy, bearings].into_iter().flatten().chain(loads).collect()
+}
+
+/// The pages on the layout files of a folder below this project.
+pub fn pages_of_files(folder: &str) -> Vec<Document> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let files = files.map(|path| if path.is_dir() { path.join("layout.toml") } else { path });
+    let texts = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    let page = |path| match file::parse_layout("layout.toml", &fs::read_to_string(path).expect("a text")) {
+        Ok(Layout::Known(engine, _)) => pages_of(&engine),
+        Ok(Layout::Open(open)) => {
+            let orders = family::classify(&open, open.orders()).expect("orders");
+            vec![report::family_page(&open, &orders, false), report::family_answer(&open, &orders)]
+        }
+        Err(_) => Vec::new(),
+    };
+    texts.flat_map(page).collect()
+}
+
+/// Every text between quotes in the files of these folders, as it stands and with its places bare.
+pub fn literals(folders: &[&str]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut waiting: Vec<_> = folders.iter().map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).collect();
+    while let Some(path) = waiting.pop() {
+        if path.is_dir() {
+            waiting.extend(fs::read_dir(path).expect("a folder").map(|entry| entry.expect("an entry").path()));
+            continue;
+        }
+        let source = fs::read_to_string(&path).expect("a text");
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("rs") => found.extend(quoted(&source)),
+            Some("toml") => {}
+            // In a template quotes stand within quotes.
+            _ => found.extend(source.split('"').map(str::to_owned)),
+        }
+    }
+    let bare: Vec<String> = found.iter().map(|text| with_bare_places(text)).collect();
+    found.extend(bare);
+    found
+}
+
+/// The texts between quotes, outside of comments; a broken line goes on where its words do.
+fn quoted(source: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut letters = source.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '/' if letters.peek() == Some(&'/') => drop(letters.by_ref().find(|letter| *letter == '\n')),
+            // The letter of a quote is no quote.
+            '\'' if letters.peek() == Some(&'"') => drop(letters.next()),
+            '"' => found.push(text(&mut letters)),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The rest of a text, its closing quote taken.
+fn text(letters: &mut std::iter::Peekable<std::str::Chars>) -> String {
+    let mut out = String::new();
+    while let Some(letter) = letters.next().filter(|letter| *letter != '"') {
+        match letter {
+            '\\' => match letters.next() {
+                Some('\n') => while letters.next_if(|letter| letter.is_whitespace()).is_some() {},
+                Some('n') => out.push('\n'),
+                Some('u') => {
+                    let code: String = letters.by_ref().skip(1).take_while(|letter| *letter != '}').collect();
+                    out.extend(u32::from_str_radix(&code, 16).ok().and_then(char::from_u32));
+                }
+                other => out.extend(other),
+            },
+            letter => out.push(letter),
+        }
+    }
+    out
+}
+
+/// `{size:.0}` as `{}`, as a list of words has it.
+fn with_bare_places(text: &str) -> String {
+    let (mut out, mut rest) = (String::new(), text);
+    while let Some((before, after)) = rest.split_once('{') {
+        let name = |name: &str| name.chars().all(|letter| letter.is_ascii_alphanumeric() || "_:.*$".contains(letter));
+        match after.split_once('}').filter(|(inside, _)| name(inside)) {
+            Some((_, after)) => {
+                out += &format!("{before}{{}}");
+                rest = after;
+            }
+            None => {
+                out += &format!("{before}{{");
+                rest = after;
+            }
+        }
+    }
+    out + rest
+}
+
+/// Whether these words stand among the texts, or are whole sentences of one.
+pub fn is_said(texts: &BTreeSet<String>, words: &str) -> bool {
+    let is_part = |text: &String| {
+        text.match_indices(words).any(|(at, _)| {
+            let (before, after) = (&text[..at], &text[at + words.len()..]);
+            (before.is_empty() || before.ends_with(". "))
+                && (after.is_empty() || words.ends_with('.') && after.starts_with(' '))
+        })
+    };
+    texts.contains(words) || texts.iter().any(is_part)
+}

@@ -1,0 +1,198 @@
+//! Do natural frequencies, modes and critical speeds come out as the textbooks have them?
+
+use std::f64::consts::PI;
+
+use crankstar::engine::{CycleOrder, Engine, Torsion};
+use crankstar::file;
+use crankstar::page::{Document, Format, Language};
+use crankstar::report::{self, TorsionStudy};
+use crankstar::torsion::{Excitation, Mode, Shaft, critical_speeds, forced_twist, modes};
+use num_complex::Complex;
+
+use crate::support::dice::Dice;
+use crate::support::pages;
+
+fn shaft(inertias: &[f64], stiffnesses: &[f64]) -> Shaft {
+    Shaft { inertias: inertias.to_vec(), stiffnesses: stiffnesses.to_vec() }
+}
+
+fn assert_near(found: f64, right: f64, part: f64) {
+    assert!((found - right).abs() <= part * right.abs().max(1e-300), "{found} for {right}");
+}
+
+/// W. T. Thomson, Theory of Vibration with Applications, table 12.4-1; the digits by `theory-gas`, section 3.
+#[test]
+fn the_textbook_shaft_of_three_discs_comes_out() {
+    let found = modes(&shaft(&[5.0, 11.0, 22.0], &[0.10e6, 0.20e6]));
+    let right =
+        [(123.665_800_08, [1.0, 0.235_338_49, -0.344_941_97]), (202.658_348_59, [1.0, -1.053_520_31, 0.299_487_43])];
+    assert_eq!(found.len(), 2);
+    for (mode, (omega, shape)) in found.iter().zip(right) {
+        assert_near(mode.omega, omega, 1e-9);
+        for (found, right) in mode.shape.iter().zip(shape) {
+            assert!((found - right).abs() < 1e-8, "{found} for {right}");
+        }
+    }
+}
+
+/// `ω_j = 2√(k/J) sin(jπ/2n)` of n equal free discs.
+#[test]
+fn equal_discs_have_the_frequencies_of_the_formula() {
+    for count in 2..=40_u32 {
+        let found = modes(&shaft(&vec![0.25; count as usize], &vec![9.0e4; count as usize - 1]));
+        assert_eq!(found.len(), count as usize - 1);
+        for (j, mode) in (1..count).zip(&found) {
+            let right = 2.0 * 600.0 * (f64::from(j) * PI / f64::from(2 * count)).sin();
+            assert_near(mode.omega, right, 1e-13);
+            assert_eq!(mode.nodes(), j as usize, "{mode:?}");
+        }
+    }
+}
+
+fn six_with_flywheel() -> Engine {
+    let layout = "title = \"Six\"\ncycle = \"four-stroke\"\nfiring_order = \"1-5-3-6-2-4\"\n\
+                  [inline]\nthrows = [0, 240, 120, 120, 240, 0]\n\
+                  [torsion]\ninertias = [\"0.03 kg m^2\", 0.03, 0.03, 0.03, 0.03, \"300 kg cm²\", 0.3]\n\
+                  stiffnesses = [\"1 MN m/rad\", 1000000, \"1000 kN m/rad\", 1000000, 1000000, 1000000]\n";
+    file::parse("six.toml", layout).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// `theory-gas`, section 3: six discs J, flywheel 10 J, all stiffnesses alike.
+#[test]
+fn a_six_with_a_flywheel_has_the_modes_stars_and_critical_speeds_of_the_theory() {
+    let engine = six_with_flywheel();
+    let torsion = engine.torsion().expect("a shaft");
+    let orders: Vec<CycleOrder> = [1, 2, 3, 6].map(|halves| CycleOrder::of_halves(halves).expect("an order")).to_vec();
+    let found = critical_speeds(&engine, torsion, &orders).expect("it fires");
+    let unit = (1e6_f64 / 0.03).sqrt();
+    for (speeds, right) in found.iter().zip([0.293_114_74, 0.728_416_03, 1.145_628_29]) {
+        assert!((speeds.mode.omega / unit - right).abs() < 6e-9);
+    }
+    let shape = [1.0, 0.914_083_75, 0.749_632_85, 0.520_776_31, 0.247_176_62, -0.047_659_55, -0.338_401];
+    for (found, right) in found[0].mode.shape.iter().zip(shape) {
+        assert!((found - right).abs() < 6e-7, "{found} for {right}");
+    }
+    for (critical, right) in found[0].orders.iter().zip([0.709_683, 0.279_936, 1.943_423, 3.384_010]) {
+        assert!((critical.star.norm() - right).abs() < 6e-7, "order {}: {}", critical.order, critical.star);
+    }
+    assert!((found[0].mode.hertz() - 269.3377).abs() < 5e-5);
+    assert!((found[0].orders[3].rpm - 5386.75).abs() < 5e-3);
+}
+
+/// `K Θ = ω² J Θ`, and modes of different frequencies do not work on each other.
+fn assert_is_a_mode(shaft: &Shaft, mode: &Mode) {
+    let count = shaft.inertias.len();
+    let spring = |index: usize| shaft.stiffnesses[index] * (mode.shape[index + 1] - mode.shape[index]);
+    let largest = (0..count - 1).map(|index| spring(index).abs()).fold(0.0, f64::max);
+    for disc in 0..count {
+        let after = if disc + 1 < count { spring(disc) } else { 0.0 };
+        let before = if disc > 0 { spring(disc - 1) } else { 0.0 };
+        let residual = after - before + mode.omega.powi(2) * shaft.inertias[disc] * mode.shape[disc];
+        assert!(residual.abs() < 1e-9 * largest, "{residual} of {largest} at disc {disc} of {shaft:?}");
+    }
+}
+
+#[test]
+fn random_shafts_satisfy_their_equations_and_forced_twists_theirs() {
+    let mut dice = Dice::new(7);
+    let mut random = || (dice.below(1_000_000) as f64 + 1.0) / 1e6;
+    for count in 2..=30_usize {
+        for _ in 0..10 {
+            let shaft = Shaft {
+                inertias: (0..count).map(|_| 10.0_f64.powf(3.0 * random() - 2.0)).collect(),
+                stiffnesses: (1..count).map(|_| 10.0_f64.powf(3.0 * random() + 4.0)).collect(),
+            };
+            let found = modes(&shaft);
+            assert!(found.windows(2).all(|pair| pair[0].omega < pair[1].omega));
+            for (number, mode) in found.iter().enumerate() {
+                assert_is_a_mode(&shaft, mode);
+                assert_eq!(mode.nodes(), number + 1, "{mode:?}");
+            }
+            let work: f64 = (0..count).map(|disc| shaft.inertias[disc] * found[0].shape[disc]).sum();
+            let size: f64 = (0..count).map(|disc| (shaft.inertias[disc] * found[0].shape[disc]).abs()).sum();
+            assert!(work.abs() < 1e-9 * size, "it does not turn as a whole");
+            let torques: Vec<Complex<f64>> = (0..count).map(|_| Complex::new(random(), random())).collect();
+            // Between two natural frequencies, and below the first.
+            let omega = found.get(1).map_or(0.7 * found[0].omega, |second| 0.5 * (found[0].omega + second.omega));
+            let twist = forced_twist(&shaft, &Excitation { omega, torques: torques.clone() });
+            for disc in 0..count {
+                let spring = |index: usize| (twist[index + 1] - twist[index]) * shaft.stiffnesses[index];
+                let after = if disc + 1 < count { spring(disc) } else { Complex::default() };
+                let before = if disc > 0 { spring(disc - 1) } else { Complex::default() };
+                let inertia = twist[disc] * omega * omega * shaft.inertias[disc];
+                let residual = (after - before + inertia + torques[disc]).norm();
+                let size = after.norm() + before.norm() + inertia.norm() + torques[disc].norm();
+                assert!(residual < 1e-7 * size, "{residual} of {size}");
+            }
+        }
+    }
+}
+
+/// A shaft that is its own mirror image has a node in its middle.
+#[test]
+fn a_node_on_the_first_disc_does_not_divide_by_zero() {
+    // A pendulum of three discs: the middle one stands still in the first mode.
+    let found = modes(&shaft(&[1.0, 5.0, 1.0], &[1e5, 1e5]));
+    assert!(found.iter().flat_map(|mode| &mode.shape).all(|value| value.is_finite()));
+    assert!(found[0].shape[1].abs() < 1e-7);
+}
+
+#[test]
+fn what_is_no_shaft_is_refused_at_its_place() {
+    let head = "title = \"Two\"\n[inline]\nthrows = [0, 180]\n[torsion]\n";
+    for (keys, words) in [
+        ("inertias = [1]\nstiffnesses = []\n", "2 to 200"),
+        ("inertias = [1, 1]\nstiffnesses = [1, 1]\n", "between 2 discs there are 1"),
+        ("inertias = [1, 0]\nstiffnesses = [1]\n", "moment of inertia 2 is not above 0"),
+        ("inertias = [1, 1, 1]\nstiffnesses = [1, -1]\n", "stiffness 2 is not above 0"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 discs are named for 2 crankpins"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1, 3]\n", "crankpin 2 stands on disc 3"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [0, 1]\n", "number of the disc"),
+        ("inertias = [\"1 kg\", 1]\nstiffnesses = [1]\n", "none of kg m^2"),
+        ("inertias = [1, 1]\nstiffnesses = [\"1 N m\"]\n", "none of MN m/rad"),
+        ("inertias = [1, 1]\n", "stiffnesses"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\ndamping = 3\n", "damping"),
+    ] {
+        let error = file::parse("two.toml", &format!("{head}{keys}")).expect_err(keys).to_string();
+        assert!(error.contains(words), "{keys}: {error}");
+    }
+    let open =
+        "title = \"V\"\n[vee]\nbank_angle = \"phi\"\nthrows = [0]\n[torsion]\ninertias = [1, 1]\nstiffnesses = [1]\n";
+    assert!(file::parse_layout("v.toml", open).expect_err("open").to_string().contains("[values]"));
+}
+
+#[test]
+fn a_draft_with_a_shaft_for_other_pins_is_no_engine() {
+    let one = num_rational::BigRational::from_integer(1.into());
+    let torsion = Torsion { inertias: vec![one.clone(), one.clone()], stiffnesses: vec![one], pins: vec![0] };
+    let mut draft = six_with_flywheel().into_draft();
+    draft.torsion = Some(torsion);
+    assert!(draft.build().is_err());
+}
+
+#[test]
+fn the_page_says_what_its_document_says_in_both_languages() {
+    let engine = six_with_flywheel();
+    let study = TorsionStudy::new(&engine, &[]).expect("a shaft that fires");
+    let pages = [report::torsion_page(&study), report::torsion_answer(&study)];
+    let phrases = pages.iter().flat_map(Document::phrases);
+    let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 2;
+    let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+    assert!(missing.is_empty(), "no German for {missing:#?}");
+    assert!(pages[0].pictures().iter().all(|picture| picture.figure.overlaps().is_empty()));
+    let json = serde_json::to_value(report::torsion_document(&study)).expect("JSON");
+    let hertz = json["modes"][0]["frequency_hz"].as_f64().expect("a number");
+    assert!((hertz - 269.3377).abs() < 5e-5);
+    let text = pages::text(&pages[0], Format::GITHUB);
+    assert!(text.contains("269.3") && text.contains("5387"), "{text}");
+}
+
+#[test]
+fn a_layout_without_a_shaft_or_without_firing_is_told_what_to_add() {
+    let i4 = file::find("I4").expect("known").engine().expect("reads");
+    let why = TorsionStudy::new(&i4, &[]).expect_err("no shaft").to_string();
+    assert!(why.contains("[torsion]") && why.contains("inertias"), "{why}");
+    let silent = "title = \"Two\"\n[inline]\nthrows = [0, 180]\n[torsion]\ninertias = [1, 1]\nstiffnesses = [1]\n";
+    let engine = file::parse("two.toml", silent).expect("it reads");
+    assert!(TorsionStudy::new(&engine, &[]).expect_err("no firing").to_string().contains("firing_order"));
+}
