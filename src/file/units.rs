@@ -20,6 +20,9 @@ const LARGEST_POWER: u32 = 40;
 /// Larger angles than this, in turns, are refused: whoever writes one means another number.
 const MOST_TURNS: u32 = 1_000_000;
 
+/// Higher pressures than this, in pascals, are refused.
+const MOST_PASCALS: i64 = 100_000_000_000;
+
 /// Whether a quantity is 0 or has a size that decimals of its products can show.
 pub(crate) fn has_a_size(value: &BigRational) -> bool {
     let largest = BigRational::from_integer(Pow::pow(BigInt::from(10), LARGEST_POWER));
@@ -135,7 +138,10 @@ pub(crate) fn pressure_unit(name: &str) -> Result<PressureUnit, String> {
 pub(crate) fn pressure(text: &str, of_all: Option<PressureUnit>) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, PRESSURES, "\"0.9 bar\", \"8.2 MPa\", \"101325 Pa\" or \"14.7 psi\"")?;
     match unit.or(of_all) {
-        Some(unit) => sized(number * ratio(unit)),
+        Some(unit) => match number * ratio(unit) {
+            value if value.abs() <= BigRational::from_integer(MOST_PASCALS.into()) => sized(value),
+            _ => Err("no engine has more than a million bar: is the unit right?".to_owned()),
+        },
         None => Err(format!("a pressure needs its unit, one of {}; a table may say unit = \"bar\"", names(PRESSURES))),
     }
 }

@@ -18,7 +18,7 @@ pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
 
 use crate::engine::Engine;
-use crate::gas::Warning;
+use crate::gas::{CylinderGas, Warning};
 
 /// The torque of an engine through its cycle and by orders.
 #[derive(Clone, Debug)]
@@ -62,7 +62,9 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
     let orders = orders(&classes);
     let work: f64 = classes.iter().map(|class| class.gas.work() * class.cylinders.len() as f64).sum();
     let mean: f64 = classes.iter().map(|class| class.harmonics.torque[0].re * class.cylinders.len() as f64).sum();
-    let moved: f64 = classes.iter().map(|class| class.gas.peak_pressure().0 * class.gas.geometry().swept()).sum();
+    // Roundings are those of what goes back and forth within a cycle.
+    let moved = |gas: &CylinderGas| (gas.peak_pressure().0 + gas.crankcase()) * gas.geometry().swept();
+    let moved: f64 = classes.iter().map(|class| moved(&class.gas)).sum();
     let omega = class::omega(engine);
     let warnings = class::warnings(engine, &classes);
     let [highest, lowest] = course.extremes(|theta| course.total(theta));

@@ -34,6 +34,7 @@ const CYCLES: &[(&str, usize, &[&str])] = &[
     ("intake_pressure = '0.9 Bar'",              10, &["`Bar` is none of mbar, bar, MPa, kPa, Pa, psi"]),
     ("intake_pressure = inf",                    10, &["not a number"]),
     ("intake_pressure = 'nan bar'",              10, &["not a number"]),
+    ("exhaust_pressure = '1e6 MPa'",            10, &["no engine has more than a million bar"]),
     ("exhaust_pressure = '0 Pa'",                10, &["above 0"]),
     ("compression_exponent = 1",                 10, &["compression_exponent is 1", "above 1 and at most 2"]),
     ("expansion_exponent = 13",                  10, &["above 1 and at most 2"]),
