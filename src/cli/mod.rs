@@ -156,7 +156,7 @@ impl EngineAndOrders {
 fn whole(order: CycleOrder) -> Result<u32, Failure> {
     match order.is_whole() {
         true => Ok(order.halves() / 2),
-        false => Err(Failure::new(format!(
+        false => Err(Failure::misuse(format!(
             "order {order} is one of the gas torque, which `classify --firing` and `firing` judge; forces and moments have whole orders"
         ))),
     }
@@ -207,7 +207,7 @@ pub fn run() -> ExitCode {
         Ok(status) => status,
         Err(failure) => {
             write::to_stderr(&failure.to_string());
-            ExitCode::from(1)
+            ExitCode::from(failure.status())
         }
     }
 }

@@ -38,6 +38,10 @@ pub struct Effects {
     pub remedy: bool,
     /// The forces and the torque of the gas.
     pub gas: bool,
+    /// The firing stars: which orders of the gas torque vanish, whatever the pressure is.
+    pub firing: bool,
+    /// Torsional vibration of the crankshaft.
+    pub torsion: bool,
 }
 
 impl<A, L> Engine<A, L> {

@@ -246,8 +246,11 @@ fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
             "torque" => effects.torque = true,
             "remedy" => effects.remedy = true,
             "gas" => effects.gas = true,
+            "firing" => effects.firing = true,
+            "torsion" => effects.torsion = true,
             other => {
-                return Err(quantities::misread("effect", other, "\"torque\", \"remedy\" or \"gas\"".to_owned(), text));
+                let right = "\"torque\", \"remedy\", \"gas\", \"firing\" or \"torsion\"";
+                return Err(quantities::misread("effect", other, right.to_owned(), text));
             }
         }
     }
