@@ -19,7 +19,7 @@ pub(super) fn cures(engine: &Engine, judged: &Judgement, orders: &[&OrderVerdict
         cures.extend(higher_cure(vectors, &alike));
     }
     let is_left = |order: &&OrderVerdict| order.order > USUALLY_CURED && left_vectors(order) != [false, false];
-    if orders.iter().copied().any(|order| is_left(&order)) {
+    if orders.iter().any(is_left) {
         cures.push(phrase!("Orders above {} are usually left as they are.", USUALLY_CURED));
     }
     cures
