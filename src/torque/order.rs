@@ -75,6 +75,14 @@ fn value(star: &PhasorSum) -> Complex<f64> {
 }
 
 impl Class {
+    /// Order κ of the torque of one of its cylinders, by its own angle: gas, and inertia where that is known.
+    pub fn torque_of_one(&self, order: CycleOrder) -> Complex<f64> {
+        let revolutions = self.harmonics.revolutions as usize;
+        let index = order.halves() as usize * revolutions / 2;
+        let gas = self.harmonics.torque.get(index).copied().unwrap_or_default();
+        gas + self.inertia_at(index, revolutions).unwrap_or_default()
+    }
+
     /// The inertia's harmonic at the n-th of the cycle: zero at halves.
     pub(super) fn inertia_at(&self, index: usize, revolutions: usize) -> Option<Complex<f64>> {
         let inertia = self.inertia.as_ref()?;

@@ -176,4 +176,4 @@ fn words_of(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Words that are German too.
-const IN_BOTH: [&str; 2] = ["cos", "sin"];
+const IN_BOTH: [&str; 3] = ["cos", "sin", "min"];

@@ -94,14 +94,15 @@ impl Polar {
             mark.sign(&mut figure, *at);
             labels.avoid_sign(*at, 0.9);
         }
-        for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
-            labels.name_point(&mut figure, &mark.label, *at);
-        }
         let texts: Vec<String> = circles.iter().map(|tick| tick.label.clone()).collect();
         let of_circles: Vec<_> = circles.iter().map(|tick| along_axes(centre, RADIUS * tick.value / full)).collect();
         let rows: Vec<Vec<_>> =
             (0..PLACES).map(|side| of_circles.iter().map(|places| places[side]).collect()).collect();
         labels.write_row(&mut figure, &texts, &rows);
+        // A point has more places for its name than the circles have for their row.
+        for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
+            labels.name_point(&mut figure, &mark.label, *at);
+        }
         figure.text(Point::new(centre.re, LINE / 2.0 + 1.0), self.label.clone(), Anchor::Middle);
         figure
     }

@@ -23,18 +23,34 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
         Err(why) => vec![heading, Block::Paragraph(phrase!("No critical speeds: {}.", why.to_string()))],
         Ok(study) => {
             let shaft = vec![tables::discs(&study).into(), Block::List(words::ASSUMED.map(Text::from).into())];
-            vec![
+            let mut blocks = vec![
                 heading,
                 Block::List(words::answer(&study)),
                 Block::Pictures(pictures(&study)),
                 tables::critical(&study).into(),
+            ];
+            blocks.extend(forced(&study));
+            blocks.extend([
                 Block::Paragraph(words::FOUND.into()),
                 Block::Folded(Fold {
                     summary: "Torsional vibration: the shaft, and what is assumed".into(),
                     blocks: shaft,
                 }),
-            ]
+            ]);
+            blocks
         }
+    }
+}
+
+/// How far the orders twist the shaft, where the layout has the gas.
+fn forced(study: &TorsionStudy<'_>) -> Vec<Block> {
+    match study.speed {
+        Some(speed) if !study.forced.is_empty() => vec![
+            Block::Heading(2, "Forced twist".into()),
+            Block::Paragraph(words::forced(speed)),
+            tables::forced(study).into(),
+        ],
+        _ => Vec::new(),
     }
 }
 
@@ -55,6 +71,7 @@ pub fn torsion_page(study: &TorsionStudy<'_>) -> Document {
         "Where each order meets the first modes, and its star as a part of the longest that the mode can have:".into(),
     ));
     page.push(tables::critical(study));
+    page.blocks.extend(forced(study));
     section(&mut page, "The shaft");
     page.push(tables::discs(study));
     section(&mut page, "How it is found");

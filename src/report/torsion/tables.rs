@@ -46,6 +46,28 @@ pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
     table
 }
 
+/// One row per order: how far it twists the shaft at the speed of the layout.
+pub(super) fn forced(study: &TorsionStudy<'_>) -> Table {
+    let mut table = Table::new([
+        "Order κ",
+        "Frequency (Hz)",
+        "Swing of the free end (°)",
+        "Torque in the shaft (N·m)",
+        "Behind disc",
+    ]);
+    for forced in &study.forced {
+        let mut cells: Vec<Text> = vec![forced.order.to_string().into(), Number::Decimal(forced.hertz).into()];
+        cells.extend(match forced.near {
+            Some(mode) => [phrase!("near mode {}", mode), "–".into(), "–".into()],
+            None => {
+                [Number::Decimal(forced.free_end).into(), Number::Decimal(forced.shaft).into(), forced.behind.into()]
+            }
+        });
+        table.push(cells);
+    }
+    table
+}
+
 /// One row per order: the critical speed of each mode, and the star as a part of the longest.
 pub(super) fn critical(study: &TorsionStudy<'_>) -> Table {
     let mut header: Vec<Text> = vec!["Order κ".into()];

@@ -18,6 +18,15 @@ pub(super) const FOUND: &str = "In a mode the deflections $\\Theta_i$ of the dis
     order $\\kappa$ meets the frequency $f$ at the speed $n = 60 f/\\kappa$ in 1/min. A torque of order $\\kappa$ that all cylinders share works on the mode in proportion to \
     $\\lvert\\sum_j \\Delta_j r_j e^{-i\\kappa\\varphi_j}\\rvert$, with $\\Delta_j$ the deflection of the cylinder's crankpin.";
 
+/// What the table of forced twists says.
+pub(super) fn forced(speed: f64) -> Text {
+    phrase!(
+        "At {} the torque of gas and inertia twists the shaft so far, order by order, zero to peak, without damping; nothing is said of an order that is \
+         within 5 % of a natural frequency:",
+        rpm(speed)
+    )
+}
+
 fn hertz(mode: &CriticalSpeeds) -> Text {
     Piece::Quantity(mode.mode.hertz(), Unit::HERTZ).into()
 }
