@@ -9,6 +9,7 @@ use super::firing::{Cycle, Firing};
 use super::form::Form;
 use super::length::LengthUnit;
 use super::model::Effects;
+use super::open_firing::OpenFiring;
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
 use crate::exact::Turn;
@@ -48,6 +49,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub cycle: Option<Cycle>,
     /// When the cylinders fire.
     pub firing: Option<Firing>,
+    /// What a family says of its firing, whose angles hold unknowns; none in an engine.
+    pub open_firing: Option<OpenFiring>,
     /// Positions of the main bearings; none where nothing is known of them.
     pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
@@ -89,6 +92,7 @@ impl<A, L> Draft<A, L> {
             orders: Vec::new(),
             cycle: None,
             firing: None,
+            open_firing: None,
             bearings: Vec::new(),
             dimensions: Dimensions::default(),
             crankshaft: Crankshaft::default(),
@@ -116,6 +120,7 @@ impl<A, L> Draft<A, L> {
             orders: self.orders.clone(),
             cycle: self.cycle,
             firing: self.firing.clone(),
+            open_firing: self.open_firing.clone(),
             bearings: self.bearings.clone(),
             dimensions: self.dimensions.clone(),
             crankshaft: self.crankshaft.clone(),
