@@ -43,6 +43,16 @@ pub struct FiringSpan {
     pub angles: Vec<Linear>,
 }
 
+impl FiringSpan {
+    /// Whether a value of the open angle lies in it.
+    pub fn holds(&self, value: &BigRational) -> bool {
+        self.within.as_ref().is_none_or(|[low, high]| {
+            let above = *value > low.at || low.included && *value == low.at;
+            above && (*value < high.at || high.included && *value == high.at)
+        })
+    }
+}
+
 /// Why it is not known when the cylinders of a family fire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoSpans {
