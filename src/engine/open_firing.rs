@@ -88,10 +88,7 @@ const MOST_CHANGES: i64 = 2000;
 impl OpenFiring {
     /// The firings at given crank angles, one per cylinder, with the unknowns in them; the error says what is wrong, and what would
     /// be right.
-    pub fn from_angles(
-        angles: Vec<Linear>,
-        cylinders: &[Cylinder<Linear, Linear>],
-    ) -> Result<Self, (String, String)> {
+    pub fn from_angles(angles: Vec<Linear>, cylinders: &[Cylinder<Linear, Linear>]) -> Result<Self, (String, String)> {
         if angles.len() != cylinders.len() {
             let message = format!("{} firing angles for {} cylinders", angles.len(), cylinders.len());
             return Err((message, "one per cylinder, in the order of the cylinders".into()));
@@ -158,9 +155,8 @@ impl Family {
         let mut unknowns = unknowns.iter();
         match (unknowns.next(), unknowns.next()) {
             (_, Some(_)) => Err(NoSpans::TwoAngles),
-            (unknown, None) => {
-                Steps::new(&self.dead_centres(), order, unknown.copied().unwrap_or_default(), cycle).spans(range, with_ends)
-            }
+            (unknown, None) => Steps::new(&self.dead_centres(), order, unknown.copied().unwrap_or_default(), cycle)
+                .spans(range, with_ends),
         }
     }
 }

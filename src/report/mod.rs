@@ -58,8 +58,8 @@ pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use figures::{NamedPicture, figures, sweep_figures};
 pub use firing::{
-    FiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document, firing_engine,
-    firing_page, run_as as run_in_cycle,
+    FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,
+    firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};

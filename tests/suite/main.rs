@@ -51,6 +51,7 @@ mod motion;
 mod moving;
 mod odd_surroundings;
 mod open_certificate_cheats;
+mod open_firing;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;
