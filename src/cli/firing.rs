@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crankstar::BigRational;
 use crankstar::engine::{CycleOrder, Engine, Family};
 use crankstar::file::{self, Layout, parse_number};
 use crankstar::firing::Weights;
@@ -68,11 +69,7 @@ pub fn open_study<'a>(
     orders: &[CycleOrder],
     mode: &ModeShape,
 ) -> Result<OpenFiringStudy<'a>, Failure> {
-    let shape = match mode.read()? {
-        Weights::Rigid => None,
-        Weights::ModeShape(shape) => Some(shape),
-    };
-    OpenFiringStudy::new(family, orders, shape).map_err(Failure::new)
+    OpenFiringStudy::new(family, orders, mode.deflections()?).map_err(Failure::new)
 }
 
 impl ModeShape {
@@ -81,12 +78,17 @@ impl ModeShape {
         !self.mode_shape.is_empty()
     }
 
-    fn read(&self) -> Result<Weights, Failure> {
+    /// The deflections, where they are given.
+    pub fn deflections(&self) -> Result<Option<Vec<BigRational>>, Failure> {
         let value =
             |text: &String| parse_number(text.trim()).map_err(|error| Failure::new(format!("--mode-shape: {error}")));
         match self.mode_shape.as_slice() {
-            [] => Ok(Weights::Rigid),
-            values => Ok(Weights::ModeShape(values.iter().map(value).collect::<Result<_, _>>()?)),
+            [] => Ok(None),
+            values => values.iter().map(value).collect::<Result<_, _>>().map(Some),
         }
+    }
+
+    fn read(&self) -> Result<Weights, Failure> {
+        Ok(self.deflections()?.map_or(Weights::Rigid, Weights::ModeShape))
     }
 }

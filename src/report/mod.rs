@@ -70,7 +70,7 @@ pub use optimise::{
 pub use poster::{poster, poster_sheet};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{force_summary, moment_summary, order_name, whole_summary};
-pub use search::{search_answer, search_page};
+pub use search::{search_answer, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torsion::{NoTorsion, TorsionDocument, TorsionStudy, torsion_answer, torsion_document, torsion_page};
