@@ -63,6 +63,7 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod search_torsion;
 mod sweep;
 mod symbols;
 mod theorems;
