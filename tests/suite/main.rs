@@ -65,6 +65,7 @@ mod rooms;
 mod search;
 mod search_torsion;
 mod sweep;
+mod sweep_firing;
 mod symbols;
 mod theorems;
 mod theory;

@@ -6,11 +6,13 @@ use std::f64::consts::TAU;
 use crankstar::engine::{CycleOrder, DELTA, Engine, Family, NoSpans, PHI};
 use crankstar::family::{self, NoOpenStar, OpenStar};
 use crankstar::file::{self, Layout};
-use crankstar::page::{self, Format, Options};
+use crankstar::page::{self, Format, Language, Options};
 use crankstar::report::{self, OpenFiringStudy};
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+
+use crate::support::german::has_words;
 
 const V2: &str = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\nvee = { bank_angle = 'phi', throws = [0] }";
 const V6: &str =
@@ -193,4 +195,31 @@ fn open_lengths_leave_every_order_judged() {
     assert_eq!(zero, [true, true, true, false]);
     let never: Vec<bool> = stars.iter().map(OpenStar::never).collect();
     assert_eq!(never, [false, false, false, true]);
+}
+
+#[test]
+fn answers_and_pages_have_german_for_every_phrase() {
+    let two = V6_SPLIT.replace("bank_angle = 60", "bank_angle = 'phi'");
+    let silent = V6.replace("firing_order = '1-4-3-6-2-5'", "");
+    let never = V6.replace("1-4-3-6-2-5", "1-4-2-5-3-6");
+    let lengths = "cycle = 'four-stroke'\nfiring_order = '1-3-4-2'\n\
+                   inline = { throws = [0, 180, 180, 0], positions = [0, 'a', '2a', '3a'] }";
+    let texts = [V2, V6, V6_OF_TWO_RANGES, V6_SPLIT, FOUR_BANKS, &two, &silent, &never, lengths];
+    for text in texts {
+        let family = open(text);
+        let shape = family.cylinders().iter().map(|_| fraction(1, 1)).collect();
+        for shape in [None, Some(shape)] {
+            let asked = if text == FOUR_BANKS { orders([2, 4]) } else { orders([1, 2, 3, 6]) };
+            let study = OpenFiringStudy::new(&family, &asked, shape).expect("stars");
+            for page in [report::open_firing_answer(&study), report::open_firing_page(&study)] {
+                let phrases = page.phrases().into_iter().filter(|words| has_words(words));
+                let unknown: Vec<&str> = phrases.filter(|words| !Language::De.knows(words)).collect();
+                assert!(unknown.is_empty(), "no German for {unknown:#?}");
+                for picture in page.pictures() {
+                    let figure = Language::De.picture(picture).figure;
+                    assert!(figure.overlaps().is_empty() && figure.leaving().is_empty(), "{text}");
+                }
+            }
+        }
+    }
 }

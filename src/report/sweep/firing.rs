@@ -6,6 +6,7 @@ use super::super::typeset;
 use super::amounts::{place, place_cells, place_headings, size, value};
 use super::findings::listed;
 use super::words::{axis, float};
+use crate::engine::CycleOrder;
 use crate::page::figure::Figure;
 use crate::page::{Block, Fold, Picture, Table, Text, phrase};
 use crate::sweep::{Amplitude, FiringSweep, FiringZeros, StarLength, Sweep, SweptEngine};
@@ -59,7 +60,7 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let ends = lengths.iter().max_by(by_value).zip(lengths.iter().min_by(by_value));
     let Some(((greatest, _), (least, _))) = ends else {
         return match set {
-            Some(FiringZeros { everywhere: true, .. }) => everywhere(order),
+            Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
             _ => phrase!(
                 "**Gas torque of order {}:** the cylinders can fire as the layout says at no value of the sweep.",
                 order
@@ -74,8 +75,8 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     };
     let exact = |set: &FiringZeros| listed(set.at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());
     match set {
-        Some(FiringZeros { everywhere: true, .. }) => everywhere(order),
-        None if greatest.vanishes => everywhere(order),
+        Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
+        None if greatest.vanishes => everywhere(firing.orders[place_of]),
         Some(set) if set.complete && !set.at.is_empty() => phrase!(
             "**Gas torque of order {}:** exactly {} at {} and nowhere else in the range; the firing star is at most {}, at {}.",
             order,
@@ -95,12 +96,12 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     }
 }
 
-fn everywhere(order: String) -> Text {
-    phrase!(
-        "**Gas torque of order {}:** exactly {} wherever the cylinders fire as the layout says.",
-        order,
-        Text::zero()
-    )
+fn everywhere(order: CycleOrder) -> Text {
+    let words = match order.is_whole() {
+        true => "**Gas torque of order {}:** exactly {} at every value.",
+        false => "**Gas torque of order {}:** exactly {} wherever the cylinders fire as the layout says.",
+    };
+    phrase!(words, order.to_string(), Text::zero())
 }
 
 /// Where each star vanishes, for one angle.

@@ -128,7 +128,7 @@ fn argued(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Vec<Text> {
     };
     match &star.spans {
         Ok(spans) if !spans.is_empty() => spans.iter().map(line).collect(),
-        Ok(_) | Err(_) => vec![phrase!("**Order {}:** {}. {}", name(), words::summary(study, star), Text::default())],
+        Ok(_) | Err(_) => vec![phrase!("**Order {}:** {}.", name(), words::summary(study, star))],
     }
 }
 

@@ -17,7 +17,8 @@ pub(super) fn summary(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
     let spans = match &star.spans {
         Ok(spans) => spans,
         Err(NoSpans::NotSaid) => return "needs a firing order".into(),
-        Err(NoSpans::TwoAngles | NoSpans::TooWide) => return "not solved: two angles are open".into(),
+        Err(NoSpans::TwoAngles) => return "not solved: two angles are open".into(),
+        Err(NoSpans::TooWide) => return "not solved".into(),
     };
     match (spans.as_slice(), values(study, star)) {
         ([], _) => "cannot be fired".into(),
@@ -78,8 +79,7 @@ pub(super) fn symbol(unknown: &str) -> &'static str {
 
 /// `0° < φ ≤ 120°`; none where a span holds all values.
 pub(super) fn label(study: &OpenFiringStudy<'_>, span: &FiringSpan) -> Option<String> {
-    let [low, high] = span.within.as_ref()?;
-    let symbol = symbol(study.unknown().unwrap_or(PHI));
+    let ([low, high], symbol) = (span.within.as_ref()?, symbol(study.unknown()?));
     if low.at == high.at {
         return Some(format!("{symbol} = {}", typeset::turns(&low.at)));
     }
@@ -106,7 +106,20 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
     let (none, turn) = (BigRational::zero(), BigRational::one());
     let spans = match study.family.firing_spans([&none, &turn], false) {
         Ok(spans) => spans,
-        Err(why) => return Some(phrase!("Half orders are not judged: {}.", why.to_string())),
+        Err(NoSpans::TwoAngles) => {
+            return Some(phrase!(
+                "Two angles are open, and for which of them the cylinders can fire in the order {} is not solved: half orders are not judged. \
+                 Give firing_angles, or one of the angles a value below [values].",
+                order
+            ));
+        }
+        Err(NoSpans::TooWide) => {
+            return Some(phrase!(
+                "The open angle enters too many times for the order {}: half orders are not judged. Give firing_angles.",
+                order
+            ));
+        }
+        Err(NoSpans::NotSaid) => return None,
     };
     let labels: Vec<String> = spans.iter().filter_map(|span| label(study, span)).collect();
     let is_everywhere =
@@ -117,6 +130,7 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
              say it otherwise.",
             order
         ),
+        [_] if study.unknown().is_none() => phrase!("The cylinders fire in the order {}.", order),
         [only] if is_everywhere(only) => {
             phrase!("The cylinders fire in the order {} at every value of the open angle.", order)
         }
