@@ -159,7 +159,7 @@ fn half_orders_need_to_know_in_which_revolution_a_cylinder_fires() {
     let page = report::open_firing_answer(&OpenFiringStudy::new(&family, &[], None).expect("stars"));
     let text = page::write(&page, Format::GITHUB, &Options::default()).remove(0).text;
     assert!(text.contains("Half orders need to know in which revolution each cylinder fires"), "{text}");
-    assert!(text.contains("| 3 | 0 at φ = 60°, 180°, 300° |"), "{text}");
+    assert!(text.contains("| 3 | 0 at φ = 60°, 180°, 300° | 6 \\|cos(3φ/2)\\| |"), "{text}");
     assert!(!text.contains('½'), "{text}");
     let two = "cycle = 'four-stroke'\nfiring_order = '1-4-3-6-2-5'\n\
                vee = { bank_angle = 'phi', throws = [0, 240, 120], pin_split = 'delta' }";
@@ -221,5 +221,31 @@ fn answers_and_pages_have_german_for_every_phrase() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn lengths_of_two_equal_parts_are_told_in_one_cosine() {
+    let told = |layout: &str| {
+        let family = open(layout);
+        let study = OpenFiringStudy::new(&family, &orders([1, 2, 3, 6]), None).expect("stars");
+        let page = report::open_firing_answer(&study);
+        page::write(&page, Format::PLAIN, &Options::default()).remove(0).text
+    };
+    for (layout, lengths) in [
+        (V2, ["2 |sin(φ/4)|", "2 |cos(φ/2)|", "2 |sin(3φ/4)|", "2 |sin(3φ/2)|"]),
+        (V6, ["0", "0", "6 |cos(3φ/4)|", "6 |cos(3φ/2)|"]),
+    ] {
+        let text = told(layout);
+        let rows: Vec<&str> = text
+            .lines()
+            .filter(|line| {
+                ["½", "1", "1½", "3"].iter().any(|order| line.trim_start().starts_with(&format!("{order} ")))
+            })
+            .collect();
+        for (row, length) in rows.iter().zip(lengths) {
+            assert!(row.trim_end().ends_with(length), "{row} for {length}");
+        }
+        assert_eq!(rows.len(), 4, "{text}");
     }
 }

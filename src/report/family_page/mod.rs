@@ -7,7 +7,7 @@ mod words;
 
 pub use document::open_document;
 pub use picture::{amplitudes, amplitudes_caption};
-pub(super) use words::{argument, condition_of, greek, summary};
+pub(super) use words::{argument, condition_of, greek, summary, unknowns};
 
 use super::engine_page::{ASSUMED, FIRES, SEEN};
 use super::moving;

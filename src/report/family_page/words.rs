@@ -72,7 +72,7 @@ fn conditions(angles: &Angles) -> Text {
 }
 
 /// `2φ − δ`.
-pub(super) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
+pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
     let parts = [(PHI, phi), (DELTA, delta)].map(|(name, factor)| Linear::symbol(name, factor.clone()));
     match parts.map(|part| (part != Linear::default()).then(|| greek(&part))) {
         [None, None] => "0".to_owned(),

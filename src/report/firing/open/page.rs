@@ -85,9 +85,9 @@ fn firing(study: &OpenFiringStudy<'_>) -> Vec<Text> {
 
 /// Orders, and when the star of each vanishes.
 fn orders(study: &OpenFiringStudy<'_>) -> Table {
-    let mut table = Table::new(["Order κ", "Firing star"]);
+    let mut table = Table::new(["Order κ", "Firing star", "Length"]);
     for star in &study.orders {
-        table.push(vec![star.order.to_string().into(), words::summary(study, star)]);
+        table.push(vec![star.order.to_string().into(), words::summary(study, star), words::length(study, star)]);
     }
     table
 }

@@ -3,14 +3,15 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
-use super::super::super::family_page::{condition_of, greek};
-use super::super::super::typeset;
+use super::super::super::family_page::{condition_of, greek, unknowns};
+use super::super::super::residual;
+use super::super::super::typeset::{self, Amount};
 use super::OpenFiringStudy;
 use crate::engine::{FiringSpan, Linear, NoSpans, PHI};
 use crate::family::{Never, OpenStar, SpanStar, When};
-use crate::page::{Text, phrase};
+use crate::page::{Piece, Text, phrase};
 
 /// When a star vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`.
 pub(super) fn summary(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
@@ -66,6 +67,59 @@ fn at(study: &OpenFiringStudy<'_>, values: &BTreeSet<BigRational>) -> Text {
         false if symbol == "φ" => phrase!("0 at φ = {}", list(values)),
         false => phrase!("0 at δ = {}", list(values)),
     }
+}
+
+/// How long a star is, where that is told in short: 0, a number, `6 |cos(3φ/4)|`.
+pub(super) fn length(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
+    let spans = star.spans.as_deref().unwrap_or_default();
+    let none = || Text::from("–");
+    if star.always() {
+        return Text::zero();
+    }
+    let lengths: Option<Vec<Text>> = spans.iter().map(length_of_span).collect();
+    match (spans, lengths.as_deref()) {
+        ([], _) | (_, None) => none(),
+        (_, Some([only])) => only.clone(),
+        (spans, Some(several)) => {
+            let each = spans.iter().zip(several).map(|(star, length)| match label(study, &star.span) {
+                Some(span) => phrase!("{} for {}", length.clone(), span),
+                None => length.clone(),
+            });
+            Text::joined(each, "; ")
+        }
+    }
+}
+
+/// Of two equal parts, which cancel where `x ≡ t`: `|S_1| |e^{ix} − e^{it}| = 2 |S_1| |sin((x − t)/2)|`.
+fn length_of_span(star: &SpanStar) -> Option<Text> {
+    let parts: Vec<_> = star.sum.left().collect();
+    let turning = match (parts.as_slice(), &star.sum.when) {
+        ([], _) => return Some(Text::zero()),
+        ([only], _) => return Some(residual::modulus_of(&only.sum).into()),
+        ([_, _], When::Where(angles)) => angles.alternatives.first()?.conditions.first()?,
+        _ => return None,
+    };
+    let half = BigRational::new(1.into(), 2.into());
+    let sign =
+        if turning.phi.is_negative() || turning.phi.is_zero() && turning.delta.is_negative() { -&half } else { half };
+    let x = unknowns(&(&turning.phi * &sign), &(&turning.delta * &sign));
+    let offset = typeset::signed_degrees(&turning.turn) * &sign;
+    let quarter = BigRational::from_integer(90.into());
+    let factor = match (offset.is_zero(), offset.abs() == quarter, offset.is_negative()) {
+        (true, ..) => format!("|sin({x})|"),
+        (_, true, _) => format!("|cos({x})|"),
+        (.., true) => format!("|sin({x} + {})|", typeset::degrees(&-offset)),
+        (.., false) => format!("|sin({x} − {})|", typeset::degrees(&offset)),
+    };
+    let length = residual::modulus_of(&parts[0].sum);
+    let twice = Amount {
+        exact: length.exact.map(|form| form.scaled(&BigRational::from_integer(2.into()))),
+        decimal: 2.0 * length.decimal,
+    };
+    Some(match twice.exact {
+        Some(form) => phrase!("{} {}", Piece::Form(form), factor),
+        None => phrase!("{} {}", twice, factor),
+    })
 }
 
 /// Angles in turns, in a row.
