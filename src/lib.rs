@@ -31,10 +31,10 @@
 //! report
 //! page
 //! claim
-//! accuracy  remedy  optimise  sweep  search  torsion
+//! accuracy  remedy  optimise  sweep  search  torque  torsion
 //! loads  family  firing
 //! verdict
-//! order  numbers
+//! order  numbers  gas
 //! file
 //! engine
 //! exact
@@ -83,6 +83,8 @@ pub mod claim;
 #[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]
+pub mod gas;
+#[allow(clippy::disallowed_types)]
 pub mod loads;
 #[allow(clippy::disallowed_types)]
 pub mod motion;
@@ -103,6 +105,8 @@ pub mod report;
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+#[allow(clippy::disallowed_types)]
+pub mod torque;
 #[allow(clippy::disallowed_types)]
 pub mod torsion;
 

@@ -23,7 +23,7 @@ pub struct Bearings {
 impl Bearings {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let (layout, orders) = self.about.read()?;
+        let (layout, orders) = self.about.read_for_bearings()?;
         let Layout::Known(engine, _) = layout else {
             return Err(Failure::new("bearing loads need an engine without unknowns; give them values below [values]"));
         };

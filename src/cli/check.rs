@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use crankstar::claim::{Claim, Claims, TableVerdict, parse_claims};
 use crankstar::engine::Engine;
-use crankstar::file;
+use crankstar::file::{self, Beside};
 use crankstar::report;
 
 use super::failure::Failure;
@@ -46,5 +46,7 @@ fn find(folder: &Path, engine: &str) -> Result<Engine, String> {
     }
     let path = folder.join(engine);
     let text = layouts::read_text(&path).map_err(|failure| failure.message().to_owned())?;
-    file::parse(&layouts::shown(&path), &text).map_err(|error| format!("in `{engine}`: {}", error.message()))
+    let read = |name: &str| layouts::beside(&path, name);
+    let engine_of = file::parse_beside(&layouts::shown(&path), &text, Beside::new(&read));
+    engine_of.map_err(|error| format!("in `{engine}`: {}", error.message()))
 }

@@ -5,30 +5,48 @@ use std::fmt;
 use crankstar::file::LayoutError;
 use crankstar::text::harmless_lines;
 
-/// A message for standard error; the exit status is 1.
+/// A message for standard error, with the exit status.
 #[derive(Debug)]
-pub struct Failure(String);
+pub struct Failure {
+    text: String,
+    status: u8,
+}
+
+/// The input is wrong, or a certificate fails.
+const WRONG: u8 = 1;
+/// The program was called wrongly.
+const MISUSED: u8 = 2;
 
 impl Failure {
     /// A failure told in one line; what it repeats of the input does nothing to a terminal.
     pub fn new(message: impl fmt::Display) -> Self {
-        Failure(harmless_lines(&format!("error: {message}")))
+        Failure { text: harmless_lines(&format!("error: {message}")), status: WRONG }
+    }
+
+    /// The same of options that do not go together.
+    pub fn misuse(message: impl fmt::Display) -> Self {
+        Failure { status: MISUSED, ..Failure::new(message) }
+    }
+
+    /// The exit status of the program.
+    pub fn status(&self) -> u8 {
+        self.status
     }
 
     /// The message without what marks it as an error.
     pub fn message(&self) -> &str {
-        self.0.strip_prefix("error: ").unwrap_or(&self.0)
+        self.text.strip_prefix("error: ").unwrap_or(&self.text)
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.text)
     }
 }
 
 impl From<LayoutError> for Failure {
     fn from(error: LayoutError) -> Self {
-        Failure(error.to_string())
+        Failure { text: error.to_string(), status: WRONG }
     }
 }

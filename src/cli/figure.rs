@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use crankstar::engine::{Engine, Family};
 use crankstar::family;
 use crankstar::file::Layout;
-use crankstar::loads::{Method, bearing_loads};
+use crankstar::loads::{Method, bearing_loads, bearing_orders};
 use crankstar::page::{Alone, File};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Contents, NamedPicture};
@@ -145,7 +145,8 @@ impl Figure {
             accuracy: None,
         })];
         if !engine.bearings().is_empty() {
-            let solve = |method| bearing_loads(engine, orders, method);
+            let orders = bearing_orders(engine, orders);
+            let solve = |method| bearing_loads(engine, &orders, method);
             // Where numbers are missing the bearings have no drawings.
             if let (Ok(continuous), Ok(determinate)) = (solve(Method::Continuous), solve(Method::Determinate)) {
                 pages.push(report::bearings_page(engine, &continuous, &determinate));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crankstar::file::{self, Entry, Layout};
+use crankstar::file::{self, Beside, Entry, Layout};
 use crankstar::text::harmless;
 
 use super::failure::Failure;
@@ -13,7 +13,16 @@ const LARGEST_FILE: u64 = 4 << 20;
 /// Reads the engine of this name or path.
 pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
-    Ok(file::parse_layout(&name, &text)?)
+    Ok(file::parse_layout_beside(&name, &text, Beside::new(&|path| beside(layout, path)))?)
+}
+
+/// The text of a file that a layout file names beside itself; what is wrong with it in one line.
+pub fn beside(layout: &Path, path: &str) -> Result<String, String> {
+    if named(layout).is_some() {
+        return Err("nothing stands beside an engine of the catalogue".to_owned());
+    }
+    let path = layout.parent().unwrap_or(Path::new("")).join(path);
+    read_text(&path).map_err(|failure| failure.message().to_owned())
 }
 
 /// The engine of the catalogue that an argument names.

@@ -24,6 +24,7 @@ mod report;
 mod search;
 mod spoken;
 mod sweep;
+mod torque;
 mod torsion;
 mod verify;
 mod write;
@@ -37,7 +38,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use crankstar::engine::{CycleOrder, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
-use crankstar::loads::usual_orders;
+use crankstar::loads::{usual_bearing_orders, usual_orders};
 use crankstar::text;
 use failure::Failure;
 
@@ -79,6 +80,8 @@ enum Command {
     Firing(firing::Firing),
     /// Compute what the main bearings feel
     Bearings(bearings::Bearings),
+    /// Compute the torque of gas and inertia, and the flywheel
+    Torque(torque::Torque),
     /// Find the speeds at which the crankshaft twists
     Torsion(torsion::Torsion),
     /// Compare methods for the peak loads: error, guarantee and time
@@ -128,9 +131,18 @@ impl EngineAndOrders {
 
     /// What the layout describes, and the orders to judge, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_orders)
+    }
+
+    /// The same for what the main bearings feel, which has orders of its own.
+    fn read_for_bearings(&self) -> Result<(Layout, Vec<u32>), Failure> {
+        self.read_or(usual_bearing_orders)
+    }
+
+    fn read_or(&self, usual: fn(&crankstar::engine::Engine) -> Vec<u32>) -> Result<(Layout, Vec<u32>), Failure> {
         let layout = layouts::read(&self.layout)?;
         let mut orders = match (self.orders.as_slice(), &layout) {
-            ([], Layout::Known(engine, _)) => usual_orders(engine),
+            ([], Layout::Known(engine, _)) => usual(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (_, _) => self.asked()?,
         };
@@ -144,7 +156,7 @@ impl EngineAndOrders {
 fn whole(order: CycleOrder) -> Result<u32, Failure> {
     match order.is_whole() {
         true => Ok(order.halves() / 2),
-        false => Err(Failure::new(format!(
+        false => Err(Failure::misuse(format!(
             "order {order} is one of the gas torque, which `classify --firing` and `firing` judge; forces and moments have whole orders"
         ))),
     }
@@ -176,6 +188,7 @@ pub fn run() -> ExitCode {
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Firing(firing) => firing.run().map(done),
+        Command::Torque(torque) => torque.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
@@ -194,7 +207,7 @@ pub fn run() -> ExitCode {
         Ok(status) => status,
         Err(failure) => {
             write::to_stderr(&failure.to_string());
-            ExitCode::from(1)
+            ExitCode::from(failure.status())
         }
     }
 }

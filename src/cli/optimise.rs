@@ -47,7 +47,7 @@ mod run {
     impl Optimise {
         /// Prints the front, and writes page and layout files into the folder.
         pub fn run(&self) -> Result<(), Failure> {
-            let (layout, orders) = self.about.read()?;
+            let (layout, orders) = self.about.read_for_bearings()?;
             let Layout::Known(engine, _) = layout else {
                 return Err(Failure::new(
                     "bearing loads need an engine without unknowns; give them values below [values]",

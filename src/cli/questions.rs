@@ -8,7 +8,7 @@ use clap::Command;
 const QUESTIONS: [(&str, &[&str]); 8] = [
     ("Which engine?", &["list", "atlas"]),
     ("How does it balance?", &["classify", "firing", "report", "figure"]),
-    ("How large is it?", &["loads", "bearings", "torsion", "accuracy"]),
+    ("How large is it?", &["loads", "bearings", "torque", "torsion", "accuracy"]),
     ("What cures it?", &["remedy", "optimise"]),
     ("How does it change?", &["sweep"]),
     ("Which is best?", &["compare", "search"]),

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use crankstar::engine::CycleOrder;
-use crankstar::file::Template;
+use crankstar::file::{Beside, Template};
 use crankstar::page::File;
 use crankstar::report;
 use crankstar::sweep::{self, Geometry, Parameter};
@@ -129,7 +129,8 @@ impl Ranges {
     /// Sweeps a layout.
     pub fn sweep(&self, layout: &Path, orders: &[u32], firing: &[CycleOrder]) -> Result<sweep::Sweep, Failure> {
         let (name, text) = layouts::source(layout)?;
-        let template = Template::new(&name, &text)?;
+        let read = |path: &str| layouts::beside(layout, path);
+        let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
         let parameters = self.parameters(&template)?;
         let mut orders = orders.to_vec();
         orders.sort_unstable();

@@ -8,6 +8,7 @@ use num_traits::{Signed, Zero};
 
 use super::draft::{Draft, ReferencePlane};
 use super::family::Family;
+use super::gas::GasMistake;
 use super::length::Length;
 use super::linear::Linear;
 use super::mechanism::Mechanism;
@@ -62,6 +63,8 @@ pub enum BuildError {
     NoSuchThrow(usize),
     /// A firing order that has not every cylinder once.
     Firing,
+    /// A pressure that cannot be.
+    Gas(GasMistake),
     /// Discs and springs that are no shaft for the crankpins.
     Torsion(NoShaft),
 }
@@ -87,6 +90,7 @@ impl fmt::Display for BuildError {
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
+            BuildError::Gas(mistake) => mistake.fmt(f),
         }
     }
 }
@@ -124,6 +128,12 @@ impl<A, L: Length> Draft<A, L> {
         if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {
             return Err(BuildError::MechanismMissing { cylinder: cylinder.name.clone() });
         }
+        if let Some(gas) = &self.gas {
+            gas.check(self.cylinders.len(), self.cycle).map_err(BuildError::Gas)?;
+        }
+        let flywheel = &self.flywheel;
+        flywheel.inertia.iter().try_for_each(|inertia| positive(inertia, || "the inertia of the flywheel".into()))?;
+        flywheel.irregularity.iter().try_for_each(|wanted| positive(wanted, || "the irregularity".into()))?;
         let dimensions = &self.dimensions;
         dimensions.mass.iter().try_for_each(|mass| not_negative(mass, || "the reciprocating mass".into()))?;
         dimensions.speed.iter().try_for_each(|speed| not_negative(speed, || "the speed".into()))?;

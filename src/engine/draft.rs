@@ -6,7 +6,9 @@ use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
 use super::firing::{Cycle, Firing};
+use super::flywheel::Flywheel;
 use super::form::Form;
+use super::gas::Gas;
 use super::length::LengthUnit;
 use super::model::Effects;
 use super::open_firing::OpenFiring;
@@ -51,6 +53,10 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub firing: Option<Firing>,
     /// What a family says of its firing, whose angles hold unknowns; none in an engine.
     pub open_firing: Option<OpenFiring>,
+    /// What presses on the pistons; none where nothing is known of it.
+    pub gas: Option<Gas>,
+    /// What is known, or wanted, of the flywheel.
+    pub flywheel: Flywheel,
     /// Positions of the main bearings; none where nothing is known of them.
     pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
@@ -93,6 +99,8 @@ impl<A, L> Draft<A, L> {
             cycle: None,
             firing: None,
             open_firing: None,
+            gas: None,
+            flywheel: Flywheel::default(),
             bearings: Vec::new(),
             dimensions: Dimensions::default(),
             crankshaft: Crankshaft::default(),
@@ -121,6 +129,8 @@ impl<A, L> Draft<A, L> {
             cycle: self.cycle,
             firing: self.firing.clone(),
             open_firing: self.open_firing.clone(),
+            gas: self.gas.clone(),
+            flywheel: self.flywheel.clone(),
             bearings: self.bearings.clone(),
             dimensions: self.dimensions.clone(),
             crankshaft: self.crankshaft.clone(),

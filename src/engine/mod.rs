@@ -10,7 +10,9 @@ mod dimensions;
 mod draft;
 mod family;
 mod firing;
+mod flywheel;
 mod form;
+mod gas;
 mod length;
 mod linear;
 mod mechanism;
@@ -29,7 +31,12 @@ pub use dimensions::{Dimensions, Given, Measure};
 pub use draft::{Draft, ReferencePlane};
 pub use family::{DELTA, Family, PHI};
 pub use firing::{Cycle, Firing, Shot};
+pub use flywheel::Flywheel;
 pub use form::Form;
+pub use gas::{
+    At, Chamber, CompressorStage, DeadCentre, Gas, GasMistake, Heat, IdealCycle, Ignition, MOST_ROWS, PressureLaw,
+    PressureTable, Setting,
+};
 pub use length::{Length, LengthUnit};
 pub use linear::Linear;
 pub use mechanism::{Mechanism, Rod};

@@ -9,7 +9,9 @@ use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
 use super::draft::{Draft, ReferencePlane};
 use super::firing::{Cycle, Firing};
+use super::flywheel::Flywheel;
 use super::form::Form;
+use super::gas::Gas;
 use super::length::{Length, LengthUnit};
 use super::mechanism::{Mechanism, Rod};
 use super::title_block::TitleBlock;
@@ -34,6 +36,12 @@ pub struct Effects {
     pub torque: bool,
     /// Counterweights and balancer shafts for what is left of orders 1 and 2.
     pub remedy: bool,
+    /// The forces and the torque of the gas.
+    pub gas: bool,
+    /// The firing stars: which orders of the gas torque vanish, whatever the pressure is.
+    pub firing: bool,
+    /// Torsional vibration of the crankshaft.
+    pub torsion: bool,
 }
 
 impl<A, L> Engine<A, L> {
@@ -100,6 +108,16 @@ impl<A, L> Engine<A, L> {
     /// When the cylinders fire, where that is known.
     pub fn firing(&self) -> Option<&Firing> {
         self.draft.firing.as_ref()
+    }
+
+    /// What presses on the pistons; none where nothing is known of it.
+    pub fn gas(&self) -> Option<&Gas> {
+        self.draft.gas.as_ref()
+    }
+
+    /// What is known, or wanted, of the flywheel.
+    pub fn flywheel(&self) -> &Flywheel {
+        &self.draft.flywheel
     }
 
     /// Positions of the main bearings; none where nothing is known of them.

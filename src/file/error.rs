@@ -23,8 +23,11 @@ impl LayoutError {
         LayoutError { message: message.into(), right: right.into(), span, file: String::new(), source: String::new() }
     }
 
-    /// Names the file and keeps its text, so that the message can show the line.
+    /// Names the file and keeps its text, so that the message can show the line; a mistake that is told of another file stays there.
     pub(crate) fn in_file(mut self, file: &str, source: &str) -> Self {
+        if !self.file.is_empty() {
+            return self;
+        }
         self.file = file.to_owned();
         self.source = source.to_owned();
         self

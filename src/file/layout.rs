@@ -10,10 +10,13 @@ use toml::de::DeTable;
 
 use super::balancer_keys;
 use super::bearings;
+use super::beside::Beside;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
+use super::flywheel_keys;
 use super::forms::{self, Expanded};
+use super::gas_keys;
 use super::mechanism_keys;
 use super::quantities;
 use super::title_block_keys;
@@ -43,6 +46,8 @@ struct File {
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
+    gas: Option<Spanned<Table<gas_keys::Keys>>>,
+    flywheel: Option<Table<flywheel_keys::Keys>>,
     torsion: Option<Spanned<Table<torsion_keys::Keys>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
@@ -87,7 +92,15 @@ pub enum Layout {
 /// # Errors
 /// The first mistake, with its place and what would be right; an unknown without a value is one.
 pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
-    match parse_layout(name, source)? {
+    parse_beside(name, source, Beside::nothing())
+}
+
+/// The same of a layout that may name a file beside itself, which `beside` reads.
+///
+/// # Errors
+/// The first mistake, with its place in the file where it stands, and what would be right.
+pub fn parse_beside(name: &str, source: &str, beside: Beside<'_>) -> Result<Engine, LayoutError> {
+    match parse_layout_beside(name, source, beside)? {
         Layout::Known(layout, _) => Ok(*layout),
         Layout::Open(family) => {
             let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
@@ -102,21 +115,37 @@ pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
-    read::<File>(source).and_then(|file| layout(name, source, file)).map_err(|error| error.in_file(name, source))
+    parse_layout_beside(name, source, Beside::nothing())
+}
+
+/// The same of a layout that may name a file beside itself, a table of pressures, which `beside` reads.
+///
+/// # Errors
+/// The first mistake, with its place in the file where it stands, and what would be right.
+pub fn parse_layout_beside(name: &str, source: &str, beside: Beside<'_>) -> Result<Layout, LayoutError> {
+    let layout = read::<File>(source).and_then(|file| layout(name, source, file, beside));
+    layout.map_err(|error| error.in_file(name, source))
 }
 
 /// Reads the tables of a layout file, whose text `source` is, numbers as texts.
-pub(super) fn read_layout(name: &str, source: &str, table: Spanned<DeTable<'_>>) -> Result<Layout, LayoutError> {
-    read_table::<File>(table).and_then(|file| layout(name, source, file)).map_err(|error| error.in_file(name, source))
+pub(super) fn read_layout(
+    name: &str,
+    source: &str,
+    table: Spanned<DeTable<'_>>,
+    beside: Beside<'_>,
+) -> Result<Layout, LayoutError> {
+    let layout = read_table::<File>(table).and_then(|file| layout(name, source, file, beside));
+    layout.map_err(|error| error.in_file(name, source))
 }
 
-fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
+fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let mut expanded = expand(&file, cycle)?;
     let dimensions = dimensions(&file, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
     let plane = file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
+    let gas = file.gas.as_ref().map(|table| gas_keys::read(table, &expanded.cylinders, cycle, beside)).transpose()?;
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
     let draft = Draft {
@@ -131,6 +160,8 @@ fn layout(name: &str, source: &str, file: File) -> Result<Layout, LayoutError> {
         cycle,
         firing: None,
         open_firing: None,
+        gas,
+        flywheel: file.flywheel.as_ref().map_or_else(|| Ok(Default::default()), |table| table.0.read())?,
         bearings: bearings.transpose()?.unwrap_or_default(),
         dimensions,
         crankshaft: Crankshaft::default(),
@@ -214,8 +245,12 @@ fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
         match text.get_ref().0.as_str() {
             "torque" => effects.torque = true,
             "remedy" => effects.remedy = true,
+            "gas" => effects.gas = true,
+            "firing" => effects.firing = true,
+            "torsion" => effects.torsion = true,
             other => {
-                return Err(quantities::misread("effect", other, "\"torque\" or \"remedy\"".to_owned(), text));
+                let right = "\"torque\", \"remedy\", \"gas\", \"firing\" or \"torsion\"";
+                return Err(quantities::misread("effect", other, right.to_owned(), text));
             }
         }
     }

@@ -4,11 +4,16 @@
 
 mod balancer_keys;
 mod bearings;
+mod beside;
 mod catalogue;
 mod crankshaft_keys;
 mod error;
 mod firing_order;
+mod flywheel_keys;
 mod forms;
+mod gas_keys;
+mod gas_process;
+mod gas_table;
 mod layout;
 mod linear;
 mod mechanism_keys;
@@ -20,9 +25,10 @@ mod torsion_keys;
 pub(crate) mod units;
 pub(crate) mod written;
 
+pub use beside::Beside;
 pub use catalogue::{Entry, catalogue, find};
 pub use error::LayoutError;
-pub use layout::{Layout, parse, parse_layout};
+pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};
 pub use template::{Key, Template};

@@ -6,6 +6,7 @@ use std::fmt;
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::beside::Beside;
 use super::error::LayoutError;
 use super::layout::{Layout, read_layout};
 use super::written;
@@ -54,6 +55,7 @@ impl fmt::Display for Key {
 pub struct Template<'a> {
     name: &'a str,
     source: &'a str,
+    beside: Beside<'a>,
     table: Spanned<DeTable<'a>>,
 }
 
@@ -72,7 +74,12 @@ impl<'a> Template<'a> {
     /// The text is not TOML.
     pub fn new(name: &'a str, source: &'a str) -> Result<Self, LayoutError> {
         let table = written::table(source).map_err(|error| error.in_file(name, source))?;
-        Ok(Template { name, source, table })
+        Ok(Template { name, source, beside: Beside::nothing(), table })
+    }
+
+    /// The same file with what lies beside it.
+    pub fn with_beside(self, beside: Beside<'a>) -> Self {
+        Template { beside, ..self }
     }
 
     /// The form of engine that the file describes: `vee`, `inline`, …; none where it names none.
@@ -128,7 +135,7 @@ impl<'a> Template<'a> {
         for (key, value) in values {
             set(table.get_mut(), key, value).map_err(|error| error.in_file(self.name, self.source))?;
         }
-        read_layout(self.name, self.source, table)
+        read_layout(self.name, self.source, table, self.beside)
     }
 }
 

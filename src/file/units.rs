@@ -20,6 +20,9 @@ const LARGEST_POWER: u32 = 40;
 /// Larger angles than this, in turns, are refused: whoever writes one means another number.
 const MOST_TURNS: u32 = 1_000_000;
 
+/// Higher pressures than this, in pascals, are refused.
+const MOST_PASCALS: i64 = 100_000_000_000;
+
 /// Whether a quantity is 0 or has a size that decimals of its products can show.
 pub(crate) fn has_a_size(value: &BigRational) -> bool {
     let largest = BigRational::from_integer(Pow::pow(BigInt::from(10), LARGEST_POWER));
@@ -58,14 +61,25 @@ const MASS_RADII: Units = &[
     ("g cm", (1, 100_000)),
     ("g m", (1, 1000)),
 ];
+const PRESSURES: Units = &[
+    ("mbar", (100, 1)),
+    ("bar", (100_000, 1)),
+    ("MPa", (1_000_000, 1)),
+    ("kPa", (1000, 1)),
+    ("Pa", (1, 1)),
+    // A pound-force of 4.4482216152605 N on a square inch.
+    ("psi", (44_482_216_152_605, 6_451_600_000)),
+];
+const ENERGIES: Units = &[("MJ", (1_000_000, 1)), ("kJ", (1000, 1)), ("J", (1, 1))];
 const INERTIAS: Units = &[
-    ("kg m^2", (1, 1)),
     ("kg m²", (1, 1)),
     ("kg·m²", (1, 1)),
+    ("kg m^2", (1, 1)),
     ("kg m2", (1, 1)),
-    ("kg cm^2", (1, 10_000)),
     ("kg cm²", (1, 10_000)),
+    ("kg cm2", (1, 10_000)),
     ("g m²", (1, 1000)),
+    ("g m2", (1, 1000)),
 ];
 const TORSIONAL_STIFFNESSES: Units = &[
     ("MN m/rad", (1_000_000, 1)),
@@ -111,9 +125,36 @@ pub(crate) fn mass_radius(text: &str) -> Result<BigRational, String> {
     sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 
-/// A moment of inertia in kg m²; in those where no unit stands.
+/// Pascals in a unit of pressure.
+pub(crate) type PressureUnit = (i64, i64);
+
+/// A unit of pressure by its name.
+pub(crate) fn pressure_unit(name: &str) -> Result<PressureUnit, String> {
+    let unit = PRESSURES.iter().find(|(known, _)| *known == name.trim());
+    unit.map(|(_, size)| *size).ok_or_else(|| format!("one of {}", names(PRESSURES)))
+}
+
+/// A pressure in pascals; its unit stands behind it, or holds for a whole table.
+pub(crate) fn pressure(text: &str, of_all: Option<PressureUnit>) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, PRESSURES, "\"0.9 bar\", \"8.2 MPa\", \"101325 Pa\" or \"14.7 psi\"")?;
+    match unit.or(of_all) {
+        Some(unit) => match number * ratio(unit) {
+            value if value.abs() <= BigRational::from_integer(MOST_PASCALS.into()) => sized(value),
+            _ => Err("no engine has more than a million bar: is the unit right?".to_owned()),
+        },
+        None => Err(format!("a pressure needs its unit, one of {}; a table may say unit = \"bar\"", names(PRESSURES))),
+    }
+}
+
+/// An energy in joules, which is also what a number without a unit means.
+pub(crate) fn energy(text: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, ENERGIES, "\"1100 J\" or \"1.6 MJ\"")?;
+    sized(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+/// A moment of inertia in kilograms times square metres, which is also what a number without a unit means.
 pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, INERTIAS, "\"0.03\", \"0.03 kg m^2\" or \"300 kg cm^2\"")?;
+    let (number, unit) = with_unit(text, INERTIAS, "\"0.5\", \"0.5 kg m²\" or \"5000 kg cm²\"")?;
     sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 
@@ -121,6 +162,10 @@ pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
 pub(crate) fn torsional_stiffness(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")?;
     sized(number * ratio(unit.unwrap_or((1, 1))))
+}
+
+fn names(units: Units) -> String {
+    units.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
 }
 
 /// A speed in revolutions a minute, which is also what a number without a unit means.
@@ -139,8 +184,7 @@ fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, O
     let number = unit.map_or(text, |(name, _)| text[..text.len() - name.len()].trim_end());
     let value = parse_number(number).map_err(|error| match unknown_unit(text) {
         Some(word) => {
-            let known: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
-            format!("`{word}` is none of {}; write, for instance, {examples}", known.join(", "))
+            format!("`{word}` is none of {}; write, for instance, {examples}", names(units))
         }
         None => format!("{error}; for instance {examples}"),
     })?;

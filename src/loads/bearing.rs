@@ -1,9 +1,9 @@
 //! Which forces do the main bearings feel, order by order and through a revolution?
 //!
 //! A bearing carries a rational part of a force that acts at a position of the shaft ([`crate::beam`]), so each order of
-//! each reaction is again an exact sum: that of the force, each term weighed by its part (theory, section 8).
-//! Inertia forces along the cylinder axes only: no gas force, no weight, no side force of the pistons; rigid collinear
-//! bearings without clearance.
+//! each reaction is again an exact sum: that of the loads of the shaft, each term weighed by its part (theory, section 8). Those
+//! are the loads of the crankpins ([`super::pin`]), whose sum is not the shaking force: the cylinder walls carry the side forces of
+//! the pistons. Inertia alone: no gas force, no weight; rigid collinear bearings without clearance.
 
 use std::collections::BTreeMap;
 
@@ -11,11 +11,12 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::pin::with_constant;
 use super::shares::{Shares, in_equilibrium};
 use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
 use crate::beam::Beam;
 use crate::engine::{self, Engine};
-use crate::order::{self, Contribution, MassGroup, OrderSum};
+use crate::order::{self, Contribution, OrderSum};
 
 /// How a load is shared among the bearings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +47,7 @@ pub struct BearingLoads {
 pub struct BearingLoad {
     /// Where it stands, in the unit of the layout's positions.
     pub position: BigRational,
-    /// The orders, rising.
+    /// The orders, rising; from 0, a constant force, where there is one.
     pub orders: Vec<BearingOrder>,
     /// All of them together.
     pub waveform: Waveform,
@@ -61,7 +62,7 @@ pub struct BearingLoad {
 /// One order of what a bearing feels.
 #[derive(Clone, Debug)]
 pub struct BearingOrder {
-    /// The order k.
+    /// The order k; 0 is a constant force.
     pub order: u32,
     /// P⁺ and P⁻ as exact sums, in multiples of m r.
     pub sums: [OrderSum; 2],
@@ -74,7 +75,8 @@ const EQUAL: f64 = 1e-12;
 
 /// Computes what the main bearings of an engine feel at these orders.
 ///
-/// Every order is checked, exactly, against the force of the engine and its moment: the reactions sum to both.
+/// Every order is checked, exactly, against the loads of crankpins and shaft and their moment: the reactions sum to both. Order 0,
+/// a constant force, stands before the others where pistons have an offset.
 ///
 /// # Errors
 /// What the layout lacks.
@@ -87,10 +89,9 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     let motion = Motion::new(engine)?;
     let shares = Shares::new(beam, method);
     let mut by_bearing: Vec<Vec<BearingOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
-    for &order in orders {
+    for order in with_constant(engine, orders) {
         let [direct, reverse] = SENSES.map(|sense| {
-            let mut forces = order::contributions(engine, order, sense);
-            forces.retain(|force| loads_the_shaft(force.source.group()));
+            let forces = order::shaft_contributions(engine, order, sense);
             let sum = |weighing: &dyn Fn(&BigRational) -> BigRational| {
                 OrderSum::new(forces.iter().map(|force: &Contribution| force.weighed(weighing)))
             };
@@ -98,7 +99,7 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
                 (0..engine.bearings().len()).map(|bearing| sum(&|at| shares.part(bearing, at))).collect();
             let loads = [sum(&|_| BigRational::one()), sum(&Clone::clone)];
             if !in_equilibrium(engine.bearings(), &reactions, &loads) {
-                unreachable!("the reactions of order {order} sum to the force and its moment")
+                unreachable!("the reactions of order {order} sum to the loads and their moment")
             }
             reactions
         });
@@ -115,23 +116,10 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(engine) })
 }
 
-/// Whether the forces of a group of masses reach the crankshaft; a balancer shaft lies in bearings of its own.
-fn loads_the_shaft(group: MassGroup) -> bool {
-    match group {
-        MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Crankshaft | MassGroup::Counterweights => true,
-        // A balancer shaft stands in bearings of its own.
-        MassGroup::Balancers => false,
-    }
-}
-
 impl BearingLoad {
     fn new(position: BigRational, orders: Vec<BearingOrder>) -> Self {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
-        let component = |direction: Complex<f64>| {
-            let peak = waveform.turned(direction.conj()).real_peak();
-            Peak { vector: peak.vector * direction, ..peak }
-        };
-        let (along, across) = (component(Complex::new(1.0, 0.0)), component(Complex::i()));
+        let [along, across] = [1.0.into(), Complex::i()].map(|direction| waveform.component_peak(direction));
         BearingLoad { position, orders, peak: waveform.peak(), along, across, waveform }
     }
 }

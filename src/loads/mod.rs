@@ -7,6 +7,8 @@ mod bearing;
 mod coefficients;
 mod missing;
 mod needed;
+mod needed_bearings;
+mod pin;
 mod roll;
 mod scale;
 mod shares;
@@ -22,12 +24,16 @@ use coefficients::Motion;
 pub use missing::Missing;
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
+pub use needed_bearings::{bearing_orders, left_out_of_bearings, usual_bearing_orders};
+pub use pin::{PinLoad, PinLoads, PinOrder, pin_loads};
 pub use scale::{Arm, Scale, scale};
 pub use spectrum::Spectrum;
 pub use swing::Swing;
 pub use tails::Tails;
 pub use vector::{Outcome, Vector};
 pub use waveform::{Circle, Harmonic, Peak, Waveform};
+
+use num_complex::Complex;
 
 use crate::engine::{self, Engine};
 use crate::motion::Coefficient;
@@ -47,8 +53,8 @@ pub struct Loads {
     pub moment: Waveform,
     /// The inertia torque, where the file asks for it.
     pub torque: Option<Torque>,
-    /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives
-    /// no bearings.
+    /// What the main bearings feel, as a continuous beam and by the determinate approximation, at these orders and those that
+    /// they need besides; none where the file gives no bearings.
     pub bearings: Option<[BearingLoads; 2]>,
     /// The roll moment on the frame, −torque and the balancer shafts, where the engine has any and the file asks for the
     /// torque.
@@ -128,10 +134,13 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
         &[group] => vec![GroupLoads { group, force: force.clone(), moment: moment.clone() }],
         several => several.iter().map(|&group| GroupLoads::new(engine, &motion, group, orders)).collect(),
     };
-    let solve = |method| bearing_loads(engine, orders, method);
     let bearings = match engine.bearings().is_empty() {
         true => None,
-        false => Some([solve(Method::Continuous)?, solve(Method::Determinate)?]),
+        false => {
+            let orders = bearing_orders(engine, orders);
+            let solve = |method| bearing_loads(engine, &orders, method);
+            Some([solve(Method::Continuous)?, solve(Method::Determinate)?])
+        }
     };
     let torque = engine.effects().torque.then(|| torque(engine, &motion, torque_orders));
     let has_shafts = !engine.crankshaft().balancers.is_empty();
@@ -186,7 +195,10 @@ impl GroupLoads {
 
 fn harmonic(order: u32, swing: &Swing) -> Harmonic {
     let [direct, reverse] = swing.amplitudes();
-    Harmonic { order, direct, reverse }
+    match order {
+        0 => Harmonic { order, direct: direct + reverse, reverse: Complex::new(0.0, 0.0) },
+        _ => Harmonic { order, direct, reverse },
+    }
 }
 
 /// Both senses, direct first.

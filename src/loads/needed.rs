@@ -8,7 +8,7 @@ use crate::proof::Quantity;
 const LOOKED_AT: [u32; 5] = [12, 24, 60, 100, LAST];
 const LAST: u32 = 200;
 /// The part of the accuracy that the orders above those may take.
-const FOR_THE_REST: f64 = 0.25;
+pub(super) const FOR_THE_REST: f64 = 0.25;
 /// The accuracy of the orders that are shown where none are asked for.
 const USUAL: f64 = 1e-3;
 /// Orders of a load that are kept at most where none are asked for.
@@ -65,13 +65,13 @@ impl Bound {
 }
 
 /// A load of which some orders are looked at.
-struct Choice {
+pub(super) struct Choice {
     /// What the orders have, those that do not vanish.
-    lengths: Vec<(u32, f64)>,
+    pub lengths: Vec<(u32, f64)>,
     /// What those above and all doubts have.
-    rest: f64,
+    pub rest: f64,
     /// The load peaks at least at this.
-    peak: f64,
+    pub peak: f64,
 }
 
 impl Choice {
@@ -213,7 +213,7 @@ pub fn usual_orders(engine: &Engine) -> Vec<u32> {
         return engine.orders().to_vec();
     }
     let Ok(choices) = Choices::new(engine, USUAL, 1) else { return engine.orders().to_vec() };
-    with_largest(engine.orders().to_vec(), &choices.swings)
+    with_largest(engine.orders().to_vec(), &choices.swings, USUAL)
 }
 
 /// The orders of the torque that go with those of force and moment: the first four, these, and those that a thousandth of its peak
@@ -221,12 +221,12 @@ pub fn usual_orders(engine: &Engine) -> Vec<u32> {
 pub(super) fn usual_torque_orders(engine: &Engine, orders: &[u32]) -> Result<Vec<u32>, Missing> {
     let choices = Choices::new(engine, USUAL, 1)?;
     let first = FIRST_OF_TORQUE.into_iter().chain(orders.iter().copied()).collect();
-    Ok(with_largest(first, choices.torque.as_slice()))
+    Ok(with_largest(first, choices.torque.as_slice(), USUAL))
 }
 
-/// These orders and the largest of those that are needed.
-fn with_largest(mut orders: Vec<u32>, choices: &[Choice]) -> Vec<u32> {
-    let [mut kept, _] = choose(choices, USUAL);
+/// These orders and the largest of those that an accuracy needs.
+pub(super) fn with_largest(mut orders: Vec<u32>, choices: &[Choice], accuracy: f64) -> Vec<u32> {
+    let [mut kept, _] = choose(choices, accuracy);
     let size = |order: &u32| choices.iter().map(|choice| choice.length(*order) / choice.peak).fold(0.0, f64::max);
     kept.sort_by(|a, b| size(b).total_cmp(&size(a)));
     orders.extend(kept.into_iter().take(MOST_USUAL));

@@ -61,6 +61,22 @@ impl Tails {
         (pistons + shafts) * SLACK
     }
 
+    /// The orders above this one, of at least 1, add at most this to what carries these parts of the loads of the crankpins, a part per
+    /// cylinder.
+    pub fn of_pins_above<'a>(&self, engine: &Engine, parts: impl Iterator<Item = &'a BigRational>, order: u32) -> f64 {
+        let pins = engine.cylinders().iter().zip(parts).map(|(cylinder, part)| {
+            let weight = (mass_radius(engine, cylinder) * part).abs();
+            let bound =
+                cylinder.mechanism.as_ref().and_then(|rod| self.by_mechanism.get(rod)).map(|tail| tail.pin(order));
+            match bound.unwrap_or(f64::INFINITY) {
+                _ if weight.is_zero() => 0.0,
+                0.0 => 0.0,
+                bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
+            }
+        });
+        pins.sum::<f64>() * SLACK
+    }
+
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
     pub fn largest_sum(&self, engine: &Engine, quantity: Quantity) -> f64 {
         self.sum(engine, quantity, &|tail| {

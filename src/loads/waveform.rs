@@ -1,6 +1,7 @@
 //! What comes of all orders together in a revolution, and where does it peak?
 
 use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
@@ -82,6 +83,24 @@ impl Waveform {
         }))
     }
 
+    /// Every vector times `e^{−iθ}`: what turns with the crank once stands still.
+    pub(super) fn one_order_back(&self) -> Self {
+        let mut turning: BTreeMap<i64, Complex<f64>> = BTreeMap::new();
+        for harmonic in &self.harmonics {
+            let order = i64::from(harmonic.order);
+            *turning.entry(order - 1).or_default() += harmonic.direct;
+            *turning.entry(-order - 1).or_default() += harmonic.reverse;
+        }
+        let orders: BTreeSet<u64> = turning.keys().map(|order| order.unsigned_abs()).collect();
+        let of = |order: i64| turning.get(&order).copied().unwrap_or_default();
+        let harmonic = |order: u64| {
+            let signed = order as i64;
+            let reverse = if order == 0 { Complex::default() } else { of(-signed) };
+            Harmonic { order: order as u32, direct: of(signed), reverse }
+        };
+        Waveform::new(orders.into_iter().map(harmonic))
+    }
+
     /// The vector at a crank angle in radians.
     pub fn at(&self, theta: f64) -> Complex<f64> {
         let term = |harmonic: &Harmonic| {
@@ -121,6 +140,12 @@ impl Waveform {
     pub fn real_peak(&self) -> Peak {
         let peak = self.peak_of(|vector| vector.re * vector.re);
         Peak { value: peak.vector.re.abs(), ..peak }
+    }
+
+    /// The largest size of the component in a direction of length 1.
+    pub fn component_peak(&self, direction: Complex<f64>) -> Peak {
+        let peak = self.turned(direction.conj()).real_peak();
+        Peak { vector: peak.vector * direction, ..peak }
     }
 
     fn peak_of(&self, size: impl Fn(Complex<f64>) -> f64) -> Peak {

@@ -8,7 +8,7 @@ use super::ball::Ball;
 use super::closed::ClosedForm;
 use super::enclosure::{Coefficient, Enclosure};
 use super::error::NoFullTurn;
-use super::{centric, offset, small, torque};
+use super::{centric, offset, side, small, torque};
 
 /// A slider-crank that can make a full turn: its rod ratio `λ = r/l` and its pin offset `δ = e/l`, exact.
 ///
@@ -104,6 +104,37 @@ impl SliderCrank {
         let half = BigRational::new(1.into(), 2.into());
         let slope = self.rod(1);
         Coefficient { re: slope, im: Enclosure::point((BigRational::one() - slope_squared) * half) }
+    }
+
+    /// The harmonic `n_k` of the side force that the piston's inertia makes, on the crankpin away from ψ = 90°:
+    /// `−m s̈ tan β = m r ω² Re Σ −i n_k e^{ikψ}`, β the angle of the rod; n_0 is that of a constant force.
+    ///
+    /// So the crankpin feels `½ (c_k − n_k)` with the crank and `½ (c_k + n_k)*` against it. Without an offset n_k is real:
+    /// `c_k/k` for even k, `u_k` for odd ones ([`SliderCrank::side_part`]).
+    pub fn side_coefficient(&self, order: u32) -> Coefficient {
+        let part = self.side_part(order);
+        if order == 0 {
+            return part;
+        }
+        let over = self.rod(order.into()).times(&BigRational::new(1.into(), order.into()));
+        Coefficient::turned(&over, order).plus(&part)
+    }
+
+    /// The part `u_k = n_k − (c_k − [k=1])/k` of the side force, which no order of the shaking force has: known to be zero, or
+    /// not; exact or enclosed to a relative `2^−64`.
+    pub fn side_part(&self, order: u32) -> Coefficient {
+        let real = side::harmonic(&self.ratio, &self.offset, order);
+        Coefficient::turned(&real.times(&BigRational::from_integer((-1).into())), order + 1)
+    }
+
+    /// The real number E of `u_k = i (−i)^k E` where it is rational: then it is a weight and no coefficient.
+    pub fn rational_side_part(&self, order: u32) -> Option<BigRational> {
+        side::rational(&self.ratio, &self.offset, order)
+    }
+
+    /// Whether `u_k` is not zero.
+    pub fn has_side_part(&self, order: u32) -> bool {
+        side::exists(&self.ratio, &self.offset, order)
     }
 
     /// The real number g of `c_k = [k=1] + (−i)^k g`: `2k²/λ` times the harmonic of the root. Known to be zero, or not.

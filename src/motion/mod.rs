@@ -15,7 +15,8 @@
 //! `(−δ)^j`, which all these j share. So nothing cancels. If δ = 0 only j = 2n is left, and k is even. ∎
 //!
 //! Hence in the force every `c_k ≠ 0` with an offset, and without one exactly `c_1` and the even ones. In the inertia
-//! torque every order is there, with an offset or without: [`SliderCrank::torque_coefficient`] tells why.
+//! torque every order is there, with an offset or without: [`SliderCrank::torque_coefficient`] tells why; and so in the load of a
+//! crankpin, whose side force has what the force does not have: [`SliderCrank::side_part`].
 
 mod ball;
 mod centric;
@@ -26,6 +27,7 @@ mod error;
 mod fast;
 mod offset;
 mod series;
+mod side;
 mod small;
 mod tail;
 mod torque;

@@ -10,6 +10,9 @@
 //! Torque: its n-th harmonic is `n (−i)^n (X − iY)`, where `|X| ≤ ½ (|g_{n−1}|/(n−1) + |g_{n+1}|/(n+1))`, and
 //! `|Y| ≤ (R p^n + S q^n)/(2λ²)` for n > 2 with `R = √((1+δ)²−λ²)`, `p = λ/(1+δ+R)`, and S, q the same of −δ. The first part is
 //! summed over the rest of the g_k, the second as a geometric series.
+//!
+//! Side force: its part `|u_k|` is at most `¼ (h_k(p, R) + h_k(q, S))`, `h_k(p, R) = p^{k−1} ((k+1) − (k−1) p²)/R`, for k > 1, whose
+//! sum over k > K telescopes to `(p^K (K+2) + p^{K+1} (K+3) + 4 p^{K+2}/(1−p))/R`.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -91,6 +94,24 @@ impl Tail {
         let rod_part = (k + 1.0) / k * self.force(order - 1) + self.force(order + 1);
         let elementary = self.reaches.map(|reach| self.elementary(reach, order)).iter().sum::<f64>();
         ((rod_part / 2.0 + elementary) * SLACK).max(f64::MIN_POSITIVE)
+    }
+
+    /// What all orders of the load of a crankpin above this one, of at least 1, add at most: `Σ_{k>K} |c_k| + |u_k|`, where `½|c_k − n_k| +
+    /// ½|c_k + n_k|` is no larger.
+    pub fn pin(&self, order: u32) -> f64 {
+        if self.ratio == 0.0 {
+            return 0.0;
+        }
+        let side = self.reaches.map(|reach| self.side(reach, order)).iter().sum::<f64>();
+        ((self.force(order) + side) * SLACK).max(f64::MIN_POSITIVE)
+    }
+
+    /// `¼ Σ_{k>K} h_k`.
+    fn side(&self, Reach { sum, root, gap }: Reach, order: u32) -> f64 {
+        let (k, p) = (f64::from(order), self.ratio / sum);
+        // 1 − p without cancellation.
+        let short = gap / sum;
+        p.powf(k) * ((k + 2.0) + p * (k + 3.0) + 4.0 * p * p / short) / (4.0 * root)
     }
 
     /// By the geometric series; infinite where its terms may still grow.

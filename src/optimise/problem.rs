@@ -26,7 +26,8 @@ pub(super) struct Problem {
     pub waveforms: Vec<Waveform>,
     /// The part of a load at each place that each bearing carries: `parts[bearing][place]`.
     pub parts: Vec<Vec<f64>>,
-    /// Direct first order without counterweights, exact in kilogram-metres: force, and moment about the reference plane.
+    /// Direct first order of the shaking force without counterweights, exact in kilogram-metres: force, and moment about the reference
+    /// plane. That of the bearing loads is longer by the side forces of the pistons.
     pub exact: [PhasorSum; 2],
     /// The same in multiples of m r.
     pub left: [Complex<f64>; 2],

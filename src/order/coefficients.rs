@@ -28,6 +28,7 @@ impl Coefficients {
             Factor::One => return Some(exactly_one()),
             Factor::Open => return None,
             Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order)),
+            Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order)),
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order)),
         };
         self.known.borrow_mut().insert(key, coefficient.clone());

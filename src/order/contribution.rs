@@ -92,14 +92,18 @@ impl<'a> Sources<'a> {
                 term: Term { angle: phase(cylinder, order, Some(sense)), weight },
             }
         });
+        pistons.chain(self.of_turning(order, sense))
+    }
+
+    /// What the masses that turn add to it.
+    pub fn of_turning(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
         let turning = self.turning.iter().filter(move |mass| (mass.order, mass.sense) == (order, sense));
-        let turning = turning.map(|mass| Contribution {
+        turning.map(|mass| Contribution {
             source: mass.source,
             position: mass.position.clone(),
             factor: Factor::One,
             term: Term { angle: mass.angle.clone(), weight: mass.weight() },
-        });
-        pistons.chain(turning)
+        })
     }
 
     /// What each source adds to the inertia torque of one order, in multiples of m r²; what turns at constant speed adds

@@ -15,7 +15,12 @@ pub enum Factor {
     Motion(Mechanism),
     /// t_k, the coefficient of the inertia torque, of this mechanism.
     Torque(Mechanism),
-    /// The same of the rods of an engine that names none: they are centric and alike.
+    /// u_k, the part of the side force that no c_k has ([`SliderCrank::side_part`]), of this mechanism, whose offset is not
+    /// negative; conjugated in reverse sums.
+    ///
+    /// [`SliderCrank::side_part`]: crate::motion::SliderCrank::side_part
+    Side(Mechanism),
+    /// c_k or t_k of the rods of an engine that names none: they are centric and alike.
     Open,
 }
 
@@ -40,6 +45,16 @@ impl Factor {
         }
     }
 
+    /// What the part of the side force that no c_k has stands before, and with which sign: for −δ the real number E_k of u_k is
+    /// `(−1)^{k+1}` times that for δ, since p and q, R and S change places.
+    pub fn of_side(mechanism: &Mechanism, order: u32) -> (Factor, BigRational) {
+        let Mechanism::SliderCrank(rod) = mechanism;
+        let sign =
+            if rod.offset.is_negative() && order.is_multiple_of(2) { -BigRational::one() } else { BigRational::one() };
+        let mirrored = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
+        (Factor::Side(Mechanism::SliderCrank(mirrored)), sign)
+    }
+
     /// What the inertia torque of a cylinder with this mechanism stands before.
     pub fn of_torque(mechanism: Option<&Mechanism>) -> Factor {
         mechanism.map_or(Factor::Open, |mechanism| Factor::Torque(mechanism.clone()))
@@ -50,6 +65,7 @@ impl Factor {
         match self {
             Factor::One => true,
             Factor::Motion(mechanism) | Factor::Torque(mechanism) => mechanism.has_order(quantity, order),
+            Factor::Side(mechanism) => super::coefficients::crank(mechanism).has_side_part(order),
             Factor::Open => match quantity {
                 Quantity::Force | Quantity::Moment => order == 1 || order.is_multiple_of(2),
                 Quantity::Torque => true,
@@ -64,7 +80,7 @@ impl Factor {
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
             Factor::Open => Some(order.is_multiple_of(4)),
             Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
-            Factor::Torque(_) => None,
+            Factor::Torque(_) | Factor::Side(_) => None,
         }
     }
 }

@@ -24,6 +24,14 @@ impl Unit {
     pub const METRE: Unit = Unit { name: "m", tex: "m" };
     /// Millimetres.
     pub const MILLIMETRE: Unit = Unit { name: "mm", tex: "mm" };
+    /// Joules.
+    pub const JOULE: Unit = Unit { name: "J", tex: "J" };
+    /// Kilowatts.
+    pub const KILOWATT: Unit = Unit { name: "kW", tex: "kW" };
+    /// Bars.
+    pub const BAR: Unit = Unit { name: "bar", tex: "bar" };
+    /// Kilograms times square metres, of a moment of inertia.
+    pub const KILOGRAM_SQUARE_METRE: Unit = Unit { name: "kg·m²", tex: "kg\\,m^2" };
     /// Degrees of crank angle.
     pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
     /// Oscillations a second.
@@ -41,6 +49,10 @@ impl Unit {
             (Unit::KILOGRAM, "\\kilogram"),
             (Unit::KILOGRAM_METRE, "\\kilogram\\metre"),
             (Unit::KILOGRAM_MILLIMETRE, "\\kilogram\\milli\\metre"),
+            (Unit::JOULE, "\\joule"),
+            (Unit::KILOWATT, "\\kilo\\watt"),
+            (Unit::BAR, "\\bar"),
+            (Unit::KILOGRAM_SQUARE_METRE, "\\kilogram\\metre\\squared"),
             (Unit::METRE, "\\metre"),
             (Unit::MILLIMETRE, "\\milli\\metre"),
             (Unit::DEGREE, "\\degree"),

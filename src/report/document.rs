@@ -80,9 +80,9 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
         Factor::Open => Coefficient::Common,
-        Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
-            Coefficient::Rod(rod_claim(rod))
-        }
+        Factor::Motion(Mechanism::SliderCrank(rod))
+        | Factor::Torque(Mechanism::SliderCrank(rod))
+        | Factor::Side(Mechanism::SliderCrank(rod)) => Coefficient::Rod(rod_claim(rod)),
     }
 }
 

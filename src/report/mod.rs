@@ -33,6 +33,7 @@ mod sweep;
 mod table;
 mod theorem;
 mod theorem_words;
+mod torque;
 mod torsion;
 mod views;
 
@@ -73,4 +74,5 @@ pub use residual::{force_summary, moment_summary, order_name, whole_summary};
 pub use search::{search_answer, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
+pub use torque::{TorqueDocument, torque_answer, torque_document, torque_page};
 pub use torsion::{NoTorsion, TorsionDocument, TorsionStudy, torsion_answer, torsion_document, torsion_page};

@@ -65,7 +65,9 @@ fn equals(value: &BigRational) -> String {
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
     let rod = match &class.factor {
-        Factor::Motion(Mechanism::SliderCrank(rod)) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
+        Factor::Motion(Mechanism::SliderCrank(rod))
+        | Factor::Torque(Mechanism::SliderCrank(rod))
+        | Factor::Side(Mechanism::SliderCrank(rod)) => {
             let offset = match rod.offset.is_zero() {
                 true => String::new(),
                 false => format!(", δ {}", equals(&rod.offset)),

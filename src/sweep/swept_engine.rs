@@ -226,7 +226,9 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
         Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
         // Of rods that are not given, amplitudes are in multiples of c_k.
         Factor::One | Factor::Open => Complex::new(1.0, 0.0),
-        Factor::Torque(_) => unreachable!("forces have no coefficient of the torque"),
+        Factor::Torque(_) | Factor::Side(_) => {
+            unreachable!("shaking forces have no coefficient of torque or side force")
+        }
     };
     let mut value = |sum: &OrderSum| -> Complex<f64> {
         sum.parts().iter().map(|(factor, sum)| coefficient(factor) * float(sum)).sum()

@@ -1,7 +1,7 @@
 //! At which speeds does the crankshaft twist? Natural frequencies and modes of discs on a shaft, and the critical speeds of each order.
 //!
 //! `inertias, stiffnesses → modes (Holzer) → firing star of each mode → critical speeds`. The shaft is free at both ends and
-//! without damping (theory, section 12). Mode shapes are decimals, and so are their stars; the star of a rigid crankshaft is exact.
+//! without damping (theory, section 13). Mode shapes are decimals, and so are their stars; the star of a rigid crankshaft is exact.
 
 mod critical;
 mod forced;

@@ -10,6 +10,7 @@ use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
 use crankstar::report::{self, Compared};
 use crankstar::text::Untrusted;
+use crankstar::torque::torque;
 
 use crate::support::german::{has_words, is_said, literals, outside, pages_of, pages_of_files};
 use crate::support::pages;
@@ -62,6 +63,38 @@ fn pages_of_the_catalogue_have_german_for_every_phrase() {
 fn pages_of_examples_families_and_odd_layouts_have_german_for_every_phrase() {
     for folder in ["reports/examples", "reports/families", "tests/pages"] {
         assert_known(&pages_of_files(folder));
+    }
+}
+
+#[test]
+fn pages_of_the_torque_have_german_for_every_phrase() {
+    let single = crate::gas::SPARK;
+    let table: Vec<String> = (0..60).map(|row| format!("[{}, {}]", 12 * row, 1 + row % 7)).collect();
+    let odd = format!("reading = 'gauge'\nunit = 'bar'\npressure = [{}]", table.join(", "));
+    let (before, _) = single.split_once("process").expect("a process");
+    let two =
+        single.replace("throws = [0]", "throws = [0, 180]").replace("firing_order = '1'", "firing_angles = [0, 180]");
+    let texts = [
+        format!("effects = ['gas']\nspeed = 3000\n{single}[flywheel]\nirregularity = '1/50'"),
+        format!("speed = 3000\n{single}[flywheel]\ninertia = 1"),
+        format!("speed = 3000\n{single}[flywheel]\ninertia = 0.00001\nirregularity = '1/50'"),
+        format!("speed = 3000\n{}", single.replace("[inline]", "pin_offset = '1 mm'\n[inline]") + "dead_centre = 'piston'"),
+        format!("speed = 3000\n{}", single.replace("reciprocating_mass = '0.5 kg'\n", "")),
+        single.replace("heat = '1100 J'", "mean_pressure = '8 bar'"),
+        single.replace("heat = '1100 J'", "peak_pressure = '60 bar'"),
+        format!("{before}{odd}"),
+        format!("{}[[gas.cylinder]]\ncylinders = [2]\nheat = 0", two.replace("throws", "spacing = '0.1 m'\nthrows")),
+        "cycle = 'two-stroke'\neffects = ['gas']\n[mechanism]\nstroke = 0.07\nrod_length = 0.14\n[inline]\nthrows = [0]\n[gas]\nbore = 0.09\n\
+         process = 'compressor'\nintake_pressure = '1 bar'\ndelivery_pressure = '7 bar'\nclearance = 0.05"
+            .to_owned(),
+        "effects = ['gas']\n[inline]\nthrows = [0]".to_owned(),
+    ];
+    for text in texts {
+        let engine = file::parse("layout.toml", &text).unwrap_or_else(|error| panic!("{text}\n{error}"));
+        assert_known(&pages_of(&engine));
+        if let Ok(torque) = torque(&engine) {
+            assert_known(&[report::torque_answer(&engine, &torque), report::torque_page(&engine, &torque)]);
+        }
     }
 }
 

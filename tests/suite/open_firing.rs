@@ -233,7 +233,7 @@ fn lengths_of_two_equal_parts_are_told_in_one_cosine() {
         page::write(&page, Format::PLAIN, &Options::default()).remove(0).text
     };
     for (layout, lengths) in [
-        (V2, ["2 |sin(φ/4)|", "2 |cos(φ/2)|", "2 |sin(3φ/4)|", "2 |sin(3φ/2)|"]),
+        (V2, ["2 |sin(φ/4)|", "2 |cos(φ/2)|", "2 |sin(3φ/4)|", "2 |cos(3φ/2)|"]),
         (V6, ["0", "0", "6 |cos(3φ/4)|", "6 |cos(3φ/2)|"]),
     ] {
         let text = told(layout);

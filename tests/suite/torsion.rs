@@ -148,7 +148,7 @@ fn what_is_no_shaft_is_refused_at_its_place() {
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 discs are named for 2 crankpins"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1, 3]\n", "crankpin 2 stands on disc 3"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [0, 1]\n", "number of the disc"),
-        ("inertias = [\"1 kg\", 1]\nstiffnesses = [1]\n", "none of kg m^2"),
+        ("inertias = [\"1 kg\", 1]\nstiffnesses = [1]\n", "none of kg m²"),
         ("inertias = [1, 1]\nstiffnesses = [\"1 N m\"]\n", "none of MN m/rad"),
         ("inertias = [1, 1]\n", "stiffnesses"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ndamping = 3\n", "damping"),

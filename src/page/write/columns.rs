@@ -55,6 +55,8 @@ struct Part<'a> {
     continued: bool,
     /// Whether it needs several pages.
     is_long: bool,
+    /// Whether it is better moved to the next page whole than broken.
+    is_short: bool,
 }
 
 /// A size of letters, with how many of them stand on a line.
@@ -71,6 +73,8 @@ const SMALLEST: Size = Size { points: 8, capacity: 106 };
 const TEXT_WIDTH: f64 = 166.0;
 /// A table of more lines goes over several pages.
 const MOST_LINES: usize = 36;
+/// A table of so many lines, its header among them, is not broken: what it leaves empty on a page is little.
+const SHORT: usize = 17;
 /// Letters that the space between two columns takes.
 const GAP: usize = 3;
 
@@ -132,7 +136,58 @@ impl Cells {
             return Some(self.set(columns, size, &natural));
         }
         let broken = [&SMALL, &SMALLER, &SMALLEST].into_iter().find(|size| least.iter().sum::<usize>() <= room(size));
-        broken.map(|size| self.set(columns, size, &shared(&natural, &least, room(size))))
+        broken.map(|size| self.set(columns, size, &self.lowest(columns, room(size))))
+    }
+
+    /// Widths of broken columns that make the table low: from the least on, letters go where they save most lines.
+    fn lowest(&self, columns: &[usize], room: usize) -> Vec<usize> {
+        let (natural, least) = (self.natural(columns), self.least(columns));
+        // A word of wide letters needs more than they count.
+        let roomy: Vec<usize> = least.iter().zip(&natural).map(|(least, natural)| (least + 1).min(*natural)).collect();
+        let mut widths = if roomy.iter().sum::<usize>() <= room { roomy } else { least };
+        let with = |widths: &[usize], at: usize, width: usize| {
+            let mut widths = widths.to_vec();
+            widths[at] = width;
+            widths
+        };
+        loop {
+            let left = room.saturating_sub(widths.iter().sum());
+            let now = self.height(columns, &widths);
+            let mut best: Option<(usize, usize, usize, usize)> = None;
+            for at in 0..widths.len() {
+                for width in widths[at] + 1..=natural[at].min(widths[at] + left) {
+                    let saved = now.saturating_sub(self.height(columns, &with(&widths, at, width)));
+                    let letters = width - widths[at];
+                    if saved > 0 && best.is_none_or(|(most, of, ..)| saved * of > most * letters) {
+                        best = Some((saved, letters, at, width));
+                    }
+                }
+            }
+            match best {
+                Some((_, _, at, width)) => widths[at] = width,
+                None => break,
+            }
+        }
+        // What is over helps where letters are wider than most.
+        while room > widths.iter().sum() {
+            let narrow = (0..widths.len()).filter(|&at| widths[at] < natural[at]).min_by_key(|&at| widths[at]);
+            match narrow {
+                Some(at) => widths[at] += 1,
+                None => break,
+            }
+        }
+        widths
+    }
+
+    /// How high a table is: the lines of its rows above all, then those of each cell.
+    fn height(&self, columns: &[usize], widths: &[usize]) -> usize {
+        let cells = columns.iter().zip(widths);
+        let of_cells: usize = cells
+            .map(|(&column, &width)| {
+                self.letters.iter().map(|row| row[column].all.div_ceil(width.max(1))).sum::<usize>()
+            })
+            .sum();
+        self.lines_of(columns, widths) * self.header.len() * 2 + of_cells
     }
 
     fn least(&self, columns: &[usize]) -> Vec<usize> {
@@ -159,6 +214,7 @@ impl Cells {
 
     fn set(&self, columns: &[usize], size: &Size, widths: &[usize]) -> Part<'_> {
         let natural = self.natural(columns);
+        let lines = self.lines_of(columns, widths);
         let millimetres = TEXT_WIDTH / size.capacity as f64;
         let broken = |(width, natural): (&usize, &usize)| {
             (width < natural).then(|| format!("{:.1}", *width as f64 * millimetres))
@@ -170,7 +226,8 @@ impl Cells {
             rows: self.rows.iter().map(|row| columns.iter().map(|&at| row[at].as_str()).collect()).collect(),
             caption: None,
             continued: false,
-            is_long: self.lines_of(columns, widths) > MOST_LINES,
+            is_long: lines > MOST_LINES,
+            is_short: lines <= SHORT,
         }
     }
 }

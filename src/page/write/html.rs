@@ -71,13 +71,20 @@ impl Writer for Html {
 /// Longer formulas may be wider than a narrow page.
 const LONG: usize = 60;
 
+/// How the tag of a bar ends, without space about it: one that keeps its height, one that grows.
+const TIGHT: &str = "y=\"false\" lspace=\"0em\" rspace=\"0em\">|</mo>";
+const TALL: &str = "y=\"true\" lspace=\"0em\" rspace=\"0em\">|</mo>";
+
 /// A formula of this program in MathML; as its TeX where the library does not know a command.
 fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     let storage = Storage::new();
     let mut out = String::new();
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     match push_mathml(&mut out, Parser::new(tex, &storage), config) {
-        Ok(()) if !out.contains("<merror") => out,
+        // Browsers take a bar that is no fence by its side for an operator, and set space about it.
+        Ok(()) if !out.contains("<merror") => {
+            out.replace("y=\"false\">|</mo>", TIGHT).replace("y=\"true\">|</mo>", TALL)
+        }
         Ok(()) | Err(_) => format!("<code>{}</code>", text::xml(tex)),
     }
 }

@@ -19,7 +19,7 @@ pub(in crate::report) fn certificate_of(sum: &PhasorSum, certificate: &Certifica
     let collected = sum.collected();
     match certificate {
         Certificate::Polygons { polygons } if polygons.is_empty() => {
-            "Certificate: no polygon is needed, the collected sum is empty.".into()
+            "No polygon is needed, the collected sum is empty.".into()
         }
         Certificate::Polygons { polygons } => of_polygons(polygons),
         Certificate::Residue(residue) => of_residue(&collected, residue),
@@ -31,9 +31,9 @@ fn of_polygons(polygons: &[Polygon]) -> Text {
     let one = |p: &Polygon| format!("({}; {}; {})", p.sides, fraction(&p.rotation), fraction(&p.weight));
     let list = polygons.iter().map(one).collect::<Vec<_>>().join(", ");
     match polygons.iter().any(|polygon| polygon.weight.is_negative()) {
-        false => phrase!("Certificate, polygons as (sides; turn of a corner; weight): {}.", list),
+        false => phrase!("Polygons as (sides; turn of a corner; weight): {}.", list),
         true => phrase!(
-            "Certificate, polygons as (sides; turn of a corner; weight): {}. A negative weight takes a polygon away; where its \
+            "Polygons as (sides; turn of a corner; weight): {}. A negative weight takes a polygon away; where its \
              number of sides is odd that is the same as adding it turned by half a turn.",
             list
         ),
@@ -62,13 +62,13 @@ fn of_residue(collected: &[Term], claim: &Residue) -> Text {
         let (residue, prime) = (residue.to_string(), prime.to_string());
         return match scale.is_one() {
             true => phrase!(
-                "Certificate: {} It is a whole number that is {} modulo {}, so it is not zero.",
+                "{} It is a whole number that is {} modulo {}, so it is not zero.",
                 the_sum(collected),
                 residue,
                 prime
             ),
             false => phrase!(
-                "Certificate: {} Times {} it is a whole number that is {} modulo {}, so it is not zero.",
+                "{} Times {} it is a whole number that is {} modulo {}, so it is not zero.",
                 the_sum(collected),
                 scale.to_string(),
                 residue,
@@ -83,7 +83,7 @@ fn of_residue(collected: &[Term], claim: &Residue) -> Text {
     let [prime_text, root_text, conductor_text] = of;
     match image_tex(collected, scale, conductor, root) {
         Some(image) => phrase!(
-            "Certificate: {} Modulo the prime {} the powers of {} repeat after {}, so {} maps sums to sums: {}.",
+            "{} Modulo the prime {} the powers of {} repeat after {}, so {} maps sums to sums: {}.",
             the_sum(collected),
             prime_text,
             root_text,
@@ -92,7 +92,7 @@ fn of_residue(collected: &[Term], claim: &Residue) -> Text {
             Text::formula(format!("{times} \\mapsto {image} {not_zero}"))
         ),
         None => phrase!(
-            "Certificate: {} Modulo the prime {} the powers of {} repeat after {}, so {} maps sums to sums. A vector of weight \
+            "{} Modulo the prime {} the powers of {} repeat after {}, so {} maps sums to sums. A vector of weight \
              $w$ at the angle $t$ becomes {}; added up, {}.",
             the_sum(collected),
             prime_text,
@@ -120,7 +120,7 @@ fn of_splitting(collected: &[Term], steps: &[Step]) -> Text {
         ),
     };
     phrase!(
-        "Certificate: {} If it were zero, then {}; but one vector is left, and it is not zero.",
+        "{} If it were zero, then {}; but one vector is left, and it is not zero.",
         the_sum(collected),
         Text::joined(steps.iter().map(step), "; of these, ")
     )

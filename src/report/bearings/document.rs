@@ -5,13 +5,12 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::super::calculation::Unit;
-use super::super::document::coefficient_claim;
 use super::amounts::unit_of;
-use crate::engine::Engine;
-use crate::loads::{BearingLoad, BearingLoads, BearingOrder, Outcome, Peak, Vector};
+use super::page::orders_of;
+use crate::engine::{Engine, Mechanism};
+use crate::loads::{BearingLoad, BearingLoads, Outcome, Peak, Swing, Vector, left_out_of_bearings, pin_loads};
 use crate::numbers;
-use crate::order::OrderSum;
-use crate::proof::Coefficient;
+use crate::order::{Factor, OrderSum};
 
 /// What the main bearings feel, as data.
 #[derive(Clone, Debug, Serialize)]
@@ -22,17 +21,40 @@ pub struct BearingsDocument {
     unit: &'static str,
     /// Newtons a multiple of m r ω²; null where the layout does not say.
     newtons_per_multiple: Option<f64>,
+    /// What the rods load the crankpins with, a row per cylinder.
+    pins: Vec<Pin>,
     continuous: Solution,
     determinate: Solution,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Pin {
+    cylinder: String,
+    position: String,
+    peak: PeakEntry,
+    /// Seen from the crank: outward along the throw, and in the sense of rotation.
+    along_the_throw: PeakEntry,
+    across_the_throw: PeakEntry,
+    orders: Vec<Order>,
 }
 
 #[derive(Clone, Debug, Serialize)]
 struct Solution {
     /// Numbers of the bearings with the largest peak, from 1.
     worst: Vec<usize>,
+    /// What the orders that are not listed add to the load of any bearing; null where they add nothing.
+    left_out: Option<LeftOut>,
     /// Position of a load to the parts of it that the bearings carry.
     parts: BTreeMap<String, Vec<String>>,
     bearings: Vec<Bearing>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct LeftOut {
+    /// In the unit of the loads.
+    at_most: f64,
+    /// Of the largest load; null where it might be all of it.
+    part: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -65,7 +87,7 @@ struct Turning {
     angle_deg: Option<f64>,
     /// `true` proved zero, `false` proved not zero, null not decided.
     vanishes: Option<bool>,
-    /// The vector in multiples of m r ω² is half the sum of these, each times its coefficient.
+    /// The vector in multiples of m r ω² is half the sum of these, each times its coefficient, which is conjugated in a reverse one.
     sums: Vec<Sum>,
 }
 
@@ -90,12 +112,27 @@ pub fn bearings_document(engine: &Engine, continuous: &BearingLoads, determinate
         sign: "the force that the bearing feels; y in the reference direction, x across it",
         unit: unit.name,
         newtons_per_multiple: continuous.scale.as_ref().map(|scale| scale.force()),
-        continuous: solution(continuous, unit),
-        determinate: solution(determinate, unit),
+        pins: pins(engine, &orders_of(continuous), unit),
+        continuous: solution(engine, continuous, unit),
+        determinate: solution(engine, determinate, unit),
     }
 }
 
-fn solution(loads: &BearingLoads, unit: Unit) -> Solution {
+fn pins(engine: &Engine, orders: &[u32], unit: Unit) -> Vec<Pin> {
+    let Ok(loads) = pin_loads(engine, orders) else { return Vec::new() };
+    let pins = engine.cylinders().iter().zip(loads.pins).map(|(cylinder, pin)| Pin {
+        cylinder: cylinder.name.clone(),
+        position: pin.position.to_string(),
+        peak: peak(&pin.peak, unit),
+        along_the_throw: peak(&pin.along, unit),
+        across_the_throw: peak(&pin.across, unit),
+        orders: pin.orders.iter().map(|one| order(one.order, &one.sums, &one.swing, unit)).collect(),
+    });
+    pins.collect()
+}
+
+fn solution(engine: &Engine, loads: &BearingLoads, unit: Unit) -> Solution {
+    let left_out = left_out_of_bearings(engine, loads).ok().flatten();
     let text = |parts: &Vec<num_rational::BigRational>| parts.iter().map(ToString::to_string).collect();
     let bearing = |(index, bearing): (usize, &BearingLoad)| Bearing {
         bearing: index + 1,
@@ -103,10 +140,11 @@ fn solution(loads: &BearingLoads, unit: Unit) -> Solution {
         peak: peak(&bearing.peak, unit),
         y: peak(&bearing.along, unit),
         x: peak(&bearing.across, unit),
-        orders: bearing.orders.iter().map(|entry| order(entry, unit)).collect(),
+        orders: bearing.orders.iter().map(|one| order(one.order, &one.sums, &one.swing, unit)).collect(),
     };
     Solution {
         worst: loads.worst.iter().map(|index| index + 1).collect(),
+        left_out: left_out.map(|bound| LeftOut { at_most: bound.most * unit.factor, part: bound.part() }),
         parts: loads.parts.iter().map(|(at, parts)| (at.to_string(), text(parts))).collect(),
         bearings: loads.bearings.iter().enumerate().map(bearing).collect(),
     }
@@ -116,13 +154,12 @@ fn peak(peak: &Peak, unit: Unit) -> PeakEntry {
     PeakEntry { value: peak.value * unit.factor, crank_angle_deg: peak.angle.filter(|_| peak.value > 0.0) }
 }
 
-fn order(order: &BearingOrder, unit: Unit) -> Order {
-    let [direct, reverse] = &order.sums;
+fn order(order: u32, [direct, reverse]: &[OrderSum; 2], swing: &Swing, unit: Unit) -> Order {
     Order {
-        order: order.order,
-        largest: order.swing.largest() * unit.factor,
-        direct: turning(&order.swing.direct, direct, unit),
-        reverse: turning(&order.swing.reverse, reverse, unit),
+        order,
+        largest: swing.largest() * unit.factor,
+        direct: turning(&swing.direct, direct, unit),
+        reverse: turning(&swing.reverse, reverse, unit),
     }
 }
 
@@ -145,16 +182,21 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
         sums: sum
             .parts()
             .iter()
-            .map(|(factor, sum)| Sum { coefficient: coefficient(&coefficient_claim(factor)), terms: terms(sum) })
+            .map(|(factor, sum)| Sum { coefficient: coefficient(factor), terms: terms(sum) })
             .collect(),
     }
 }
 
-/// `1`, or c_k of which rod.
-fn coefficient(claim: &Coefficient) -> String {
-    match claim {
-        Coefficient::One => "1".to_owned(),
-        Coefficient::Common => "c_k".to_owned(),
-        Coefficient::Rod(rod) => format!("c_k of λ = {}, δ = {}", rod.ratio, rod.offset),
-    }
+/// `1`, or c_k or n_k of which rod.
+fn coefficient(factor: &Factor) -> String {
+    let (letter, Mechanism::SliderCrank(rod)) = match factor {
+        Factor::One => return "1".to_owned(),
+        Factor::Open => return "c_k".to_owned(),
+        Factor::Motion(mechanism) => ("c_k", mechanism),
+        Factor::Torque(mechanism) => ("t_k", mechanism),
+        // Without an offset it is all there is of n_k in an odd order.
+        Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
+        Factor::Side(mechanism) => ("u_k", mechanism),
+    };
+    format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset)
 }

@@ -1,11 +1,12 @@
 //! What stands on the page of the main bearings, and on the terminal?
 
+use super::super::calculation::{digits, percent};
 use super::{amounts, plots, tables};
 use crate::engine::Engine;
-use crate::loads::BearingLoads;
+use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
 use crate::page::{Block, Document, Text, phrase};
 
-/// The bearings with the largest peak: `bearing 3 with ≈ 18733 N`; none where no bearing feels anything.
+/// The bearings with the largest peak: `bearing 3 with ≈ 18746 N`; none where no bearing feels anything.
 pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
     let unit = amounts::unit_of(loads);
     let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
@@ -28,7 +29,7 @@ pub(in crate::report) fn answer(continuous: &BearingLoads, determinate: &Bearing
     [
         largest,
         SIGNS.into(),
-        "The reactions of every order sum, exactly, to the force of the engine and to its moment.".into(),
+        "The reactions of every order sum, exactly, to the loads of the crankpins and of the crankshaft, and their moments to those of these loads.".into(),
     ]
 }
 
@@ -51,8 +52,8 @@ pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> Text {
 pub(in crate::report) const ASSUMPTIONS: [&str; 4] = [
     "The shaft is one straight beam of constant stiffness EI on rigid bearings in line that have no clearance and do not clamp it; masses of the shaft \
      itself that the layout does not name are left out.",
-    "The loads are the inertia forces: those of the reciprocating masses along the cylinder axes, and those of the masses that turn. No gas force, no weight.",
-    "The side force between piston and cylinder, about λ/2 of m r ω² per cylinder, is left out, on the piston and on the crankpin: with both the engine as a whole feels no force of it, only the inertia torque.",
+    "The loads are the inertia forces: those of the reciprocating masses, with the side force between piston and cylinder that they make, and those of the masses that turn. No gas force, no weight.",
+    "A rod, two masses at its ends, pushes its crankpin along its own direction, so that the bearings feel the side force of the piston, and the walls of the cylinders the opposite. Bearings and walls together feel the force of the engine; the bearings alone do not.",
     "In the determinate approximation each span is a beam of its own: the two bearings beside a load share it by the law of the lever.",
 ];
 
@@ -60,8 +61,35 @@ const METHOD: &str = "A unit load at a position is carried by the bearings in fi
     (Clapeyron 1857); the parts of a row sum to 1 and their moments to that of the load. Each order of each reaction is the sum of the \
     order's vectors, each times the part of its position: the closed forms below are exact.";
 
-const VECTORS: &str = "The two vectors of each order, exact in multiples of m r times the coefficient of the order, and in decimals half of that times \
-    the coefficient and ω², with the angle at θ = 0:";
+const VECTORS: &str = "The two vectors of each order. Exact: the length of each sum in multiples of m r, with the number of the motion that it stands \
+    before, $c_k$ of the force along the axis and $n_k$ of the side force. In decimals: half of the sums times their numbers and ω², with the angle at \
+    θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ \
+    that $c_k$ does not have; reverse vectors have the conjugates.";
+
+const PINS: &str = "What the rod of each cylinder loads its crankpin with in a revolution: the inertia of the piston, with its side force, and the rotating part of the \
+    rod; all orders shown together.";
+
+/// The orders that are shown, but for the constant force.
+pub(super) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
+    let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
+    orders.iter().map(|order| order.order).filter(|order| *order > 0).collect()
+}
+
+/// What the orders that are not shown add at most.
+pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Option<Text> {
+    let unit = amounts::unit_of(loads);
+    let bound = left_out_of_bearings(engine, loads).ok()??;
+    Some(match bound.part() {
+        Some(part) => {
+            phrase!("The orders that are not shown add at most {} % of the largest load to any bearing.", percent(part))
+        }
+        None => phrase!(
+            "The orders that are not shown add at most {} {} to the load of any bearing.",
+            digits((bound.most * unit.factor).next_up()),
+            unit.name
+        ),
+    })
+}
 
 /// The short answer: the peaks of every bearing, and the largest value of each order.
 pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
@@ -69,6 +97,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
     answer_page.push(tables::peaks(engine, continuous, determinate));
     answer_page.push(tables::orders(continuous));
     answer_page.blocks.extend(answer(continuous, determinate).map(Block::Paragraph));
+    answer_page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     answer_page
 }
 
@@ -81,12 +110,23 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
     section(&mut page, "Order by order");
     page.push(Block::Paragraph("The largest value of each order:".into()));
     page.push(tables::orders(continuous));
+    page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     page.push(Block::Paragraph(VECTORS.into()));
     page.push(tables::vectors(continuous));
+    if let Some(numbers) = tables::numbers(engine, continuous) {
+        page.push(Block::Paragraph("The numbers of the motion:".into()));
+        page.push(numbers);
+    }
     section(&mut page, "Through a revolution");
     for (index, pictures) in plots::drawings(continuous).into_iter().enumerate() {
         page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
         page.push(Block::Pictures(pictures.into()));
+    }
+    let pins = pin_loads(engine, &orders_of(continuous));
+    if let Ok(pins) = pins {
+        section(&mut page, "Crankpins");
+        page.push(Block::Paragraph(PINS.into()));
+        page.push(tables::pins(engine, &pins));
     }
     section(&mut page, "Parts of a load");
     page.push(Block::Paragraph(METHOD.into()));

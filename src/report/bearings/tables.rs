@@ -1,10 +1,16 @@
 //! Which tables tell what the bearings feel? Peaks, orders, the exact vectors, the parts of a load.
 
+use std::collections::BTreeSet;
+
+use num_traits::Zero;
+
+use super::super::calculation::Unit;
 use super::super::{residual, table};
 use super::amounts;
-use crate::engine::Engine;
-use crate::loads::{BearingLoad, BearingLoads};
-use crate::order::OrderSum;
+use crate::engine::{Engine, Mechanism, Rod};
+use crate::loads::{BearingLoad, BearingLoads, PinLoads};
+use crate::motion::Enclosure;
+use crate::order::{self, Factor, OrderSum};
 use crate::page::{Number, Table, Text, phrase};
 
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
@@ -50,7 +56,7 @@ pub(in crate::report) fn orders(loads: &BearingLoads) -> Table {
     table
 }
 
-/// The two vectors of each order of each reaction: exact, in multiples of m r c_k, and in newtons.
+/// The two vectors of each order of each reaction: exact, in multiples of m r times c_k or n_k, and in newtons.
 pub(super) fn vectors(loads: &BearingLoads) -> Table {
     let unit = amounts::unit_of(loads);
     let mut table = Table::new([
@@ -68,9 +74,9 @@ pub(super) fn vectors(loads: &BearingLoads) -> Table {
         vec![
             order.order.into(),
             (index + 1).into(),
-            exact(direct),
+            exact(direct, order.order),
             amounts::vector(&order.swing.direct, unit),
-            exact(reverse),
+            exact(reverse, order.order),
             amounts::vector(&order.swing.reverse, unit),
         ]
     };
@@ -79,13 +85,87 @@ pub(super) fn vectors(loads: &BearingLoads) -> Table {
     table
 }
 
-/// The length of a vector where all that is left of it has one coefficient.
-fn exact(sum: &OrderSum) -> Text {
-    match sum.only() {
-        Some((_, only)) => residual::modulus_of(only).into(),
-        None if sum.vanishes() => Text::zero(),
-        None => "rods differ".into(),
+/// The length of each sum with what it stands before, where all pistons move alike.
+fn exact(sum: &OrderSum, order: u32) -> Text {
+    if sum.vanishes() {
+        return Text::zero();
     }
+    let rods: BTreeSet<&Rod> = sum.parts().keys().filter_map(rod).collect();
+    if rods.len() > 1 {
+        return "rods differ".into();
+    }
+    let parts = sum.parts().iter().map(|(factor, sum)| {
+        let length = residual::modulus_of(sum);
+        match number(factor) {
+            None => length.into(),
+            Some(letter) => phrase!("{} {}", length, Text::formula(format!("{letter}_{{{order}}}"))),
+        }
+    });
+    Text::joined(parts, ", ")
+}
+
+/// The rod whose motion a sum stands before.
+fn rod(factor: &Factor) -> Option<&Rod> {
+    match factor {
+        Factor::One | Factor::Open => None,
+        Factor::Motion(Mechanism::SliderCrank(rod))
+        | Factor::Torque(Mechanism::SliderCrank(rod))
+        | Factor::Side(Mechanism::SliderCrank(rod)) => Some(rod),
+    }
+}
+
+/// What a sum stands before; none for 1.
+fn number(factor: &Factor) -> Option<char> {
+    match factor {
+        Factor::One => None,
+        Factor::Motion(_) | Factor::Open => Some('c'),
+        Factor::Torque(_) => Some('t'),
+        Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
+        Factor::Side(_) => Some('u'),
+    }
+}
+
+/// The numbers of the motion that the sums of these orders stand before, where all pistons move alike and without an offset.
+pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
+    let mechanisms = engine.mechanisms();
+    let [mechanism] = mechanisms[..] else { return None };
+    if !mechanism.is_centric() {
+        return None;
+    }
+    let crank = order::crank(mechanism);
+    let mut table = Table::new(["Order".into(), Text::formula("c_k".to_owned()), Text::formula("n_k".to_owned())]);
+    for order in loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders) {
+        let cell = |part: Enclosure| match (part.low == part.high, part.low.is_zero()) {
+            (true, true) => Text::zero(),
+            (true, false) => Number::exact(&part.low).into(),
+            (false, _) => Number::Decimal(part.to_float()).into(),
+        };
+        let [c, n] = [crank.coefficient(order.order), crank.side_coefficient(order.order)];
+        table.push(vec![order.order.into(), cell(c.re), cell(n.re)]);
+    }
+    Some(table)
+}
+
+/// The largest load of every crankpin, by cylinder.
+pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
+    let unit = Unit::of_force(pins.scale.as_ref());
+    let mut rows = Table::new([
+        "Cylinder".into(),
+        phrase!("Largest load in {}", unit.name),
+        "at θ".into(),
+        phrase!("Along the throw in {}", unit.name),
+        phrase!("Across it in {}", unit.name),
+    ]);
+    for (cylinder, pin) in engine.cylinders().iter().zip(&pins.pins) {
+        rows.push(vec![
+            cylinder.name.clone().into(),
+            amounts::size(&pin.peak, unit),
+            amounts::angle(&pin.peak),
+            amounts::size(&pin.along, unit),
+            amounts::size(&pin.across, unit),
+        ]);
+    }
+    rows
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.

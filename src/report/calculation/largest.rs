@@ -152,7 +152,7 @@ pub(super) fn chosen_lines(
 }
 
 /// A part in percent, rounded up to two digits.
-fn percent(part: f64) -> String {
+pub(in crate::report) fn percent(part: f64) -> String {
     let percent = part * 100.0;
     if percent == 0.0 {
         return "0".to_owned();

@@ -14,8 +14,9 @@ mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, largest, vector};
+pub(super) use amounts::{Unit, digits, largest, vector};
 pub use largest::Numbers;
+pub(super) use largest::percent;
 pub use page::loads_page;
 pub use summary::loads_answer;
 
@@ -71,6 +72,7 @@ fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     blocks.extend(bearings::answer(continuous, determinate).map(Block::Paragraph));
     blocks.push(bearings::peaks(engine, continuous, determinate).into());
     blocks.push(bearings::orders(continuous).into());
+    blocks.extend(bearings::left_out(engine, continuous).map(Block::Paragraph));
     blocks.extend(bearings::drawings(continuous).into_iter().map(|pictures| Block::Pictures(pictures.into())));
     blocks
 }

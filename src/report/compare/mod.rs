@@ -49,7 +49,7 @@ impl<'a> Compared<'a> {
             judged,
             remedy: remedy::remedy(engine, &wish),
             loads: loads::loads(engine, orders),
-            bearings: loads::bearing_loads(engine, orders, Method::Continuous),
+            bearings: loads::bearing_loads(engine, &loads::bearing_orders(engine, orders), Method::Continuous),
         })
     }
 

@@ -2,16 +2,13 @@
 
 use super::super::calculation::Unit;
 use super::super::{residual, table};
+use super::cures;
 use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
 use crate::loads::{self, Loads};
 use crate::order::{self, Masses};
-use crate::page::{self, Block, Document, Piece, Table, Text, phrase};
+use crate::page::{Block, Document, Piece, Table, Text, phrase};
 use crate::proof::{Quantity, Shape};
-use crate::remedy::{self, Wish};
 use crate::verdict::{Judgement, OrderVerdict, Outcome, Theorem, WholeOrder};
-
-/// Orders above this are usually left as they are.
-const USUALLY_CURED: u32 = 2;
 
 /// The lines of the box that a report opens with.
 pub(super) fn lines(
@@ -26,7 +23,7 @@ pub(super) fn lines(
     let mut lines = Vec::new();
     let shaking: Vec<Text> = existing.iter().flat_map(|order| sizes.left(order)).collect();
     lines.extend((!shaking.is_empty()).then(|| phrase!("**What shakes.** {}", Text::joined(shaking, " "))));
-    let cures: Vec<Text> = existing.iter().filter_map(|order| cure(engine, judged, order)).collect();
+    let cures = cures::cures(engine, judged, &existing);
     if !cures.is_empty() {
         lines.push(phrase!("**What cures it.** {}", Text::joined(cures, " ")));
         lines.push(phrase!("**What no crankshaft cures.** {}", beyond_counterweights(&existing)));
@@ -45,7 +42,7 @@ pub(super) fn lines(
 }
 
 /// Whether the verdicts are about what the numbers are about.
-fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
+pub(super) fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
     judged.not_as_built.is_none() && judged.masses == order::masses_as_built(engine)
 }
 
@@ -133,70 +130,9 @@ fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Quantity) -> 
 }
 
 /// Whether the direct and the reverse vector of force or moment are left.
-fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
+pub(super) fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
     let is_left = |outcome: &Outcome| outcome.vanishes() == Some(false);
     [0, 1].map(|sense| is_left(&order.force.outcomes[sense]) || is_left(&order.moment.outcomes[sense]))
-}
-
-/// What takes an order away; none where nothing is left.
-fn cure(engine: &Engine, judged: &Judgement, order: &OrderVerdict) -> Option<Text> {
-    let k = order.order;
-    let usually = if k > USUALLY_CURED { " It is usually left." } else { "" };
-    let words = match (k, left_vectors(order)) {
-        (_, [false, false]) => return None,
-        (1, [true, false]) => return Some(phrase!("Order 1: {}.", counterweights(engine, judged))),
-        (1, [false, true]) => "Order 1: one balancer shaft at crank speed, turning against the crank.".into(),
-        (1, [true, true]) => phrase!(
-            "Order 1: {} for what turns with the crank, and one balancer shaft at crank speed for what turns against it.",
-            counterweights(engine, judged)
-        ),
-        (_, [true, false]) => {
-            phrase!("Order {}: one balancer shaft at {} crank speed, turning with the crank.", k, times(k))
-        }
-        (_, [false, true]) => {
-            phrase!("Order {}: one balancer shaft at {} crank speed, turning against the crank.", k, times(k))
-        }
-        (_, [true, true]) => {
-            phrase!("Order {}: two balancer shafts at {} crank speed, one turning each way.", k, times(k))
-        }
-    };
-    Some(words.and(usually))
-}
-
-fn times(order: u32) -> Text {
-    match order {
-        2 => "twice".into(),
-        3 => "three times".into(),
-        4 => "four times".into(),
-        6 => "six times".into(),
-        other => phrase!("{} times", other),
-    }
-}
-
-/// Counterweights on the crankshaft, with their sizes where the file gives numbers.
-fn counterweights(engine: &Engine, judged: &Judgement) -> Text {
-    let bare = Text::from("counterweights on the crankshaft");
-    if !is_as_built(engine, judged) {
-        return bare;
-    }
-    let Ok(remedy) = remedy::remedy(engine, &Wish { orders: vec![1], ..Wish::default() }) else { return bare };
-    let weights = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
-    let sizes: Option<Vec<f64>> = weights.map(|weight| weight.mass_radius(&remedy.subject)).collect();
-    let size = |size: f64| Text::from(Piece::Quantity(size, page::Unit::KILOGRAM_METRE));
-    match sizes.as_deref() {
-        None | Some([]) => bare,
-        Some([only]) => phrase!("a counterweight of {} on the crankshaft", size(*only)),
-        Some(several) => {
-            let alike = several.iter().all(|other| (other - several[0]).abs() <= 1e-9 * several[0]);
-            match alike {
-                true => phrase!("{} counterweights of {} each on the crankshaft", several.len(), size(several[0])),
-                false => phrase!(
-                    "counterweights of {} on the crankshaft",
-                    Text::joined(several.iter().map(|value| size(*value)), ", ")
-                ),
-            }
-        }
-    }
 }
 
 /// What counterweights on the crankshaft cannot reach.
@@ -240,10 +176,11 @@ fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&Theor
         several => sentences.push(phrase!("Orders {} do not exist.", several.join(", "))),
     }
     sentences.extend(theorem.map(|theorem| others(existing, theorem)));
-    let words = if existing.iter().all(|order| left_vectors(order) == [false, false]) {
-        "**What shakes.** Nothing that is proved to be left at the orders judged. {}"
-    } else {
-        "**Nothing else.** {}"
+    let is_all_balanced = existing.iter().all(|order| left_vectors(order) == [false, false]);
+    let words = match (is_all_balanced, zero.is_empty()) {
+        (true, _) => "**What shakes.** Nothing that is proved to be left at the orders judged. {}",
+        (false, false) => "**What is balanced.** {}",
+        (false, true) => "**At other orders.** {}",
     };
     (!sentences.is_empty()).then(|| phrase!(words, Text::joined(sentences, " "))).into_iter().collect()
 }

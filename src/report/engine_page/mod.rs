@@ -2,6 +2,7 @@
 
 mod answer;
 mod conventions;
+mod cures;
 mod engine;
 mod orders;
 mod torque;
@@ -11,7 +12,10 @@ pub(super) use conventions::{ASSUMED, FIRES, SEEN, reference_plane};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
+use super::firing::firing_section;
 use super::remedy::remedy_section;
+use super::torque::torque_section;
+use super::torsion::torsion_section;
 use super::{family_page, firmness, moving, table, theorem};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
@@ -94,6 +98,9 @@ pub fn engine_page(subject: Contents) -> Document {
             Block::Paragraph(phrase!("No remedy: {}.", refused.to_string())),
         ]),
     }
+    page.blocks.extend(torque_section(engine));
+    page.blocks.extend(firing_section(engine));
+    page.blocks.extend(torsion_section(engine));
     page.blocks.extend(accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))));
     page.blocks.extend(family.into_iter().flat_map(|(family, orders)| family_page::section(family, orders)));
     page.blocks.extend(theorem::section(engine, &theorem));

@@ -4,7 +4,8 @@ use super::super::star::{firing_figure, firing_legend};
 use super::super::{argument, residual};
 use super::words::names_of;
 use super::{FiringStudy, tables, words};
-use crate::firing::{FiringStar, StarOrder};
+use crate::engine::Engine;
+use crate::firing::{FiringStar, StarOrder, Weights};
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 use crate::verdict::JudgedStar;
 
@@ -67,8 +68,32 @@ pub fn firing_page(study: &FiringStudy<'_>) -> Document {
     page
 }
 
+/// What the report of an engine shows of its firing stars, where the file asks for them; none where it does not.
+pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
+    if !engine.effects().firing {
+        return Vec::new();
+    }
+    let heading = Block::Heading(1, "Firing stars".into());
+    match FiringStudy::new(engine, &[], Weights::Rigid) {
+        Err(why) => vec![heading, Block::Paragraph(phrase!("No firing stars: {}.", why.to_string()))],
+        Ok(study) => {
+            let proofs = vec![Block::List(each(&study, argued)), Block::List(each(&study, certified))];
+            vec![
+                heading,
+                Block::List(answer(&study)),
+                Block::Pictures(vec![picture(&study)]),
+                tables::orders(&study).into(),
+                Block::Paragraph(MEANING.into()),
+                Block::Formula(STAR.to_owned(), None),
+                Block::Folded(Fold { summary: "Firing stars: the proofs".into(), blocks: proofs }),
+                Block::List(assumed(false)),
+            ]
+        }
+    }
+}
+
 /// All that stands below the answer.
-pub(in crate::report) fn section(study: &FiringStudy<'_>) -> Vec<Block> {
+fn section(study: &FiringStudy<'_>) -> Vec<Block> {
     let heading = |words: &'static str| Block::Heading(1, words.into());
     let (meaning, formula) = match study.has_mode_shape() {
         true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),

@@ -21,7 +21,7 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         LengthUnit::Spacing => "Position z",
     };
     let size_of = match in_numbers {
-        true => ["Mass × radius", "Exactly"].as_slice(),
+        true => ["Mass × radius", "In multiples"].as_slice(),
         false => ["Mass × radius"].as_slice(),
     };
     let before = ["Weight", "Turns", position].into_iter();
@@ -86,7 +86,7 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
             let amount = amount(residual::modulus_of(sum).decimal);
             match factor {
                 Factor::One => phrase!("{} $m\\,r$", amount),
-                Factor::Motion(_) | Factor::Torque(_) | Factor::Open => {
+                Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open => {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
                     phrase!("{} {}", amount, unit)
                 }

@@ -44,7 +44,12 @@ fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> Text {
             "The vectors at the corners of a coloured polygon, or at the ends of a coloured bar, sum to zero.".into(),
         ),
     });
-    if any(&|_, star| star.resultant.is_some()) {
+    if any(&|judged, star| star.resultant.is_some() && judged.quantity != Quantity::Torque) {
+        words.push(
+            "The red arrow in outline is the resultant; half the direct and half the reverse one make what is left."
+                .into(),
+        );
+    } else if any(&|_, star| star.resultant.is_some()) {
         words.push("The red arrow in outline is the resultant.".into());
     }
     if any(&|judged, star| star.has_turned && judged.quantity == Quantity::Moment) {

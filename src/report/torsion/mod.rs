@@ -14,6 +14,7 @@ use crate::firing::{self, NoStar};
 use crate::torsion::{Critical, CriticalSpeeds, critical_speeds};
 
 pub use document::{TorsionDocument, torsion_document};
+pub(super) use page::torsion_section;
 pub use page::{torsion_answer, torsion_page};
 
 /// Orders up to this one are shown where none are asked for, in halves.

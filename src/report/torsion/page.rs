@@ -1,7 +1,8 @@
 //! What stands on the page of a shaft that twists, and on the terminal?
 
 use super::{TorsionStudy, plots, tables, words};
-use crate::page::{Block, Document, Text, phrase};
+use crate::engine::Engine;
+use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 
 /// The short answer: frequencies and critical speeds.
 pub fn torsion_answer(study: &TorsionStudy<'_>) -> Document {
@@ -12,12 +13,41 @@ pub fn torsion_answer(study: &TorsionStudy<'_>) -> Document {
     answer_page
 }
 
+/// What the report of an engine shows of its torsional vibration, where the file asks for it; none where it does not.
+pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
+    if !engine.effects().torsion {
+        return Vec::new();
+    }
+    let heading = Block::Heading(1, "Torsional vibration".into());
+    match TorsionStudy::new(engine, &[]) {
+        Err(why) => vec![heading, Block::Paragraph(phrase!("No critical speeds: {}.", why.to_string()))],
+        Ok(study) => {
+            let shaft = vec![tables::discs(&study).into(), Block::List(words::ASSUMED.map(Text::from).into())];
+            vec![
+                heading,
+                Block::List(words::answer(&study)),
+                Block::Pictures(pictures(&study)),
+                tables::critical(&study).into(),
+                Block::Paragraph(words::FOUND.into()),
+                Block::Folded(Fold {
+                    summary: "Torsional vibration: the shaft, and what is assumed".into(),
+                    blocks: shaft,
+                }),
+            ]
+        }
+    }
+}
+
+fn pictures(study: &TorsionStudy<'_>) -> Vec<Picture> {
+    plots::campbell(study).into_iter().chain([plots::modes(study)]).collect()
+}
+
 /// The page, with modes and a Campbell diagram.
 pub fn torsion_page(study: &TorsionStudy<'_>) -> Document {
     let mut page = Document::new("torsion", phrase!("{}: torsional vibration", study.engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(words::answer(study)));
-    page.push(Block::Pictures(plots::campbell(study).into_iter().chain([plots::modes(study)]).collect()));
+    page.push(Block::Pictures(pictures(study)));
     section(&mut page, "Natural frequencies");
     page.push(tables::modes(study));
     section(&mut page, "Critical speeds");

@@ -116,8 +116,8 @@ fn length_of_span(star: &SpanStar) -> Option<Text> {
         exact: length.exact.map(|form| form.scaled(&BigRational::from_integer(2.into()))),
         decimal: 2.0 * length.decimal,
     };
-    Some(match twice.exact {
-        Some(form) => phrase!("{} {}", Piece::Form(form), factor),
+    Some(match twice.exact.as_ref().filter(|form| form.as_rational().is_none()) {
+        Some(form) => phrase!("{} {}", Piece::Form(form.clone()), factor),
         None => phrase!("{} {}", twice, factor),
     })
 }

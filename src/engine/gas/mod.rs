@@ -1,0 +1,103 @@
+//! What presses on the pistons? A pressure over each cylinder's own cycle: a table, an ideal cycle, or a compressor's stage.
+//!
+//! Angles are turns of the crank from the firing dead centre, pressures are absolute and in pascals, both exactly as they were
+//! written.
+
+mod cycle;
+mod mistake;
+mod setting;
+mod stage;
+mod table;
+
+use num_rational::BigRational;
+
+use super::firing::Cycle;
+pub use cycle::{Heat, IdealCycle, Ignition};
+pub use mistake::{At, GasMistake};
+pub use setting::Setting;
+pub use stage::CompressorStage;
+pub use table::{MOST_ROWS, PressureTable};
+
+/// The gas of an engine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Gas {
+    /// The different pressure laws.
+    pub laws: Vec<PressureLaw>,
+    /// One a cylinder, in their order.
+    pub chambers: Vec<Chamber>,
+}
+
+/// What the gas of one cylinder works on, and by which law.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Chamber {
+    /// Bore in metres.
+    pub bore: BigRational,
+    /// Absolute pressure on the other side of the piston, in pascals.
+    pub crankcase: BigRational,
+    /// Whether that pressure was not given, but assumed.
+    pub crankcase_assumed: bool,
+    /// Which of the engine's laws holds.
+    pub law: usize,
+    /// Which dead centre its angles count from.
+    pub zero: DeadCentre,
+}
+
+/// The absolute pressure of a cylinder through its cycle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PressureLaw {
+    /// Measured or computed elsewhere: rows of angle and pressure, joined by straight lines.
+    Table(PressureTable),
+    /// Compression, burning by Wiebe, expansion, and the exchange of gas.
+    Cycle(Box<IdealCycle>),
+    /// One stage of a piston compressor.
+    Stage(Box<CompressorStage>),
+}
+
+/// Where the angle 0 of a pressure is. Without an offset of the cylinder axis both are one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum DeadCentre {
+    /// Where the crank points along the cylinder axis, ψ = 0.
+    #[default]
+    Crank,
+    /// Where the piston is farthest out: `sin ψ = δ/(1 + λ)`.
+    Piston,
+}
+
+impl PressureLaw {
+    /// Whether it holds together over such a cycle.
+    ///
+    /// # Errors
+    /// What does not, and where.
+    pub fn check(&self, cycle: Cycle) -> Result<(), GasMistake> {
+        match self {
+            PressureLaw::Table(table) => table.check(cycle),
+            PressureLaw::Cycle(ideal) => ideal.check(cycle),
+            PressureLaw::Stage(stage) => stage.check(cycle),
+        }
+    }
+}
+
+impl Gas {
+    /// Whether it fits an engine of so many cylinders.
+    ///
+    /// # Errors
+    /// What does not fit.
+    pub fn check(&self, cylinders: usize, cycle: Option<Cycle>) -> Result<(), GasMistake> {
+        if self.chambers.len() != cylinders {
+            let message = format!("gas in {} cylinders of {cylinders}", self.chambers.len());
+            return Err(GasMistake::new(message, "one chamber a cylinder", At::All));
+        }
+        let Some(cycle) = cycle else {
+            let right = "add cycle = \"four-stroke\" or \"two-stroke\"";
+            return Err(GasMistake::new("pressures repeat with the cycle, which is missing", right, At::All));
+        };
+        for chamber in &self.chambers {
+            setting::above_zero(&chamber.bore, Setting::Bore)?;
+            setting::above_zero(&chamber.crankcase, Setting::Crankcase)?;
+            if self.laws.get(chamber.law).is_none() {
+                return Err(GasMistake::new("a cylinder without a pressure", "one law for each", At::All));
+            }
+        }
+        self.laws.iter().try_for_each(|law| law.check(cycle))
+    }
+}

@@ -1,0 +1,284 @@
+//! How is the gas written? `[gas]`, and `[[gas.cylinder]]` for what differs in some cylinders.
+
+use std::ops::Range;
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::beside::Beside;
+use super::error::LayoutError;
+use super::gas_process::{self, Settings};
+use super::gas_table::{self, Reading, Rows};
+use super::quantities::misread;
+use super::units;
+use super::written::{Table, Text, place};
+use crate::engine::{At, Chamber, Cycle, Cylinder, DeadCentre, Gas, GasMistake, Linear, Mechanism, PressureLaw};
+
+/// `[gas]` and `[[gas.cylinder]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    pub bore: Option<Text>,
+    pub ambient: Option<Text>,
+    pub crankcase: Option<Text>,
+    pub dead_centre: Option<Text>,
+    pub table: Option<Text>,
+    pub pressure: Option<Rows>,
+    pub unit: Option<Text>,
+    pub reading: Option<Text>,
+    pub process: Option<Text>,
+    pub compression_ratio: Option<Text>,
+    pub intake_pressure: Option<Text>,
+    pub exhaust_pressure: Option<Text>,
+    pub delivery_pressure: Option<Text>,
+    pub clearance: Option<Text>,
+    pub compression_exponent: Option<Text>,
+    pub expansion_exponent: Option<Text>,
+    pub heat: Option<Text>,
+    pub peak_pressure: Option<Text>,
+    pub mean_pressure: Option<Text>,
+    pub wiebe_exponent: Option<Text>,
+    pub intake_closes: Option<Text>,
+    pub combustion_starts: Option<Text>,
+    pub combustion_lasts: Option<Text>,
+    pub exhaust_opens: Option<Text>,
+    pub blowdown: Option<Text>,
+    cylinder: Option<Spanned<Vec<Spanned<Table<Keys>>>>>,
+    cylinders: Option<Spanned<Vec<Text>>>,
+}
+
+/// The keys that hold for some cylinders: their own before those of all.
+pub(super) struct Layers<'a> {
+    own: Option<&'a Keys>,
+    all: &'a Keys,
+    /// Where the table stands.
+    pub span: Option<Range<usize>>,
+}
+
+impl<'a> Layers<'a> {
+    /// A value.
+    pub fn pick(&self, key: fn(&Keys) -> &Option<Text>) -> Option<&'a Text> {
+        self.own.and_then(|own| key(own).as_ref()).or(key(self.all).as_ref())
+    }
+
+    /// The table that says one of several things which exclude each other.
+    pub fn says(&self, says: fn(&Keys) -> bool) -> Option<&'a Keys> {
+        self.own.filter(|own| says(own)).or(Some(self.all).filter(|all| says(all)))
+    }
+
+    /// A pressure with its unit, absolute.
+    pub fn pressure(&self, key: fn(&Keys) -> &Option<Text>) -> Result<Option<BigRational>, LayoutError> {
+        self.pick(key).map(absolute).transpose()
+    }
+}
+
+/// An absolute pressure with its unit.
+pub(super) fn absolute(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let value = units::pressure(written, None).map_err(|right| misread("pressure", written, right, text))?;
+    match value.is_positive() {
+        true => Ok(value),
+        false => {
+            Err(misread("pressure", written, "above 0: an absolute pressure; gauge? add 1.013 bar".to_owned(), text))
+        }
+    }
+}
+
+/// What is taken for ambient pressure where none is given, in pascals.
+const ATMOSPHERE: i64 = 101_325;
+
+/// Reads the tables for these cylinders.
+pub(super) fn read(
+    table: &Spanned<Table<Keys>>,
+    cylinders: &[Cylinder<Linear, Linear>],
+    cycle: Option<Cycle>,
+    beside: Beside<'_>,
+) -> Result<Gas, LayoutError> {
+    let all = &table.get_ref().0;
+    let Some(cycle) = cycle else {
+        let right = "add cycle = \"four-stroke\" or \"two-stroke\" above the tables; a compressor works in two-strokes";
+        return Err(LayoutError::new("pressures repeat with the cycle, which is missing", right, place(table)));
+    };
+    if let Some(list) = &all.cylinders {
+        let right = "[gas] is of all cylinders; for some of them write [[gas.cylinder]]";
+        return Err(LayoutError::new("cylinders are named in [gas]", right, place(list)));
+    }
+    let unlike = all.cylinder.as_ref().map_or(&[][..], |list| list.get_ref());
+    let owners = owners(unlike, cylinders)?;
+    let mut laws: Vec<PressureLaw> = Vec::new();
+    let mut known: Vec<Option<Chamber>> = vec![None; unlike.len() + 1];
+    let mut chambers = Vec::new();
+    for (cylinder, owner) in cylinders.iter().zip(owners) {
+        let own = owner.map(|index| &unlike[index]);
+        let layers =
+            Layers { own: own.map(|table| &table.get_ref().0), all, span: own.map_or_else(|| place(table), place) };
+        let slot = owner.map_or(0, |index| index + 1);
+        let chamber = match &known[slot] {
+            Some(chamber) => chamber.clone(),
+            None => known[slot].insert(layers.chamber(cycle, beside, &mut laws)?).clone(),
+        };
+        if layers.pick(|keys| &keys.dead_centre).is_none() && cylinder.mechanism.as_ref().is_some_and(is_offset) {
+            let right = "dead_centre = \"crank\", where the crank points along the axis, or \"piston\", where the piston is farthest out";
+            let message = "with an offset the crank and the piston have dead centres of their own, and angles count from one of them";
+            return Err(LayoutError::new(message, right, layers.span));
+        }
+        chambers.push(chamber);
+    }
+    Ok(Gas { laws, chambers })
+}
+
+fn is_offset(mechanism: &Mechanism) -> bool {
+    !mechanism.is_centric()
+}
+
+/// For each cylinder, which of the tables `[[gas.cylinder]]` it is named in.
+fn owners(
+    unlike: &[Spanned<Table<Keys>>],
+    cylinders: &[Cylinder<Linear, Linear>],
+) -> Result<Vec<Option<usize>>, LayoutError> {
+    let mut owners = vec![None; cylinders.len()];
+    // A form leaves its cylinders without names, which are their numbers then.
+    let number = |(index, name): (usize, &String)| if name.is_empty() { (index + 1).to_string() } else { name.clone() };
+    let names_of: Vec<String> = cylinders.iter().map(|cylinder| &cylinder.name).enumerate().map(number).collect();
+    for (index, table) in unlike.iter().enumerate() {
+        let keys = &table.get_ref().0;
+        if let Some(list) = &keys.cylinder {
+            return Err(LayoutError::new(
+                "a table of a cylinder within one",
+                "[[gas.cylinder]] below [gas]",
+                place(list),
+            ));
+        }
+        let Some(names) = keys.cylinders.as_ref().filter(|names| !names.get_ref().is_empty()) else {
+            let right = "add cylinders = [2, 3]: the names of those it is about";
+            return Err(LayoutError::new("a table of cylinders that it does not name", right, place(table)));
+        };
+        for name in names.get_ref() {
+            let Some(cylinder) = names_of.iter().position(|known| *known == name.get_ref().0) else {
+                let names: Vec<&str> = names_of.iter().take(24).map(String::as_str).collect();
+                return Err(misread("cylinder", &name.get_ref().0, format!("one of {}", names.join(", ")), name));
+            };
+            if owners[cylinder].replace(index).is_some() {
+                let message = format!("two tables of cylinder {}", names_of[cylinder]);
+                return Err(LayoutError::new(message, "one table says all that differs in it", place(name)));
+            }
+        }
+    }
+    Ok(owners)
+}
+
+impl Layers<'_> {
+    fn chamber(&self, cycle: Cycle, beside: Beside<'_>, laws: &mut Vec<PressureLaw>) -> Result<Chamber, LayoutError> {
+        let Some(bore) = self.pick(|keys| &keys.bore) else {
+            let right = "add bore = \"86 mm\"";
+            return Err(LayoutError::new("gas in a cylinder without a bore", right, self.span.clone()));
+        };
+        let ambient = self.pressure(|keys| &keys.ambient)?;
+        let crankcase = self.pressure(|keys| &keys.crankcase)?.or_else(|| ambient.clone());
+        let assumed = BigRational::from_integer(ATMOSPHERE.into());
+        let ambient = ambient.unwrap_or_else(|| assumed.clone());
+        let law = self.law(cycle, beside, &ambient)?;
+        law.check(cycle).map_err(|mistake| self.told(mistake))?;
+        let index = laws.iter().position(|known| *known == law).unwrap_or(laws.len());
+        if index == laws.len() {
+            laws.push(law);
+        }
+        Ok(Chamber {
+            bore: super::quantities::positive_metres(bore)?,
+            crankcase_assumed: crankcase.is_none(),
+            crankcase: crankcase.unwrap_or(assumed),
+            law: index,
+            zero: self.pick(|keys| &keys.dead_centre).map_or(Ok(DeadCentre::Crank), dead_centre)?,
+        })
+    }
+
+    fn law(&self, cycle: Cycle, beside: Beside<'_>, ambient: &BigRational) -> Result<PressureLaw, LayoutError> {
+        let says = |keys: &Keys| keys.table.is_some() || keys.pressure.is_some() || keys.process.is_some();
+        let Some(keys) = self.says(says) else {
+            let right = "add process = \"spark-ignition\", \"diesel\" or \"compressor\", table = \"indicator.csv\", or pressure = [[angle, pressure], …]";
+            return Err(LayoutError::new("gas without a pressure", right, self.span.clone()));
+        };
+        let twice = |span| {
+            let right = "one of table, pressure and process is enough";
+            Err(LayoutError::new("the pressure is given twice", right, span))
+        };
+        match (&keys.table, &keys.pressure, &keys.process) {
+            (Some(path), None, None) => {
+                let reading = self.reading(ambient)?;
+                self.only_of_a_table()?;
+                Ok(PressureLaw::Table(gas_table::beside(path, beside, &reading, cycle)?))
+            }
+            (None, Some(rows), None) => {
+                let reading = self.reading(ambient)?;
+                self.only_of_a_table()?;
+                Ok(PressureLaw::Table(gas_table::inline(rows, &reading, cycle)?))
+            }
+            (None, None, Some(process)) => {
+                for (key, text) in [("unit", self.pick(|k| &k.unit)), ("reading", self.pick(|k| &k.reading))] {
+                    if let Some(text) = text {
+                        let message = format!("{key} beside a process");
+                        let right = "it is of tables; the pressures of a process are absolute, each with its unit";
+                        return Err(LayoutError::new(message, right, place(text)));
+                    }
+                }
+                gas_process::read(process, &Settings(self), cycle)
+            }
+            (_, Some(rows), _) => twice(place(rows)),
+            (Some(path), _, _) => twice(place(path)),
+            (None, None, None) => unreachable!("one of the three is there"),
+        }
+    }
+
+    /// Values of a process beside a table would be without effect.
+    fn only_of_a_table(&self) -> Result<(), LayoutError> {
+        match gas_process::KEYS.iter().find_map(|(name, key)| Some((name, self.pick(*key)?))) {
+            None => Ok(()),
+            Some((name, text)) => {
+                let message = format!("{name} beside a table of pressures");
+                Err(LayoutError::new(
+                    message,
+                    "it is of a process; the table has the pressures themselves",
+                    place(text),
+                ))
+            }
+        }
+    }
+
+    fn reading(&self, ambient: &BigRational) -> Result<Reading, LayoutError> {
+        let unit = self.pick(|keys| &keys.unit).map(|text| {
+            let written = &text.get_ref().0;
+            units::pressure_unit(written).map_err(|right| misread("unit", written, right, text))
+        });
+        let added = match self.pick(|keys| &keys.reading) {
+            None => BigRational::zero(),
+            Some(text) => match text.get_ref().0.as_str() {
+                "absolute" => BigRational::zero(),
+                "gauge" => ambient.clone(),
+                other => return Err(misread("reading", other, "\"absolute\" or \"gauge\"".to_owned(), text)),
+            },
+        };
+        Ok(Reading { unit: unit.transpose()?, added })
+    }
+
+    /// A mistake with its place.
+    pub fn told(&self, mistake: GasMistake) -> LayoutError {
+        let span = match mistake.at {
+            At::Setting(setting) => {
+                let own = gas_process::KEYS.iter().find(|(name, _)| *name == setting.key());
+                own.and_then(|(_, key)| self.pick(*key)).and_then(place)
+            }
+            At::All | At::Row(_) => None,
+        };
+        LayoutError::new(mistake.message, mistake.right, span.or_else(|| self.span.clone()))
+    }
+}
+
+fn dead_centre(text: &Text) -> Result<DeadCentre, LayoutError> {
+    match text.get_ref().0.as_str() {
+        "crank" => Ok(DeadCentre::Crank),
+        "piston" => Ok(DeadCentre::Piston),
+        other => Err(misread("dead centre", other, "\"crank\" or \"piston\"".to_owned(), text)),
+    }
+}

@@ -1,0 +1,58 @@
+//! What is odd about a pressure, though it can be?
+
+use num_rational::BigRational;
+
+use super::cylinder::CylinderGas;
+use crate::engine::{Cycle, PressureLaw};
+
+/// Something that a person should look at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Warning {
+    /// The largest pressure, in pascals, is below 5 bar or above 400 bar: a unit, perhaps.
+    Peak(f64),
+    /// The largest pressure stands at this angle in degrees, not shortly after the firing dead centre.
+    PeakAngle(f64),
+    /// The gas takes work instead of giving it, this mean torque in newton-metres: a wrong dead centre, or the other way round.
+    TakesWork(f64),
+    /// The rows of the table stand so many degrees apart: more than 5.
+    Coarse(f64),
+}
+
+/// Angles of the largest pressure that are usual, in degrees.
+const USUAL_PEAK: std::ops::RangeInclusive<f64> = -5.0..=40.0;
+/// Largest pressures that are usual, in pascals.
+const USUAL_PRESSURE: std::ops::RangeInclusive<f64> = 5e5..=4e7;
+/// Rows farther apart than this, in degrees, leave much to the lines between them.
+const WIDEST_STEP: i64 = 5;
+
+impl CylinderGas {
+    /// What is odd about the pressure of this law.
+    pub fn warnings(&self, law: &PressureLaw, cycle: Cycle) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        let table = match law {
+            // What a compressor and a motored cylinder do is as it should be.
+            PressureLaw::Stage(_) => return warnings,
+            PressureLaw::Cycle(ideal) if ideal.is_motored() => return warnings,
+            PressureLaw::Cycle(_) => None,
+            PressureLaw::Table(table) => Some(table),
+        };
+        let (peak, at) = self.peak_pressure();
+        if !USUAL_PRESSURE.contains(&peak) {
+            warnings.push(Warning::Peak(peak));
+        }
+        let half = self.period() / 2.0;
+        let degrees = ((at - self.zero() + half).rem_euclid(self.period()) - half).to_degrees();
+        if !USUAL_PEAK.contains(&degrees) {
+            warnings.push(Warning::PeakAngle(degrees));
+        }
+        let mean = self.work() / self.period();
+        if mean <= 0.0 {
+            warnings.push(Warning::TakesWork(mean));
+        }
+        let widest = table.map(|table| table.widest_step(cycle) * BigRational::from_integer(360.into()));
+        if let Some(step) = widest.filter(|step| *step > BigRational::from_integer(WIDEST_STEP.into())) {
+            warnings.push(Warning::Coarse(super::law::float(&step)));
+        }
+        warnings
+    }
+}

@@ -1,0 +1,103 @@
+//! What stands on the page of the torque, and on the terminal?
+
+use super::{plots, settings, tables, words};
+use crate::engine::Engine;
+use crate::page::{Block, Document, Fold, phrase};
+use crate::torque::{EngineTorque, guide_moments};
+
+const ORDERS: &str = "Order κ of the torque is the harmonic of one cylinder times the firing star $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, \
+    $\\varphi_j$ the crank angle at which cylinder j fires: where the star is 0, exactly, the order vanishes for every pressure that the cylinders share. \
+    At whole orders gas and inertia add as vectors; halves are the gas alone. Zero to peak.";
+
+const GUIDES: &str = "The couple of a cylinder's guide and crank forces is its torque: H is the order of the torque, which rocks the frame about the shaft; X is \
+    the sum of the couples, each times its distance from the middle, over the rod length, and twists it.";
+
+const FLYWHEEL: &str = "At a constant load $J = \\Delta W / (\\delta\\,\\omega^2)$, δ the largest less the smallest speed over their mean: exact, with the \
+    inertia torque at the mean speed. The energy of what goes back and forth adds the mean of $\\sum m\\,s'^2$ to J, nearly; the balance of energy \
+    $\\tfrac12 (J + \\sum m\\,s'^2)\\,\\omega^2 = E_0 + \\int (T_g - \\bar T)\\,d\\theta$ has it whole.";
+
+const FOUND: &str = "The gas presses with $F_g = (p - p_c)\\,A$ on the piston and turns the crank with $T = -F_g\\,s'$, s the piston's way outward, the prime \
+    $d/d\\psi$; the mass m adds $-m\\,s'\\,s''\\,\\omega^2$. Mean and orders are integrals over the smooth pieces of the pressure, each by itself; largest, smallest and \
+    the work of the flywheel are found in the torque itself, not in its series. A harmonic is at most $2\\,\\mathrm{Var}(T')/(\\Psi\\kappa^2)$, Ψ the cycle.";
+
+/// The short answer.
+pub fn torque_answer(engine: &Engine, torque: &EngineTorque) -> Document {
+    let mut answer = Document::new("torque", engine.title());
+    answer.blocks.extend(words::answer(engine, torque).into_iter().map(Block::Paragraph));
+    answer.push(tables::orders(torque));
+    answer.blocks.extend(words::warnings(engine, torque).into_iter().map(Block::Note));
+    if has_assumed(engine) {
+        answer.push(Block::Note("Some values of the gas are assumed: the page, with --output, lists them.".into()));
+    }
+    answer
+}
+
+/// What the report of an engine shows of its torque, where the file asks for the gas; none where it does not.
+pub(in crate::report) fn torque_section(engine: &Engine) -> Vec<Block> {
+    if !engine.effects().gas {
+        return Vec::new();
+    }
+    let heading = Block::Heading(1, "Torque of gas and inertia".into());
+    match crate::torque::torque(engine) {
+        Err(lack) => vec![heading, Block::Paragraph(phrase!("No torque: {}.", lack.to_string()))],
+        Ok(torque) => {
+            let mut blocks = vec![heading, Block::List(words::answer(engine, &torque))];
+            blocks.extend(words::warnings(engine, &torque).into_iter().map(Block::Note));
+            blocks.push(plots::torque(&torque).into());
+            blocks.push(Block::Paragraph(ORDERS.into()));
+            blocks.push(tables::orders(&torque).into());
+            blocks.push(Block::Paragraph(words::roll(engine, &torque)));
+            blocks.push(Block::Folded(Fold {
+                summary: "Gas: what is given and assumed".into(),
+                blocks: vec![settings::table(engine, &torque).into(), Block::List(words::assumptions(engine))],
+            }));
+            blocks
+        }
+    }
+}
+
+/// The page, with its pictures.
+pub fn torque_page(engine: &Engine, torque: &EngineTorque) -> Document {
+    let mut page = Document::new("torque", phrase!("{}: torque", engine.title()));
+    let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
+    page.push(Block::Answer(words::answer(engine, torque)));
+    page.blocks.extend(words::warnings(engine, torque).into_iter().map(Block::Note));
+    page.push(plots::torque(torque));
+    section(&mut page, "Order by order");
+    page.push(Block::Paragraph(ORDERS.into()));
+    page.push(tables::orders(torque));
+    page.push(Block::Paragraph(words::roll(engine, torque)));
+    section(&mut page, "Pressure");
+    page.push(Block::Pictures(plots::pressure(engine, torque).into()));
+    page.push(tables::classes(engine, torque));
+    page.push(settings::table(engine, torque));
+    if let Some(evenness) = &torque.evenness {
+        section(&mut page, "Flywheel");
+        page.push(tables::flywheel(evenness));
+        page.push(Block::Paragraph(FLYWHEEL.into()));
+    }
+    if let Some(moments) = guide_moments(engine, torque).filter(|_| engine.cylinders().len() > 1) {
+        page.push(Block::Folded(Fold {
+            summary: "Guide-force moments".into(),
+            blocks: vec![Block::Paragraph(GUIDES.into()), tables::guides(&moments).into()],
+        }));
+    }
+    section(&mut page, "How it was found");
+    page.push(Block::Paragraph(FOUND.into()));
+    page.push(Block::Paragraph(tables::accuracy(torque)));
+    section(&mut page, "Assumptions");
+    page.push(Block::List(words::assumptions(engine)));
+    page
+}
+
+/// Whether some value of the gas was not given.
+fn has_assumed(engine: &Engine) -> bool {
+    use crate::engine::PressureLaw;
+    let Some(gas) = engine.gas() else { return false };
+    let of_law = |law: &PressureLaw| match law {
+        PressureLaw::Table(_) => false,
+        PressureLaw::Cycle(ideal) => !ideal.assumed.is_empty(),
+        PressureLaw::Stage(stage) => !stage.assumed.is_empty(),
+    };
+    gas.chambers.iter().any(|chamber| chamber.crankcase_assumed) || gas.laws.iter().any(of_law)
+}

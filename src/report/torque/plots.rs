@@ -1,0 +1,89 @@
+//! How do torque and pressure go through the cycle? The torque of gas and inertia, the pressure over the angle, the loop.
+
+use std::f64::consts::TAU;
+
+use crate::engine::Engine;
+use crate::page::plot::{Axis, Curve, Plot, Rule};
+use crate::page::{Picture, phrase};
+use crate::torque::{Class, EngineTorque};
+
+/// Steps of a revolution.
+const STEPS: usize = 360;
+/// More curves than this are not drawn in one plot.
+const MOST_CURVES: usize = 3;
+
+/// The torque through the cycle.
+pub(super) fn torque(torque: &EngineTorque) -> Picture {
+    let course = &torque.course;
+    let last = course.period().to_degrees().round();
+    let steps = (course.period() / TAU * STEPS as f64).round() as usize;
+    let points = |value: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+        (0..=steps)
+            .map(|step| course.period() * step as f64 / steps as f64)
+            .map(|theta| (theta.to_degrees(), value(theta)))
+            .collect()
+    };
+    let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
+    let mut plot = Plot::new("Torque", x, Axis::amplitude("Torque in N·m"));
+    if torque.has_inertia() {
+        plot.curves.push(Curve::new(1, "gas", points(&|theta| course.gas(theta))));
+        plot.curves.push(Curve::new(2, "inertia", points(&|theta| course.inertia(theta))));
+    }
+    plot.curves.push(Curve::new(0, "torque", points(&|theta| course.total(theta))));
+    plot.rules.push(Rule { at: torque.mean, upright: false, label: "mean".to_owned() });
+    Picture {
+        name: "gas-torque".to_owned(),
+        caption: phrase!(
+            "The torque on the crank through a cycle: that of the gas, that of the inertia of what goes back and forth, and both together. The dashed line is the mean."
+        ),
+        figure: plot.figure(),
+    }
+}
+
+/// The pressure over the angle, and over the volume.
+pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
+    let name = |class: &Class| {
+        let names: Vec<&str> = class.cylinders.iter().map(|&index| engine.cylinders()[index].name.as_str()).collect();
+        if torque.classes.len() == 1 { String::new() } else { names.join(", ") }
+    };
+    let drawn = || torque.classes.iter().take(MOST_CURVES).enumerate();
+    let half = torque.course.period() / 2.0;
+    let last = half.to_degrees().round();
+    let steps = (torque.course.period() / TAU * STEPS as f64).round() as usize;
+    let angle = |step: usize| -half + 2.0 * half * step as f64 / steps as f64;
+    let step = if last > 200.0 { 90 } else { 60 };
+    let mut over_angle = Plot::new(
+        "Pressure over the crank angle",
+        Axis::angle("Angle ψ after the firing dead centre in °", -last, last, step),
+        Axis::amplitude("Pressure in bar"),
+    );
+    let mut loops =
+        Plot::new("Pressure over the volume", Axis::amplitude("Volume in cm³"), Axis::amplitude("Pressure in bar"));
+    for (index, class) in drawn() {
+        let bar = |psi: f64| class.gas.pressure(psi) / 1e5;
+        let at = (0..=steps).map(angle);
+        over_angle.curves.push(Curve::new(
+            index,
+            name(class),
+            at.clone().map(|psi| (psi.to_degrees(), bar(psi))).collect(),
+        ));
+        let volume = |psi: f64| class.gas.geometry().volume(psi) * 1e6;
+        loops.curves.push(Curve::new(index, name(class), at.map(|psi| (volume(psi), bar(psi))).collect()));
+    }
+    [
+        Picture {
+            name: "pressure".to_owned(),
+            caption: phrase!(
+                "The absolute pressure of a cylinder over its own crank angle: 0° is the dead centre at which it fires."
+            ),
+            figure: over_angle.figure(),
+        },
+        Picture {
+            name: "loop".to_owned(),
+            caption: phrase!(
+                "The same pressure over the volume of the cylinder: the area of the loop is the work of a cycle."
+            ),
+            figure: loops.figure(),
+        },
+    ]
+}

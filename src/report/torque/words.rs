@@ -1,0 +1,174 @@
+//! What is said of the torque first, and what has to be known of it?
+
+use crate::engine::{Engine, Heat, PressureLaw};
+use crate::gas::Warning;
+use crate::page::{Number, Piece, Text, Unit, number, phrase};
+use crate::torque::{EngineTorque, Evenness};
+
+/// A decimal with its unit.
+pub(super) fn quantity(value: f64, unit: Unit) -> Text {
+    Piece::Quantity(value, unit).into()
+}
+
+/// An angle of the crank.
+pub(super) fn angle(degrees: f64) -> Text {
+    phrase!("≈ {}°", number::decimal(degrees))
+}
+
+/// The lines of the box.
+pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
+    let newton_metres = |value: f64| quantity(value, Unit::NEWTON_METRE);
+    let mut lines = vec![phrase!(
+        "**Torque.** The mean is {}, the largest {} at θ {}, the smallest {} at θ {}.",
+        newton_metres(torque.mean),
+        newton_metres(torque.highest.value),
+        angle(torque.highest.angle),
+        newton_metres(torque.lowest.value),
+        angle(torque.lowest.angle)
+    )];
+    lines.extend(
+        torque
+            .unevenness()
+            .map(|part| phrase!("**Unevenness.** It swings through {} times its mean.", Number::Decimal(part))),
+    );
+    if let (Some(power), Some(speed)) = (torque.power, &engine.dimensions().speed) {
+        let kilowatts = quantity(power / 1e3, Unit::KILOWATT);
+        lines.push(phrase!("**Power.** At {} rpm the gas gives {} to the crank.", number::given(speed), kilowatts));
+    }
+    lines.extend(torque.evenness.as_ref().map(|evenness| flywheel(engine, evenness)));
+    lines.extend(left_out(engine, torque));
+    lines
+}
+
+/// What the flywheel has to do, and does.
+fn flywheel(engine: &Engine, evenness: &Evenness) -> Text {
+    let energy = quantity(evenness.energy, Unit::JOULE);
+    let inertia = |value: f64| quantity(value, Unit::KILOGRAM_SQUARE_METRE);
+    let asked = engine.flywheel();
+    let needed = evenness.needed;
+    match (evenness.given, &asked.irregularity) {
+        (Some(given), None) => phrase!(
+            "**Flywheel.** It takes up and gives back {}: with an inertia of {} the irregularity is {}.",
+            energy,
+            inertia(given.inertia),
+            Number::Decimal(given.irregularity)
+        ),
+        (Some(given), Some(wanted)) => phrase!(
+            "**Flywheel.** It takes up and gives back {}: with an inertia of {} the irregularity is {}; for {} it has to be {}.",
+            energy,
+            inertia(given.inertia),
+            Number::Decimal(given.irregularity),
+            number::given(wanted),
+            inertia(needed.inertia)
+        ),
+        (None, Some(wanted)) => phrase!(
+            "**Flywheel.** It takes up and gives back {}: for an irregularity of {} all that turns with the crank needs the inertia {}.",
+            energy,
+            number::given(wanted),
+            inertia(needed.inertia)
+        ),
+        (None, None) => phrase!(
+            "**Flywheel.** It takes up and gives back {}: for an irregularity of 0.01, as an example, all that turns with the crank needs the inertia {}.",
+            energy,
+            inertia(needed.inertia)
+        ),
+    }
+}
+
+/// What is missing in the numbers, for the layout does not say enough.
+fn left_out(engine: &Engine, torque: &EngineTorque) -> Option<Text> {
+    if engine.dimensions().speed.is_none() {
+        return Some("The layout gives no speed: power, inertia torque and flywheel are left out.".into());
+    }
+    (!torque.has_inertia())
+        .then(|| "The layout gives no reciprocating masses: this is the torque of the gas alone.".into())
+}
+
+/// What the frame feels.
+pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
+    let [highest, lowest] = torque.roll.map(|extreme| quantity(extreme.value, Unit::NEWTON_METRE));
+    match engine.has_offset() {
+        false => phrase!(
+            "The frame feels the opposite of the torque as a roll moment, from {} to {}. The gas makes no shaking force, for it presses on the head as much as on the piston.",
+            lowest,
+            highest
+        ),
+        true => phrase!(
+            "The frame feels the opposite of the torque as a roll moment, and the shaking forces at the offset of their axes: together from {} to {}. The gas makes no shaking force, for it presses on the head as much as on the piston.",
+            lowest,
+            highest
+        ),
+    }
+}
+
+/// What a person should look at, by cylinders.
+pub(super) fn warnings(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
+    let told = |(class, warning): &(usize, Warning)| {
+        let of = cylinders(engine, torque, *class);
+        match warning {
+            Warning::Peak(pascals) => phrase!(
+                "Cylinders {}: the largest pressure is {}. Engines have 5 to 400 bar: is the unit right?",
+                of,
+                quantity(pascals / 1e5, Unit::BAR)
+            ),
+            Warning::PeakAngle(degrees) => phrase!(
+                "Cylinders {}: the largest pressure stands at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",
+                of,
+                angle(*degrees)
+            ),
+            Warning::TakesWork(mean) => phrase!(
+                "Cylinders {}: the gas takes a mean torque of {} in place of giving one: is the dead centre a revolution off, or does the table count backwards?",
+                of,
+                quantity(-mean, Unit::NEWTON_METRE)
+            ),
+            Warning::Coarse(degrees) => phrase!(
+                "Cylinders {}: rows of the table stand {} apart; the straight lines between them decide the higher orders.",
+                of,
+                angle(*degrees)
+            ),
+        }
+    };
+    torque.warnings.iter().map(told).collect()
+}
+
+/// The names of the cylinders of a class.
+pub(super) fn cylinders(engine: &Engine, torque: &EngineTorque, class: usize) -> Text {
+    let names: Vec<&str> =
+        torque.classes[class].cylinders.iter().map(|&index| engine.cylinders()[index].name.as_str()).collect();
+    Text::label(names.join(", "))
+}
+
+/// What the numbers rest on.
+pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
+    let mut list: Vec<Text> = vec![
+        "The crank turns at constant speed while the torque is found; the shaft is rigid; friction, the valve gear and the pumps take nothing.".into(),
+        "Every cylinder of a class has the same pressure in each cycle.".into(),
+        "A connecting rod is two masses, at its eyes; the torque of its own inertia beyond them is left out.".into(),
+        "Crank angles θ are those of the other reports; a cylinder's own angle ψ is 0 where its crank points along its axis and it fires.".into(),
+    ];
+    let laws = engine.gas().map_or(&[][..], |gas| &gas.laws);
+    if laws.iter().any(is_ideal) {
+        list.push("The ideal cycle: polytropic compression; heat by the Wiebe function, a = ln 1000, at a constant exponent and without loss to the walls; half a cosine where the pressure falls to that of the exhaust and, in 20°, to that of the intake.".into());
+    }
+    if laws.iter().any(finds_heat) {
+        list.push("The heat was not given, but found from the pressure that was.".into());
+    }
+    list
+}
+
+fn is_ideal(law: &PressureLaw) -> bool {
+    match law {
+        PressureLaw::Cycle(_) => true,
+        PressureLaw::Table(_) | PressureLaw::Stage(_) => false,
+    }
+}
+
+fn finds_heat(law: &PressureLaw) -> bool {
+    match law {
+        PressureLaw::Cycle(ideal) => match ideal.heat {
+            Heat::Released(_) => false,
+            Heat::PeakPressure(_) | Heat::MeanPressure(_) => true,
+        },
+        PressureLaw::Table(_) | PressureLaw::Stage(_) => false,
+    }
+}

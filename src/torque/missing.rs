@@ -1,0 +1,33 @@
+//! What does a layout lack for its torque?
+
+use std::fmt;
+
+use crate::gas::NoGas;
+
+/// Why an engine has no torque through its cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoTorque {
+    /// Its gas has no numbers.
+    Gas(NoGas),
+    /// Nothing says when its cylinders fire.
+    Firing,
+}
+
+impl fmt::Display for NoTorque {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoTorque::Gas(lack) => lack.fmt(f),
+            NoTorque::Firing => f.write_str(
+                "the layout does not say when its cylinders fire; above the first table, add firing_order = \"1-3-4-2\", or firing_angles with one angle a cylinder",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for NoTorque {}
+
+impl From<NoGas> for NoTorque {
+    fn from(lack: NoGas) -> Self {
+        NoTorque::Gas(lack)
+    }
+}

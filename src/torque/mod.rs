@@ -1,0 +1,109 @@
+//! Which torque does the engine give, how evenly does it turn, and what flywheel does it need?
+//!
+//! Each cylinder gives the torque of its gas and of its inertia, by its own angle ψ = θ − φ_j, φ_j where it fires. Equal cylinders
+//! are one class: the order κ of a class is `Re t_κ S_κ e^{iκθ}`, its star `S_κ = Σ e^{−iκφ_j}` exact (theory, section 12).
+
+mod class;
+mod course;
+mod evenness;
+mod guide;
+mod missing;
+mod order;
+
+pub use class::Class;
+pub use course::{Course, Extreme};
+pub use evenness::{Evenness, evenness};
+pub use guide::{GuideMoments, guide_moments};
+pub use missing::NoTorque;
+pub use order::{TorqueOrder, orders};
+
+use crate::engine::Engine;
+use crate::gas::{CylinderGas, Warning};
+
+/// The torque of an engine through its cycle and by orders.
+#[derive(Clone, Debug)]
+pub struct EngineTorque {
+    /// The classes of equal cylinders.
+    pub classes: Vec<Class>,
+    /// Through the cycle.
+    pub course: Course,
+    /// Orders of the cycle, rising; halves in a four-stroke.
+    pub orders: Vec<TorqueOrder>,
+    /// Mean torque in newton-metres.
+    pub mean: f64,
+    /// How far the mean of the series and the area of the loops are apart, as a part of the mean work of the gas.
+    pub balance: f64,
+    /// The largest torque.
+    pub highest: Extreme,
+    /// The smallest, which may be negative.
+    pub lowest: Extreme,
+    /// The largest and the smallest roll moment on the frame, without that of balancer shafts.
+    pub roll: [Extreme; 2],
+    /// How much the series up to the highest order misses of the torque, at most.
+    pub missed: f64,
+    /// Power at the speed in watts; none where no speed is given.
+    pub power: Option<f64>,
+    /// How evenly it turns; none where no speed is given.
+    pub evenness: Option<Evenness>,
+    /// What is odd about a pressure, by class.
+    pub warnings: Vec<(usize, Warning)>,
+}
+
+/// Orders of the torque are computed up to this one.
+pub const HIGHEST: u32 = 12;
+
+/// The torque of an engine, gas and inertia.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
+    let classes = class::classes(engine)?;
+    let course = Course::new(&classes);
+    let orders = orders(&classes);
+    let work: f64 = classes.iter().map(|class| class.gas.work() * class.cylinders.len() as f64).sum();
+    let mean: f64 = classes.iter().map(|class| class.harmonics.torque[0].re * class.cylinders.len() as f64).sum();
+    // Roundings are those of what goes back and forth within a cycle.
+    let moved = |gas: &CylinderGas| (gas.peak_pressure().0 + gas.crankcase()) * gas.geometry().swept();
+    let moved: f64 = classes.iter().map(|class| moved(&class.gas)).sum();
+    let omega = class::omega(engine);
+    let warnings = class::warnings(engine, &classes);
+    let [highest, lowest] = course.extremes(|theta| course.total(theta));
+    let missed =
+        course.angles().map(|theta| (course.total(theta) - mean - series(&orders, theta)).abs()).fold(0.0, f64::max);
+    Ok(EngineTorque {
+        mean,
+        balance: (mean * course.period() - work).abs() / work.abs().max(1e-3 * moved),
+        highest,
+        lowest,
+        roll: course.extremes(|theta| course.roll(theta)),
+        missed,
+        power: omega.map(|omega| mean * omega),
+        evenness: omega.filter(|omega| *omega > 0.0).map(|omega| evenness(engine, &course, omega)),
+        classes,
+        course,
+        orders,
+        warnings,
+    })
+}
+
+/// The sum of the orders at an angle.
+fn series(orders: &[TorqueOrder], theta: f64) -> f64 {
+    let at = |order: &TorqueOrder| {
+        let kappa = f64::from(order.order.halves()) / 2.0;
+        (order.total() * num_complex::Complex::cis(kappa * theta)).re
+    };
+    orders.iter().filter(|order| !order.vanishes).map(at).sum()
+}
+
+impl EngineTorque {
+    /// How uneven the torque is: the largest less the smallest, over the mean; none where the mean is zero.
+    pub fn unevenness(&self) -> Option<f64> {
+        let part = (self.highest.value - self.lowest.value) / self.mean.abs();
+        part.is_finite().then_some(part)
+    }
+
+    /// Whether the masses' inertia is in it.
+    pub fn has_inertia(&self) -> bool {
+        self.classes.iter().all(|class| class.inertia.is_some())
+    }
+}
