@@ -13,7 +13,7 @@ use super::masses::Masses;
 use super::pages::shown;
 use super::spoken::Spoken;
 use super::verify::proved;
-use super::{EngineAndOrders, write};
+use super::{EngineAndOrders, layouts, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]
@@ -67,12 +67,25 @@ impl Classify {
     }
 
     fn run_firing(&self) -> Result<(), Failure> {
-        let engine = firing::engine(&self.about.layout)?;
+        let engine = match layouts::read(&self.about.layout)? {
+            Layout::Known(engine, _) => engine,
+            Layout::Open(family) => return self.run_open_firing(&family),
+        };
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
         match self.json {
             true => write::to_stdout(&proved(&report::firing_document(&study, self.all_orders))?),
             false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language())),
         }
+    }
+
+    fn run_open_firing(&self, family: &Family) -> Result<(), Failure> {
+        if self.json {
+            return Err(Failure::new(
+                "--json of firing stars needs an engine without unknowns; give them values below [values], or leave --json out",
+            ));
+        }
+        let study = firing::open_study(family, &self.about.orders, &self.mode)?;
+        write::to_stdout(&shown(&report::open_firing_answer(&study), self.spoken.language()))
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {

@@ -1,11 +1,12 @@
 //! `firing`: which orders of the gas torque vanish, whatever the pressure is?
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use crankstar::engine::{CycleOrder, Engine};
+use crankstar::BigRational;
+use crankstar::engine::{CycleOrder, Engine, Family};
 use crankstar::file::{self, Layout, parse_number};
 use crankstar::firing::Weights;
-use crankstar::report::{self, FiringStudy};
+use crankstar::report::{self, FiringStudy, OpenFiringStudy};
 
 use super::failure::Failure;
 use super::layouts;
@@ -44,18 +45,15 @@ impl Firing {
             let answer = report::firing_catalogue_answer(&engines, self.cycle.into());
             return self.pages.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
         };
-        let engine = engine(layout)?;
-        let study = study(&engine, &self.orders, &self.mode)?;
-        self.pages.show(&report::firing_answer(&study), || report::firing_page(&study))
-    }
-}
-
-/// The engine of a layout without unknowns.
-pub fn engine(layout: &Path) -> Result<Engine, Failure> {
-    match layouts::read(layout)? {
-        Layout::Known(engine, _) => Ok(*engine),
-        Layout::Open(_) => {
-            Err(Failure::new("firing stars need an engine without unknowns; give them values below [values]"))
+        match layouts::read(layout)? {
+            Layout::Known(engine, _) => {
+                let study = study(&engine, &self.orders, &self.mode)?;
+                self.pages.show(&report::firing_answer(&study), || report::firing_page(&study))
+            }
+            Layout::Open(family) => {
+                let study = open_study(&family, &self.orders, &self.mode)?;
+                self.pages.show(&report::open_firing_answer(&study), || report::open_firing_page(&study))
+            }
         }
     }
 }
@@ -65,18 +63,32 @@ pub fn study<'a>(engine: &'a Engine, orders: &[CycleOrder], mode: &ModeShape) ->
     FiringStudy::new(engine, orders, mode.read()?).map_err(Failure::new)
 }
 
+/// Judges the stars that are asked for of a layout with unknowns.
+pub fn open_study<'a>(
+    family: &'a Family,
+    orders: &[CycleOrder],
+    mode: &ModeShape,
+) -> Result<OpenFiringStudy<'a>, Failure> {
+    OpenFiringStudy::new(family, orders, mode.deflections()?).map_err(Failure::new)
+}
+
 impl ModeShape {
     /// Whether one is given.
     pub fn is_given(&self) -> bool {
         !self.mode_shape.is_empty()
     }
 
-    fn read(&self) -> Result<Weights, Failure> {
+    /// The deflections, where they are given.
+    pub fn deflections(&self) -> Result<Option<Vec<BigRational>>, Failure> {
         let value =
             |text: &String| parse_number(text.trim()).map_err(|error| Failure::new(format!("--mode-shape: {error}")));
         match self.mode_shape.as_slice() {
-            [] => Ok(Weights::Rigid),
-            values => Ok(Weights::ModeShape(values.iter().map(value).collect::<Result<_, _>>()?)),
+            [] => Ok(None),
+            values => values.iter().map(value).collect::<Result<_, _>>().map(Some),
         }
+    }
+
+    fn read(&self) -> Result<Weights, Failure> {
+        Ok(self.deflections()?.map_or(Weights::Rigid, Weights::ModeShape))
     }
 }

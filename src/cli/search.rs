@@ -8,10 +8,12 @@ use clap::ValueEnum;
 use crankstar::engine;
 use crankstar::exact::Turn;
 use crankstar::file::parse_angle;
+use crankstar::page::Document;
 use crankstar::report;
 use crankstar::search::{self, Options, Problem, Progress};
 
 use super::failure::Failure;
+use super::firing::ModeShape;
 use super::pages::Pages;
 use super::{print_json, progress};
 
@@ -39,6 +41,12 @@ pub struct Search {
     /// Compare by neighbours that fire in succession too
     #[arg(long)]
     neighbours: bool,
+    /// Judge the firing orders of each star by their minor orders in a mode of torsional vibration that falls evenly along the shaft,
+    /// or in --mode-shape; for engines in line
+    #[arg(long, conflicts_with = "bank_angle")]
+    torsion: bool,
+    #[command(flatten)]
+    mode: ModeShape,
     /// Keep every finished piece in this file, and go on from it; interrupt at will
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
@@ -73,6 +81,13 @@ impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let problem = self.problem()?;
+        if self.mode.is_given() && !self.torsion {
+            return Err(Failure::new("--mode-shape weighs the firing stars of firing orders; add --torsion"));
+        }
+        let shape = self.mode.deflections()?;
+        if self.torsion {
+            search::mode_shape(&problem, shape.clone()).map_err(Failure::new)?;
+        }
         let bar = progress::bar("pieces");
         let progress = |progress: Progress| {
             bar.set_length(progress.pieces as u64);
@@ -85,10 +100,18 @@ impl Search {
         let front = search::search(&problem, &options);
         bar.finish_and_clear();
         let front = front.map_err(Failure::new)?;
-        if self.json {
-            return print_json(&search::document(&front));
+        let torsion = self.torsion.then(|| search::torsion(&front, shape)).transpose().map_err(Failure::new)?;
+        let with_torsion = |mut page: Document| {
+            page.blocks.extend(torsion.iter().flat_map(|torsion| report::search_torsion(&front, torsion)));
+            page
+        };
+        match (self.json, &torsion) {
+            (true, Some(torsion)) => print_json(&search::document(&front).with_torsion(torsion)),
+            (true, None) => print_json(&search::document(&front)),
+            (false, _) => self
+                .pages
+                .show(&with_torsion(report::search_answer(&front)), || with_torsion(report::search_page(&front))),
         }
-        self.pages.show(&report::search_answer(&front), || report::search_page(&front))
     }
 
     fn problem(&self) -> Result<Problem, Failure> {

@@ -1,11 +1,13 @@
 //! `sweep`: how does the balance change with a value of the layout file?
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
+use crankstar::engine::CycleOrder;
 use crankstar::file::{Beside, Template};
 use crankstar::page::File;
 use crankstar::report;
@@ -25,6 +27,9 @@ pub struct Sweep {
     /// The orders to judge [default: those of the layout file, else 1,2,4,6]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
+    /// Judge the firing stars, the orders of the gas torque, too: 1/2,1,3/2
+    #[arg(long, value_delimiter = ',', value_name = "ORDERS")]
+    firing_orders: Vec<CycleOrder>,
     /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
     #[arg(long, value_enum)]
     format: Option<Format>,
@@ -87,7 +92,7 @@ impl ValueEnum for Format {
 impl Sweep {
     /// Prints the points, or writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let sweep = self.ranges.sweep(&self.layout, &self.orders)?;
+        let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders)?;
         match self.format {
             Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
             format => {
@@ -122,7 +127,7 @@ impl Ranges {
     }
 
     /// Sweeps a layout.
-    pub fn sweep(&self, layout: &Path, orders: &[u32]) -> Result<sweep::Sweep, Failure> {
+    pub fn sweep(&self, layout: &Path, orders: &[u32], firing: &[CycleOrder]) -> Result<sweep::Sweep, Failure> {
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
@@ -132,6 +137,13 @@ impl Ranges {
         orders.dedup();
         let spinner = progress::spinner("sweeping");
         let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
+        let sweep = sweep.and_then(|mut sweep| {
+            let firing: Vec<CycleOrder> = firing.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+            if !firing.is_empty() {
+                sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing)?);
+            }
+            Ok(sweep)
+        });
         spinner.finish_and_clear();
         sweep.map_err(Failure::new)
     }

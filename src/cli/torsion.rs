@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use crankstar::engine::CycleOrder;
+use crankstar::file::Layout;
 use crankstar::report::{self, TorsionStudy};
 
 use super::failure::Failure;
 use super::pages::Pages;
-use super::{firing, print_json};
+use super::{layouts, print_json};
 
 /// Arguments of `torsion`.
 #[derive(clap::Args)]
@@ -27,7 +28,14 @@ pub struct Torsion {
 impl Torsion {
     /// Prints the critical speeds, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let engine = firing::engine(&self.layout)?;
+        let engine = match layouts::read(&self.layout)? {
+            Layout::Known(engine, _) => engine,
+            Layout::Open(_) => {
+                return Err(Failure::new(
+                    "a shaft that twists needs an engine without unknowns; give them values below [values]",
+                ));
+            }
+        };
         let study = TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)?;
         if self.json {
             return print_json(&report::torsion_document(&study));

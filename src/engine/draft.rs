@@ -11,6 +11,7 @@ use super::form::Form;
 use super::gas::Gas;
 use super::length::LengthUnit;
 use super::model::Effects;
+use super::open_firing::OpenFiring;
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
 use crate::exact::Turn;
@@ -50,6 +51,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub cycle: Option<Cycle>,
     /// When the cylinders fire.
     pub firing: Option<Firing>,
+    /// What a family says of its firing, whose angles hold unknowns; none in an engine.
+    pub open_firing: Option<OpenFiring>,
     /// What presses on the pistons; none where nothing is known of it.
     pub gas: Option<Gas>,
     /// What is known, or wanted, of the flywheel.
@@ -95,6 +98,7 @@ impl<A, L> Draft<A, L> {
             orders: Vec::new(),
             cycle: None,
             firing: None,
+            open_firing: None,
             gas: None,
             flywheel: Flywheel::default(),
             bearings: Vec::new(),
@@ -124,6 +128,7 @@ impl<A, L> Draft<A, L> {
             orders: self.orders.clone(),
             cycle: self.cycle,
             firing: self.firing.clone(),
+            open_firing: self.open_firing.clone(),
             gas: self.gas.clone(),
             flywheel: self.flywheel.clone(),
             bearings: self.bearings.clone(),

@@ -34,10 +34,12 @@ impl Family {
         let known = |linear: &Linear| Some(linear.with(values));
         let plane = self.plane(self.reference_plane().with(values));
         let cylinders = self.cylinders().iter().filter_map(|cylinder| cylinder.map(known, known)).collect();
-        self.draft().with_cylinders(cylinders, plane).build()
+        let mut draft = self.draft().with_cylinders(cylinders, plane);
+        draft.open_firing = self.open_firing().map(|firing| firing.with(values));
+        draft.build()
     }
 
-    /// The one engine of a family without unknowns; `None` where one is left.
+    /// The one engine of a family without unknowns; `None` where one is left. It fires where the family can with its values.
     ///
     /// # Errors
     /// What does not hold together in it.
@@ -46,7 +48,11 @@ impl Family {
         let cylinders = self.cylinders().iter().map(|cylinder| cylinder.map(turn, |place| place.as_known().cloned()));
         let cylinders = cylinders.collect::<Option<Vec<_>>>()?;
         let plane = self.plane(self.reference_plane().as_known()?.clone());
-        Some(self.draft().with_cylinders(cylinders, plane).build())
+        let mut draft = self.draft().with_cylinders(cylinders, plane);
+        if let Some((cycle, open)) = self.cycle().zip(draft.open_firing.take()) {
+            draft.firing = open.known(cycle, &draft.cylinders);
+        }
+        Some(draft.build())
     }
 
     /// The plane of a member, named where that of the family is.

@@ -12,8 +12,8 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::left::ratio;
-use super::{OpenSum, phase, sums_of};
-use crate::engine::{Cylinder, Family, Linear};
+use super::{OpenSum, Part, phase, sums_of};
+use crate::engine::{Cylinder, Family, Linear, PHI};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::proof::{Quantity, Sense};
 
@@ -64,29 +64,47 @@ pub fn component_zeros(family: &Family, quantity: Quantity, order: u32, componen
 }
 
 fn zeros_of(sum: &OpenSum) -> Zeros {
-    let parts: Vec<_> = sum.left().collect();
-    let Some(first) = parts.first() else { return Zeros::Everywhere };
-    if parts.iter().any(|part| !part.delta.is_zero()) {
-        return Zeros::NotSolved;
+    let (none, one) = (BigRational::zero(), BigRational::one());
+    if sum.left().next().is_none() {
+        return Zeros::Everywhere;
     }
-    let Some(ratios) = parts.iter().map(|part| ratio(&part.sum, &first.sum)).collect::<Option<Vec<_>>>() else {
-        return Zeros::NotSolved;
+    let inside = |values: BTreeSet<BigRational>| {
+        Zeros::At(values.into_iter().filter(|value| *value != none && *value != one).map(Turn::new).collect())
     };
-    // x = e^{iφ/unit}, and the exponents are whole from the lowest on.
-    let unit = parts.iter().fold(BigInt::one(), |unit, part| unit.lcm(part.phi.denom()));
+    values_of_multiples(sum, PHI, [&none, &one]).map_or(Zeros::NotSolved, inside)
+}
+
+/// The values of an unknown x in a range, in turns and with its ends, at which a sum vanishes whose parts are rational multiples
+/// of one of them; `None` where they are not, where another unknown enters, or where the polynomial is too long.
+pub(super) fn values_of_multiples(
+    sum: &OpenSum,
+    unknown: &str,
+    range: [&BigRational; 2],
+) -> Option<BTreeSet<BigRational>> {
+    let parts: Vec<_> = sum.left().collect();
+    let first = parts.first()?;
+    let split = |part: &Part| match unknown {
+        PHI => (part.phi.clone(), part.delta.is_zero()),
+        _ => (part.delta.clone(), part.phi.is_zero()),
+    };
+    let (multiples, alone): (Vec<BigRational>, Vec<bool>) = parts.iter().map(|part| split(part)).unzip();
+    if alone.contains(&false) {
+        return None;
+    }
+    let ratios = parts.iter().map(|part| ratio(&part.sum, &first.sum)).collect::<Option<Vec<_>>>()?;
+    // z = e^{ix/unit}, and the exponents are whole from the lowest on.
+    let unit = multiples.iter().fold(BigInt::one(), |unit, multiple| unit.lcm(multiple.denom()));
     let scale = BigRational::from_integer(unit.clone());
-    let exponents: Vec<BigInt> = parts.iter().map(|part| (&part.phi * &scale).to_integer()).collect();
-    let Some(lowest) = exponents.iter().min().cloned() else { return Zeros::Everywhere };
+    let exponents: Vec<BigInt> = multiples.iter().map(|multiple| (multiple * &scale).to_integer()).collect();
+    let lowest = exponents.iter().min().cloned()?;
     let places = exponents.iter().map(|exponent| (exponent - &lowest).to_usize().filter(|at| *at <= HIGHEST_DEGREE));
-    let (Some(places), Some(unit)) = (places.collect::<Option<Vec<usize>>>(), unit.to_i64()) else {
-        return Zeros::NotSolved;
-    };
+    let places = places.collect::<Option<Vec<usize>>>()?;
     let degree = places.iter().max().copied().unwrap_or(0);
     let mut polynomial = vec![BigRational::zero(); degree + 1];
     for (place, ratio) in places.into_iter().zip(ratios) {
         polynomial[place] += ratio;
     }
-    roots(polynomial).map_or(Zeros::NotSolved, |found| Zeros::At(bank_angles(&found, unit)))
+    Some(roots(polynomial)?.into_iter().flat_map(|n| values_at(n, &scale, range)).collect())
 }
 
 /// The orders n of the primitive roots of unity that are roots; `None` where other roots may lie on the unit circle.
@@ -141,11 +159,17 @@ fn divided(dividend: &[BigRational], divisor: &[BigRational]) -> Option<Vec<BigR
     rest.iter().all(Zero::is_zero).then_some(quotient)
 }
 
-/// The φ in (0°, 360°) with `e^{iφ/unit}` a primitive n-th root of unity for one of these n.
-fn bank_angles(orders: &[i64], unit: i64) -> BTreeSet<Turn> {
-    let angles = orders.iter().flat_map(|&n| (0..n).filter(move |a| a.gcd(&n) == 1).map(move |a| (a, n)));
-    // x = e^{2πi a/n} is e^{iφ/unit} for φ = unit · a/n turns.
-    let turns = angles.map(|(a, n)| BigRational::new((a * unit).into(), n.into()));
-    let inside = |turns: &BigRational| *turns > BigRational::zero() && *turns < BigRational::one();
-    turns.filter(inside).map(Turn::new).collect()
+/// The x in a range with `e^{ix/unit}` a primitive n-th root of unity.
+fn values_at(n: i64, unit: &BigRational, [low, high]: [&BigRational; 2]) -> Vec<BigRational> {
+    // z = e^{2πi a/n} is e^{ix/unit} for x = unit · a/n turns, with any a prime to n.
+    let place = |end: &BigRational| end / unit * BigRational::from_integer(n.into());
+    let (mut a, last) = (place(low).ceil().to_integer(), place(high).floor().to_integer());
+    let mut values = Vec::new();
+    while a <= last {
+        if a.gcd(&BigInt::from(n)).is_one() {
+            values.push(unit * BigRational::new(a.clone(), n.into()));
+        }
+        a += 1;
+    }
+    values
 }

@@ -9,12 +9,14 @@ mod component;
 mod firing;
 mod left;
 mod solve;
+mod torque;
 
 pub use comparable::{NotComparable, comparable};
 pub use component::{Component, Zeros, component_zeros};
 pub use firing::even_firing;
 pub use left::{Left, left};
 pub use solve::{Alternative, Angles, Condition, Never, When};
+pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -163,7 +165,7 @@ fn sums_of(terms: &[(Linear, Linear)]) -> Vec<OpenSum> {
             weight.symbols().keys().map(Some).chain(known)
         })
         .collect();
-    symbols.into_iter().map(|symbol| open_sum(terms, symbol)).collect()
+    symbols.into_iter().map(|symbol| sum_of(terms, symbol)).collect()
 }
 
 /// The phase of a cylinder in the star of order k, with the unknowns in it.
@@ -172,7 +174,8 @@ pub fn phase(cylinder: &Cylinder<Linear, Linear>, order: u32, sense: Sense) -> L
     cylinder.throw.scaled(&of_throw).plus(&cylinder.bank.scaled(&of_bank))
 }
 
-fn open_sum(terms: &[(Linear, Linear)], symbol: Option<&String>) -> OpenSum {
+/// The part of a sum that a length multiplies, or of the known lengths.
+fn sum_of(terms: &[(Linear, Linear)], symbol: Option<&String>) -> OpenSum {
     let mut by_angle: BTreeMap<(BigRational, BigRational), Vec<Term>> = BTreeMap::new();
     for (angle, weight) in terms {
         let weight = symbol.map_or_else(|| weight.known().clone(), |symbol| weight.coefficient(symbol));

@@ -1,14 +1,17 @@
-//! How is a firing order written, and which throws make an in-line engine fire in it?
+//! How is it written when the cylinders fire, and which throws make an in-line engine fire in an order?
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use num_rational::BigRational;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::written::Written;
-use crate::engine::{Cycle, Cylinder, MOST_CYLINDERS};
+use super::quantities;
+use super::written::{Text, Written, place};
+use crate::engine::{Cycle, Cylinder, Family, MOST_CYLINDERS, OpenFiring};
 use crate::exact::Turn;
 
 /// A firing order as written: `"1-3-4-2"` or `[1, 3, 4, 2]`.
@@ -41,7 +44,11 @@ impl<'de> Deserialize<'de> for FiringOrder {
 
 impl FiringOrder {
     /// The cylinders by index; each has to fire once.
-    pub fn indices(&self, cylinders: &[Cylinder], span: Option<Range<usize>>) -> Result<Vec<usize>, LayoutError> {
+    pub fn indices<A, L>(
+        &self,
+        cylinders: &[Cylinder<A, L>],
+        span: Option<Range<usize>>,
+    ) -> Result<Vec<usize>, LayoutError> {
         let names: Vec<&str> = cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
         self.permutation(&names, span)
     }
@@ -85,4 +92,61 @@ impl FiringOrder {
             None => Ok(order),
         }
     }
+}
+
+/// What a file whose angles or positions are open says of its firing.
+pub(super) fn open_firing(
+    order: &Option<Spanned<FiringOrder>>,
+    angles: &Option<Spanned<Vec<Text>>>,
+    values: &BTreeMap<String, BigRational>,
+    family: &Family,
+) -> Result<Option<OpenFiring>, LayoutError> {
+    if family.cycle().is_none() {
+        return without_cycle(order, angles).map(|()| None);
+    }
+    match (order, angles) {
+        (None, None) => Ok(None),
+        (Some(order), None) => {
+            order.get_ref().indices(family.cylinders(), place(order)).map(OpenFiring::Order).map(Some)
+        }
+        (None, Some(list)) => {
+            let angle = |text| Ok(quantities::angle(text)?.with(values));
+            let angles = list.get_ref().iter().map(angle).collect::<Result<_, LayoutError>>()?;
+            OpenFiring::from_angles(angles, family.cylinders())
+                .map(Some)
+                .map_err(|(message, right)| LayoutError::new(message, right, place(list)))
+        }
+        (Some(_), Some(list)) => Err(both_given(list)),
+    }
+}
+
+/// An angle that may be written with unknowns that have values.
+pub(super) fn known_angle(text: &Text, values: &BTreeMap<String, BigRational>) -> Result<BigRational, LayoutError> {
+    match quantities::angle(text)?.with(values).as_known() {
+        Some(known) => Ok(known.clone()),
+        None => quantities::known_angle(text),
+    }
+}
+
+/// A file that says when the cylinders fire, and not in which cycle.
+pub(super) fn without_cycle(
+    order: &Option<Spanned<FiringOrder>>,
+    angles: &Option<Spanned<Vec<Text>>>,
+) -> Result<(), LayoutError> {
+    match order.as_ref().and_then(place).or(angles.as_ref().and_then(place)) {
+        None => Ok(()),
+        span => Err(LayoutError::new(
+            "when the cylinders fire depends on the cycle, which is missing",
+            "add cycle = \"four-stroke\" or \"two-stroke\"",
+            span,
+        )),
+    }
+}
+
+pub(super) fn both_given(angles: &Spanned<Vec<Text>>) -> LayoutError {
+    LayoutError::new(
+        "both a firing order and firing angles are given",
+        "one of them is enough: the angles say the order",
+        place(angles),
+    )
 }

@@ -13,7 +13,7 @@ use super::bearings;
 use super::beside::Beside;
 use super::crankshaft_keys;
 use super::error::LayoutError;
-use super::firing_order::FiringOrder;
+use super::firing_order::{self, FiringOrder};
 use super::flywheel_keys;
 use super::forms::{self, Expanded};
 use super::gas_keys;
@@ -159,6 +159,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         orders: file.orders.as_ref().map_or_else(|| Ok(Vec::new()), orders)?,
         cycle,
         firing: None,
+        open_firing: None,
         gas,
         flywheel: file.flywheel.as_ref().map_or_else(|| Ok(Default::default()), |table| table.0.read())?,
         bearings: bearings.transpose()?.unwrap_or_default(),
@@ -193,14 +194,13 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
             let message = "a shaft that twists in an engine whose angles or positions are open";
             return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
         }
-        return match file.firing_order.as_ref().and_then(place).or(file.firing_angles.as_ref().and_then(place)) {
-            None => Ok(Layout::Open(Box::new(valued.unwrap_or(family)))),
-            span => Err(LayoutError::new(
-                "when the cylinders fire cannot be judged while an angle or position is open",
-                "leave it out: the angles that fire evenly are found from the cycle",
-                span,
-            )),
+        let open = valued.unwrap_or(family);
+        let said = firing_order::open_firing(&file.firing_order, &file.firing_angles, &values, &open)?;
+        let open = match said {
+            Some(said) => built(Draft { open_firing: Some(said), ..open.into_draft() }.build())?,
+            None => open,
         };
+        return Ok(Layout::Open(Box::new(open)));
     };
     let mut engine = built(engine)?;
     if turning.place().is_some() {
@@ -211,7 +211,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    if let Some(firing) = firing(&file.firing_order, &file.firing_angles, cycle, engine.cylinders())? {
+    if let Some(firing) = firing(&file.firing_order, &file.firing_angles, &values, cycle, engine.cylinders())? {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
     }
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
@@ -405,20 +405,11 @@ fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
 fn firing(
     order: &Option<Spanned<FiringOrder>>,
     angles: &Option<Spanned<Vec<Text>>>,
+    values: &BTreeMap<String, BigRational>,
     cycle: Option<Cycle>,
     cylinders: &[Cylinder],
 ) -> Result<Option<Firing>, LayoutError> {
-    let Some(cycle) = cycle else {
-        let span = order.as_ref().and_then(place).or(angles.as_ref().and_then(place));
-        return match span {
-            None => Ok(None),
-            span => Err(LayoutError::new(
-                "when the cylinders fire depends on the cycle, which is missing",
-                "add cycle = \"four-stroke\" or \"two-stroke\"",
-                span,
-            )),
-        };
-    };
+    let Some(cycle) = cycle else { return firing_order::without_cycle(order, angles).map(|()| None) };
     match (order, angles) {
         (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
         (None, None) => Ok(None),
@@ -429,15 +420,12 @@ fn firing(
                 .map_err(|(message, right)| LayoutError::new(message, right, place(order)))
         }
         (None, Some(list)) => {
-            let angles = list.get_ref().iter().map(quantities::known_angle).collect::<Result<Vec<_>, _>>()?;
+            let angle = |text| firing_order::known_angle(text, values);
+            let angles = list.get_ref().iter().map(angle).collect::<Result<Vec<_>, _>>()?;
             Firing::from_angles(&angles, cycle, cylinders)
                 .map(Some)
                 .map_err(|(message, right)| LayoutError::new(message, right, place(list)))
         }
-        (Some(_), Some(list)) => Err(LayoutError::new(
-            "both a firing order and firing angles are given",
-            "one of them is enough: the angles say the order",
-            place(list),
-        )),
+        (Some(_), Some(list)) => Err(firing_order::both_given(list)),
     }
 }

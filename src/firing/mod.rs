@@ -14,6 +14,7 @@ use std::fmt;
 use num_rational::BigRational;
 
 use crate::engine::{Cycle, CycleOrder, Engine, Firing, HIGHEST_ORDER};
+use crate::exact::PhasorSum;
 pub use pattern::{FiringPattern, LONGEST_PATTERN, NoPattern, pattern};
 pub use star::{FiringStar, StarOrder};
 pub use strength::by_length;
@@ -98,6 +99,18 @@ pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -
         return Err(NoStar::HalfOrder(*order));
     }
     Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
+}
+
+/// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine, of half orders
+/// where it is known when the cylinders of a four-stroke fire.
+pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
+    let dead_centres = || Firing::two_stroke(engine.cylinders());
+    let firing = match order.is_whole() {
+        // In turns a revolution more leaves κφ as it is.
+        true => dead_centres(),
+        false => engine.firing().filter(|firing| order.exists_in(firing.cycle))?.clone(),
+    };
+    Some(star::sums(engine, &firing, order, &Weights::Rigid).into_iter().map(|(_, sum)| sum).collect())
 }
 
 /// The orders that are judged where none are asked for: up to the first at which all cylinders of an even order would add up,

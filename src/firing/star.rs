@@ -32,8 +32,12 @@ pub struct FiringStar {
 
 impl StarOrder {
     pub(super) fn new(engine: &Engine, firing: &Firing, order: CycleOrder, weights: &Weights) -> Self {
-        let star = |cylinders: Vec<usize>| FiringStar::new(engine, firing, order, weights, cylinders);
-        StarOrder { order, stars: classes(engine).into_iter().map(star).collect() }
+        let star = |(cylinders, sum): (Vec<usize>, PhasorSum)| FiringStar {
+            sources: cylinders.into_iter().map(Source::Piston).collect(),
+            certificate: sum.certificate(),
+            sum,
+        };
+        StarOrder { order, stars: sums(engine, firing, order, weights).into_iter().map(star).collect() }
     }
 
     /// Whether the order vanishes for every pressure law that all cylinders share.
@@ -63,16 +67,6 @@ impl StarOrder {
 }
 
 impl FiringStar {
-    fn new(engine: &Engine, firing: &Firing, order: CycleOrder, weights: &Weights, cylinders: Vec<usize>) -> Self {
-        let term = |&cylinder: &usize| Term {
-            angle: -&order.times(angle_of(firing, cylinder)),
-            weight: &engine.cylinders()[cylinder].crank_radius * weights.of(cylinder),
-        };
-        let sum = PhasorSum::new(cylinders.iter().map(term).collect());
-        let certificate = sum.certificate();
-        FiringStar { sources: cylinders.into_iter().map(Source::Piston).collect(), sum, certificate }
-    }
-
     /// Whether the sum is zero.
     pub fn vanishes(&self) -> bool {
         self.certificate.claims_zero()
@@ -84,6 +78,24 @@ impl<'a> From<&'a FiringStar> for JudgedStar<'a> {
         let FiringStar { sources, sum, certificate } = star;
         JudgedStar { quantity: Quantity::Torque, sources, sum, certificate }
     }
+}
+
+/// The sum of each class of cylinders, with the cylinders in it.
+pub(super) fn sums(
+    engine: &Engine,
+    firing: &Firing,
+    order: CycleOrder,
+    weights: &Weights,
+) -> Vec<(Vec<usize>, PhasorSum)> {
+    let term = |&cylinder: &usize| Term {
+        angle: -&order.times(angle_of(firing, cylinder)),
+        weight: &engine.cylinders()[cylinder].crank_radius * weights.of(cylinder),
+    };
+    let sum = |cylinders: Vec<usize>| {
+        let terms = cylinders.iter().map(term).collect();
+        (cylinders, PhasorSum::new(terms))
+    };
+    classes(engine).into_iter().map(sum).collect()
 }
 
 /// When a cylinder fires, in turns of the crank after the first of the firing order.

@@ -59,8 +59,8 @@ pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use figures::{NamedPicture, figures, sweep_figures};
 pub use firing::{
-    FiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document, firing_engine,
-    firing_page, run_as as run_in_cycle,
+    FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,
+    firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
@@ -71,7 +71,7 @@ pub use optimise::{
 pub use poster::{poster, poster_sheet};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{force_summary, moment_summary, order_name, whole_summary};
-pub use search::{search_answer, search_page};
+pub use search::{search_answer, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueDocument, torque_answer, torque_document, torque_page};

@@ -2,10 +2,14 @@
 
 use serde::Serialize;
 
+use crate::engine::CycleOrder;
+use crate::exact::PhasorSum;
+use crate::numbers;
 use crate::proof::Sense;
 
 use super::answer::Front;
 use super::found::{self, FoundStar, Moment};
+use super::torsion::{RankedOrder, Torsion};
 
 /// A front for other programs to read.
 #[derive(Clone, Debug, Serialize)]
@@ -45,8 +49,34 @@ pub struct StarDocument {
     pub classes: u64,
     /// Stars of equal values with cylinder 1 at 0.
     pub stars: u64,
+    /// The firing orders that are best in a mode of torsional vibration, where they are asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub torsion: Vec<FiringOrderDocument>,
     /// The engine as a layout file.
     pub layout: String,
+}
+
+/// A firing order, and the lengths of its phase-vector sums.
+#[derive(Clone, Debug, Serialize)]
+pub struct FiringOrderDocument {
+    /// Cylinders in firing order, `1-3-4-2`.
+    pub firing_order: String,
+    /// The minor orders up to the middle of a period.
+    pub sums: Vec<PhaseSumDocument>,
+}
+
+/// The phase-vector sum of an order of the cycle.
+#[derive(Clone, Debug, Serialize)]
+pub struct PhaseSumDocument {
+    /// The order, `3/2`.
+    pub order: String,
+    /// The length in closed form, where one is short enough to read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<String>,
+    /// The length in decimals.
+    pub decimal: f64,
+    /// Whether it is proved to be zero.
+    pub proved_zero: bool,
 }
 
 /// The moment of an order.
@@ -62,6 +92,27 @@ pub struct MomentDocument {
     pub exact: Option<String>,
     /// The length in decimals.
     pub decimal: f64,
+}
+
+impl FrontDocument {
+    /// The same with the best firing orders of each star in a mode of torsional vibration.
+    pub fn with_torsion(mut self, torsion: &Torsion) -> Self {
+        let sum = |(order, sum): (&CycleOrder, &PhasorSum)| {
+            let proved_zero = sum.vanishes();
+            let exact =
+                if proved_zero { Some("0".to_owned()) } else { numbers::modulus(sum).map(|form| form.to_string()) };
+            let decimal = if proved_zero { 0.0 } else { numbers::evaluate(sum).norm() };
+            PhaseSumDocument { order: order.exact().to_string(), exact, decimal, proved_zero }
+        };
+        for (star, judged) in self.stars.iter_mut().zip(&torsion.stars) {
+            let ranked = |ranked: &RankedOrder| FiringOrderDocument {
+                firing_order: ranked.name(),
+                sums: torsion.orders.iter().zip(&ranked.sums).map(sum).collect(),
+            };
+            star.torsion = judged.best.iter().map(ranked).collect();
+        }
+        self
+    }
 }
 
 /// The front as a document.
@@ -80,6 +131,7 @@ pub fn document(front: &Front) -> FrontDocument {
         neighbours: star.neighbours,
         classes: star.classes,
         stars: star.stars,
+        torsion: Vec::new(),
         layout: star.layout_file(problem),
     };
     FrontDocument {

@@ -28,12 +28,14 @@ mod run;
 mod space;
 mod symmetry;
 mod tables;
+mod torsion;
 mod value;
 mod walk;
 
 pub use answer::{Front, every_value};
 pub use best::{Best, best_in_line};
-pub use document::{FrontDocument, MomentDocument, StarDocument, document};
+pub use document::{FiringOrderDocument, FrontDocument, MomentDocument, PhaseSumDocument, StarDocument, document};
 pub use found::{FoundStar, Moment, Standing};
 pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Problem, ProblemError};
 pub use run::{Options, Progress, SearchError, search};
+pub use torsion::{MOST_TORSION_STARS, RankedOrder, StarTorsion, Torsion, mode_shape, torsion};

@@ -8,6 +8,7 @@
 mod counterweight;
 mod envelope;
 mod evenness;
+mod firing;
 mod integers;
 mod parameter;
 mod range;
@@ -18,6 +19,7 @@ mod zeros;
 pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope, section};
 pub use evenness::{Evenness, evenness};
+pub use firing::{FiringSweep, FiringZeros, StarLength, firing_stars};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
 pub use run::{Sweep, sweep};

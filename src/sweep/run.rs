@@ -8,6 +8,7 @@ use std::thread;
 use num_rational::BigRational;
 
 use super::envelope::Geometry;
+use super::firing::FiringSweep;
 use super::parameter::Parameter;
 use super::range::MOST_POINTS;
 use super::swept_engine::{Motions, SweptEngine, judge_with};
@@ -40,6 +41,8 @@ pub struct Sweep {
     pub curve: Vec<SweptEngine>,
     /// For one angle: where each vector vanishes, exactly; none for other parameters.
     pub zeros: Option<Vec<ZeroSet>>,
+    /// The firing stars, where they are asked for: see [`super::firing_stars`].
+    pub firing: Option<FiringSweep>,
     /// What moments are counted in.
     pub arm: Arm,
     /// Whether the amplitudes hold the coefficients c_k; else they are in multiples of them.
@@ -122,6 +125,7 @@ pub fn sweep(
         points,
         curve,
         zeros,
+        firing: None,
         arm: Arm::of(&first),
         rods_known: !first.mechanisms().is_empty(),
         geometry: geometry.clone(),

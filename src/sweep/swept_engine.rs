@@ -19,7 +19,7 @@ use crate::order::{self, Factor, OrderSum, Path};
 use crate::proof::{Quantity, Sense};
 
 /// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
-const SURELY_NOT_ZERO: f64 = 1e-9;
+pub(super) const SURELY_NOT_ZERO: f64 = 1e-9;
 
 /// An amplitude, zero to peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -66,10 +66,23 @@ impl ZeroSet {
 
 /// The family whose unknown is the parameter, and how many turns its unit is; `None` where the parameter is no angle.
 fn opened(template: &Template, parameter: &Parameter) -> Option<(Family, BigRational)> {
+    opened_without(template, parameter, &["firing_order", "firing_angles"])
+}
+
+/// The same with what the file says of its firing, where that fits every value.
+pub(super) fn opened_with_firing(template: &Template, parameter: &Parameter) -> Option<(Family, BigRational)> {
+    opened_without(template, parameter, &[]).or_else(|| opened(template, parameter))
+}
+
+fn opened_without(template: &Template, parameter: &Parameter, keys: &[&str]) -> Option<(Family, BigRational)> {
     let per_unit = file::turns_per_unit(parameter.range.unit())?;
-    let open =
-        template.without(&["firing_order", "firing_angles", "bearings", "crankshaft", "counterweight", "balancer"]);
-    let Ok(Layout::Open(open)) = open.layout(&[(&parameter.key, PHI)]) else { return None };
+    let open = template.without(&["bearings", "crankshaft", "counterweight", "balancer", "torsion"]).without(keys);
+    // The file itself may have an unknown angle, whose values are swept.
+    let layout = match parameter.key.to_string().strip_prefix("values.") {
+        Some(PHI) => open.without(&["values.phi"]).layout(&[]),
+        _ => open.layout(&[(&parameter.key, PHI)]),
+    };
+    let Ok(Layout::Open(open)) = layout else { return None };
     open.unknowns().into_iter().eq([PHI]).then_some((*open, per_unit))
 }
 

@@ -53,6 +53,7 @@ mod motion;
 mod moving;
 mod odd_surroundings;
 mod open_certificate_cheats;
+mod open_firing;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;
@@ -64,8 +65,10 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod search_torsion;
 mod side_force;
 mod sweep;
+mod sweep_firing;
 mod symbols;
 mod theorems;
 mod theory;

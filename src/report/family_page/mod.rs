@@ -7,7 +7,7 @@ mod words;
 
 pub use document::open_document;
 pub use picture::{amplitudes, amplitudes_caption};
-pub(super) use words::summary;
+pub(super) use words::{argument, condition_of, greek, summary, unknowns};
 
 use super::engine_page::{ASSUMED, FIRES, SEEN};
 use super::moving;
@@ -80,7 +80,7 @@ fn even_firing(family: &Family) -> Option<Text> {
     family::even_firing(family).map(|angles| words::even_firing_words(&angles))
 }
 
-fn left_open(family: &Family) -> Text {
+pub(super) fn left_open(family: &Family) -> Text {
     let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
     let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
     phrase!("Left open: {}.", unknowns)

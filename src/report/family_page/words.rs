@@ -44,7 +44,7 @@ pub(super) fn list(angles: &BTreeSet<Turn>) -> String {
     angles.iter().map(typeset::angle).collect::<Vec<_>>().join(", ")
 }
 
-fn condition_of(sum: &OpenSum) -> Option<Text> {
+pub(in crate::report) fn condition_of(sum: &OpenSum) -> Option<Text> {
     match &sum.when {
         When::Always => None,
         When::Never(_) => Some("never 0".into()),
@@ -72,7 +72,7 @@ fn conditions(angles: &Angles) -> Text {
 }
 
 /// `2φ − δ`.
-pub(super) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
+pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
     let parts = [(PHI, phi), (DELTA, delta)].map(|(name, factor)| Linear::symbol(name, factor.clone()));
     match parts.map(|part| (part != Linear::default()).then(|| greek(&part))) {
         [None, None] => "0".to_owned(),
@@ -92,7 +92,7 @@ pub(super) fn open_angle(angle: &Linear) -> String {
     }
 }
 
-fn greek(linear: &Linear) -> String {
+pub(in crate::report) fn greek(linear: &Linear) -> String {
     linear.to_string().replace(PHI, "φ").replace(DELTA, "δ")
 }
 
@@ -105,7 +105,7 @@ pub(super) fn open_length(length: &Linear) -> String {
 }
 
 /// Sentences on one sum: its parts, and why it vanishes where it does.
-pub(super) fn argument(sum: &OpenSum) -> Text {
+pub(in crate::report) fn argument(sum: &OpenSum) -> Text {
     let has_open_angles = sum.parts.iter().any(|part| !part.phi.is_zero() || !part.delta.is_zero());
     let one = |part: &Part| {
         let certificate = argument::certificate_of(&part.sum, &part.certificate);

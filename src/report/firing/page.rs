@@ -12,13 +12,13 @@ use crate::verdict::JudgedStar;
 /// At most so many stars are drawn.
 const MOST_DRAWN: usize = 12;
 
-const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
-const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
+pub(super) const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
+pub(super) const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
 
-const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
+pub(super) const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
                        where $t_\\kappa$ depends on the pressure in the cylinder. Where all cylinders have the same pressure and bore, order $\\kappa$ of the gas torque \
                        is $t_\\kappa$ times the firing star";
-const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
+pub(super) const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
                        the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
 const ASSUMED: [&str; 3] = [
     "Every cylinder fires once per cycle at the angle of the table, with the same pressure law and the same bore; a verdict holds whatever that law is. \

@@ -3,5 +3,7 @@
 mod page;
 mod pictures;
 mod table;
+mod torsion;
 
 pub use page::{search_answer, search_page};
+pub use torsion::search_torsion;

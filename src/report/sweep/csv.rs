@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::firing;
 use super::words::{amount, digits, exact, named, quantities, quantity_name};
 use crate::loads::Arm;
 use crate::page::File;
@@ -13,11 +14,16 @@ use crate::sweep::{Sweep, SweptEngine};
 /// After the parameters each order has, for force and moment, the largest and the smallest length in a revolution, the
 /// amplitudes along and across the reference direction, and those of the two rotating vectors; in multiples of m r ω², or of
 /// m r ω² c_k without rods, and again in newtons where mass, crank radius and speed are given. Then the firing intervals in
-/// degrees, the counterweights, and the envelope in crank radii.
+/// degrees, the counterweights, the envelope in crank radii, and the lengths of firing stars in crank radii where they are asked for.
 pub fn sweep_csv(sweep: &Sweep) -> File {
-    let mut text = header(sweep).join(",") + "\n";
-    for point in &sweep.points {
-        text += &(row(sweep, point).join(",") + "\n");
+    let stars =
+        sweep.firing.iter().flat_map(|firing| (0..firing.orders.len()).map(|place| firing::name(firing, place)));
+    let header = header(sweep).into_iter().chain(stars.map(|order| format!("firing_star_{order}_r")));
+    let mut text = header.collect::<Vec<_>>().join(",") + "\n";
+    for (index, point) in sweep.points.iter().enumerate() {
+        let stars = sweep.firing.iter().flat_map(|firing| &firing.points[index]);
+        let row = row(sweep, point).into_iter().chain(stars.map(|star| star.map(amount).unwrap_or_default()));
+        text += &(row.collect::<Vec<_>>().join(",") + "\n");
     }
     File { name: "sweep.csv".into(), text }
 }

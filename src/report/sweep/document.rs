@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::assumptions::assumptions;
 use super::words::{exact, named, quantities, quantity_name, unit, zeros_name};
 use crate::proof::Quantity;
-use crate::sweep::{Sweep, ZeroSet};
+use crate::sweep::{FiringZeros, Sweep, ZeroSet};
 
 /// A sweep as data.
 #[derive(Clone, Debug, Serialize)]
@@ -18,6 +18,9 @@ pub struct SweepDocument {
     moment_unit: String,
     /// Null where the parameter is no angle.
     zeros: Option<Vec<ZeroEntry>>,
+    /// Where the firing stars vanish, where they are asked for and the parameter is an angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    firing_zeros: Option<Vec<FiringZeroEntry>>,
     points: Vec<PointEntry>,
     assumptions: Vec<String>,
 }
@@ -41,6 +44,25 @@ struct ZeroEntry {
 }
 
 #[derive(Clone, Debug, Serialize)]
+struct FiringZeroEntry {
+    order: String,
+    /// Whether the cylinders can fire as the layout says somewhere in the range.
+    fires: bool,
+    everywhere: bool,
+    /// Exact values in the unit of the parameter.
+    at: Vec<String>,
+    /// Whether they are proved to be all in the range.
+    complete: bool,
+}
+
+/// The length of a firing star in crank radii; null where the cylinders cannot fire as the layout says.
+#[derive(Clone, Debug, Serialize)]
+struct FiringStarEntry {
+    order: String,
+    length: Option<AmplitudeEntry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
 struct PointEntry {
     values: Vec<String>,
     orders: Vec<OrderEntry>,
@@ -48,6 +70,8 @@ struct PointEntry {
     firing: Option<FiringEntry>,
     counterweight: Option<AmplitudeEntry>,
     envelope: Option<EnvelopeEntry>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    firing_stars: Vec<FiringStarEntry>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -96,7 +120,11 @@ pub fn sweep_document(sweep: &Sweep) -> SweepDocument {
         force_unit: unit(sweep, Quantity::Force),
         moment_unit: unit(sweep, Quantity::Moment),
         zeros: sweep.zeros.as_ref().map(|sets| sets.iter().map(zeros).collect()),
-        points: sweep.points.iter().map(point).collect(),
+        firing_zeros: sweep
+            .firing
+            .as_ref()
+            .and_then(|firing| Some(firing.zeros.as_ref()?.iter().map(firing_zeros).collect())),
+        points: (0..sweep.points.len()).map(|index| point(sweep, index)).collect(),
         assumptions: assumptions(&sweep.geometry).map(|line| line.plain()).into(),
     }
 }
@@ -112,7 +140,19 @@ fn zeros(set: &ZeroSet) -> ZeroEntry {
     }
 }
 
-fn point(point: &crate::sweep::SweptEngine) -> PointEntry {
+fn firing_zeros(zeros: &FiringZeros) -> FiringZeroEntry {
+    FiringZeroEntry {
+        order: zeros.order.exact().to_string(),
+        fires: zeros.fires,
+        everywhere: zeros.everywhere,
+        at: zeros.at.iter().map(exact).collect(),
+        complete: zeros.complete,
+    }
+}
+
+fn point(sweep: &Sweep, index: usize) -> PointEntry {
+    let point = &sweep.points[index];
+    let stars = sweep.firing.iter().flat_map(|firing| firing.orders.iter().zip(&firing.points[index]));
     let amplitude = |part: crate::sweep::Amplitude| AmplitudeEntry { value: part.value, proved_zero: part.vanishes };
     let orders = point.orders.iter().flat_map(|order| {
         quantities(order).map(|(quantity, amplitudes)| OrderEntry {
@@ -138,5 +178,8 @@ fn point(point: &crate::sweep::SweptEngine) -> PointEntry {
             height: envelope.height,
             metres_per_crank_radius: envelope.metres,
         }),
+        firing_stars: stars
+            .map(|(order, star)| FiringStarEntry { order: order.exact().to_string(), length: star.map(amplitude) })
+            .collect(),
     }
 }

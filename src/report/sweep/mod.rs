@@ -5,6 +5,7 @@ mod assumptions;
 mod csv;
 mod document;
 mod findings;
+mod firing;
 mod page;
 mod plots;
 mod sentences;

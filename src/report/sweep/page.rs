@@ -4,7 +4,7 @@ use super::amounts::{counted, in_newtons, unit, value};
 use super::assumptions::assumptions;
 use super::findings::{Finding, findings};
 use super::sentences::{firing_sentence, gone_sentence};
-use super::{plots, tables};
+use super::{firing, plots, tables};
 use crate::loads::Arm;
 use crate::page::{Block, Document, Text, phrase};
 use crate::proof::Quantity;
@@ -42,6 +42,7 @@ pub fn sweep_answer(sweep: &Sweep) -> Document {
     answer.blocks.extend(sentences(sweep, &found, &gone).into_iter().map(Block::Paragraph));
     answer.blocks.extend(others(sweep, &found));
     answer.blocks.extend(zeros(sweep).into_iter().flatten());
+    answer.blocks.extend(firing::answer(sweep));
     answer
 }
 
@@ -63,6 +64,7 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
         section(&mut page, "Where each vector vanishes");
         page.blocks.extend(zeros);
     }
+    page.blocks.extend(firing::section(sweep));
     section(&mut page, "Every point");
     match sweep.points.len() <= MOST_ROWS {
         true => page.blocks.extend(tables::points(sweep).into_iter().map(Block::Folded)),

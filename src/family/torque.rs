@@ -1,0 +1,158 @@
+//! For which open angles does an order of the gas torque vanish? Firing stars with unknowns in their angles.
+//!
+//! The star `Σ r_j e^{−iκφ_j}` with φ_j linear in the unknowns is a sum as any other here (theory, section 11). At whole orders
+//! φ_j counts modulo a revolution, so that top dead centres are enough; at half orders it counts modulo two.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use num_rational::BigRational;
+
+use super::component::values_of_multiples;
+use super::{OpenSum, When, sum_of};
+use crate::engine::{Cycle, CycleOrder, Family, FiringSpan, Linear, NoSpans};
+
+/// One order of the gas torque.
+#[derive(Clone, Debug)]
+pub struct OpenStar {
+    /// The order κ.
+    pub order: CycleOrder,
+    /// Its star for each range of the open angle in which the cylinders fire at the same revolutions; none where they cannot fire
+    /// in the order that is given.
+    pub spans: Result<Vec<SpanStar>, NoSpans>,
+}
+
+/// The firing star where the cylinders fire at certain revolutions.
+#[derive(Clone, Debug)]
+pub struct SpanStar {
+    /// Where, and when they fire.
+    pub span: FiringSpan,
+    /// The star.
+    pub sum: OpenSum,
+}
+
+/// Why a family has no firing stars.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoOpenStar {
+    /// Rods that differ: each kind has a star of its own.
+    RodsDiffer,
+    /// A half order of an engine that fires once per revolution.
+    HalfOrder(CycleOrder),
+    /// The mode shape has another number of values than the engine has cylinders.
+    ModeShape {
+        /// How many values it has.
+        values: usize,
+        /// How many cylinders there are.
+        cylinders: usize,
+    },
+}
+
+impl fmt::Display for NoOpenStar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoOpenStar::RodsDiffer => f.write_str(
+                "the rods differ and an angle or a length is open: each kind of rod has a firing star of its own; give all cylinders \
+                 one rod, or the unknowns values below [values]",
+            ),
+            NoOpenStar::HalfOrder(order) => {
+                write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")
+            }
+            NoOpenStar::ModeShape { values, cylinders } => {
+                write!(f, "the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")
+            }
+        }
+    }
+}
+
+impl std::error::Error for NoOpenStar {}
+
+/// Judges the firing stars of these orders; `shape` are the deflections of a mode of torsional vibration, one per cylinder.
+///
+/// Half orders are judged where the open angle lies in the range, in turns, with its ends where `with_ends` says so.
+///
+/// # Errors
+/// See [`NoOpenStar`].
+pub fn firing_stars(
+    family: &Family,
+    orders: &[CycleOrder],
+    shape: Option<&[BigRational]>,
+    range: [&BigRational; 2],
+    with_ends: bool,
+) -> Result<Vec<OpenStar>, NoOpenStar> {
+    if family.mechanisms().len() > 1 {
+        return Err(NoOpenStar::RodsDiffer);
+    }
+    let cylinders = family.cylinders().len();
+    if let Some(shape) = shape.filter(|shape| shape.len() != cylinders) {
+        return Err(NoOpenStar::ModeShape { values: shape.len(), cylinders });
+    }
+    if let Some(order) = orders.iter().find(|order| family.cycle() == Some(Cycle::TwoStroke) && !order.is_whole()) {
+        return Err(NoOpenStar::HalfOrder(*order));
+    }
+    let weight = |(place, radius): (usize, &BigRational)| match shape {
+        Some(shape) => radius * &shape[place],
+        None => radius.clone(),
+    };
+    let radii = family.cylinders().iter().map(|cylinder| &cylinder.crank_radius);
+    let weights: Vec<BigRational> = radii.enumerate().map(weight).collect();
+    let star = |&order: &CycleOrder| {
+        let spans = match order.is_whole() {
+            true => Ok(vec![FiringSpan { within: None, angles: family.dead_centres() }]),
+            false => family.firing_spans(range, with_ends),
+        };
+        let judged = |span: FiringSpan| SpanStar { sum: star(&span.angles, &weights, order), span };
+        OpenStar { order, spans: spans.map(|spans| spans.into_iter().map(judged).collect()) }
+    };
+    Ok(orders.iter().map(star).collect())
+}
+
+fn star(angles: &[Linear], weights: &[BigRational], order: CycleOrder) -> OpenSum {
+    let turned = -order.exact();
+    let term = |(angle, weight): (&Linear, &BigRational)| (angle.scaled(&turned), Linear::constant(weight.clone()));
+    let terms: Vec<(Linear, Linear)> = angles.iter().zip(weights).map(term).collect();
+    sum_of(&terms, None)
+}
+
+impl OpenStar {
+    /// The spans, where they are known.
+    fn known(&self) -> &[SpanStar] {
+        self.spans.as_deref().unwrap_or_default()
+    }
+
+    /// Whether it vanishes for all values at which the cylinders fire.
+    pub fn always(&self) -> bool {
+        !self.known().is_empty() && self.known().iter().all(SpanStar::always)
+    }
+
+    /// Whether it vanishes for no value at which the cylinders fire.
+    pub fn never(&self) -> bool {
+        let is_left = |star: &SpanStar| matches!(star.sum.when, When::Never(_));
+        !self.known().is_empty() && self.known().iter().all(is_left)
+    }
+
+    /// The values of an unknown in a range, in turns and with its ends, at which it vanishes; `None` where it does in a whole
+    /// span, where the other unknown enters, or where some star is not solved.
+    pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
+        let sets = self.known().iter().map(|star| star.values(unknown, range)).collect::<Option<Vec<_>>>()?;
+        (!sets.is_empty()).then(|| sets.into_iter().flatten().collect())
+    }
+}
+
+impl SpanStar {
+    /// Whether it vanishes throughout.
+    pub fn always(&self) -> bool {
+        matches!(self.sum.when, When::Always)
+    }
+
+    /// The values of an unknown in its span and a range at which it vanishes; `None` as in [`OpenStar::values`].
+    pub fn values(&self, unknown: &str, [low, high]: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
+        let mut values = match &self.sum.when {
+            When::Never(_) => BTreeSet::new(),
+            When::Where(angles) => angles.values(unknown, [low, high])?,
+            When::NotSolved(_) => values_of_multiples(&self.sum, unknown, [low, high])?,
+            When::Always | When::Irrational { .. } => return None,
+        };
+        values.retain(|value| self.span.holds(value));
+        Some(values)
+    }
+}

@@ -1,0 +1,140 @@
+//! What stands on the page of firing stars with open angles, and on the terminal?
+
+use super::super::super::family_page::{argument, left_open};
+use super::super::super::residual;
+use super::super::page::{MEANING, MEANING_OF_A_MODE, STAR, STAR_OF_A_MODE, assumed};
+use super::{OpenFiringStudy, picture, words};
+use crate::engine::{Cycle, FiringSpan, OpenFiring};
+use crate::family::{OpenStar, SpanStar};
+use crate::page::{Block, Document, Table, Text, phrase};
+
+const LEGEND: &str = "**0** vanishes for all values of the unknowns at which the cylinders fire, proved, and for every pressure law that all cylinders \
+                      share. Angles are those in (0°, 360°), exact and complete; ≡ is modulo 360°.";
+const HALF_ORDERS: &str = "Half orders need to know in which revolution each cylinder fires: add cycle = \"four-stroke\" with firing_order, or with \
+                           firing_angles such as [0, \"360 + phi\"]. Whole orders depend on the crankshaft alone.";
+const WHOLE_ORDERS: &str = "At whole orders a crank angle counts modulo 360°, so that the top dead centres are enough, whatever the firing order is.";
+
+/// The short answer.
+pub fn open_firing_answer(study: &OpenFiringStudy<'_>) -> Document {
+    let mut page = Document::new("firing", study.family.title());
+    page.push(orders(study));
+    page.push(Block::Note(LEGEND.into()));
+    page.blocks.extend(firing(study).into_iter().map(Block::Paragraph));
+    page
+}
+
+/// The page.
+pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
+    let heading = |words: &'static str| Block::Heading(1, words.into());
+    let mut page = Document::new("firing", phrase!("{}: firing stars", study.family.title()));
+    page.push(Block::Answer(answer(study)));
+    page.push(heading("Orders of the gas torque"));
+    page.push(orders(study));
+    page.push(Block::Note(LEGEND.into()));
+    page.blocks.extend(picture::lengths(study).map(Block::from));
+    let (meaning, formula) = match &study.shape {
+        Some(_) => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
+        None => (MEANING, STAR),
+    };
+    page.blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
+    page.push(heading("When the cylinders fire"));
+    page.push(firings(study));
+    page.push(Block::Paragraph(WHOLE_ORDERS.into()));
+    page.push(heading("Proofs"));
+    page.push(Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
+    page.push(heading("Assumptions"));
+    page.push(Block::List(assumed(study.shape.is_some())));
+    page
+}
+
+/// What is open, and which orders vanish where.
+fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
+    let mut lines = vec![left_open(study.family)];
+    let named = |is_meant: &dyn Fn(&OpenStar) -> bool| -> Vec<String> {
+        study.orders.iter().filter(|star| is_meant(star)).map(|star| star.order.to_string()).collect()
+    };
+    let no_value = |star: &OpenStar| words::values(study, star).is_some_and(|values| values.is_empty());
+    let (always, never) = (named(&OpenStar::always), named(&|star| star.never() || no_value(star)));
+    if !always.is_empty() {
+        let orders = residual::orders_in_words(&always);
+        lines.push(phrase!("Whatever they are, the gas torque of {} vanishes for every pressure law.", orders));
+    }
+    if !never.is_empty() {
+        let orders = residual::orders_in_words(&never);
+        lines.push(phrase!("The gas torque of {} vanishes at no value of what is open.", orders));
+    }
+    for star in study.orders.iter().filter(|star| !star.always() && !star.never()) {
+        let values = words::values(study, star).filter(|values| !values.is_empty());
+        if let Some((values, unknown)) = values.zip(study.unknown()) {
+            lines.push(phrase!(
+                "The gas torque of order {} vanishes exactly at {}.",
+                star.order.to_string(),
+                format!("{} = {}", words::symbol(unknown), words::list(&values))
+            ));
+        }
+    }
+    lines.extend(firing(study));
+    lines
+}
+
+/// When the cylinders can fire, and what half orders need.
+fn firing(study: &OpenFiringStudy<'_>) -> Vec<Text> {
+    let lacking = study.lacks_half_orders().then(|| HALF_ORDERS.into());
+    words::can_fire(study).into_iter().chain(lacking).collect()
+}
+
+/// Orders, and when the star of each vanishes.
+fn orders(study: &OpenFiringStudy<'_>) -> Table {
+    let mut table = Table::new(["Order κ", "Firing star", "Length"]);
+    for star in &study.orders {
+        table.push(vec![star.order.to_string().into(), words::summary(study, star), words::length(study, star)]);
+    }
+    table
+}
+
+/// When each cylinder fires; its top dead centre where the layout does not say it.
+fn firings(study: &OpenFiringStudy<'_>) -> Table {
+    let family = study.family;
+    let (none, turn) = (num_traits::Zero::zero(), num_traits::One::one());
+    let spans = family.firing_spans([&none, &turn], false).unwrap_or_default();
+    let two_stroke = family.cycle() == Some(Cycle::TwoStroke) && family.open_firing().is_none();
+    let centres = || FiringSpan { within: None, angles: family.dead_centres() };
+    let (spans, heading) = match (spans.is_empty(), two_stroke) {
+        (true, false) => (vec![centres()], "Top dead centre"),
+        (true, true) => (vec![centres()], "Fires at"),
+        (false, _) => (spans, "Fires at"),
+    };
+    let of_span = |span: &FiringSpan| match (words::label(study, span), heading) {
+        (Some(label), _) => phrase!("Fires at, where {}", label),
+        (None, heading) => heading.into(),
+    };
+    let mut table = Table::new([Text::from("Cylinder")].into_iter().chain(spans.iter().map(of_span)));
+    for (place, cylinder) in family.cylinders().iter().enumerate() {
+        let angles = spans.iter().map(|span| Text::label(words::crank_angle(&span.angles[place])));
+        table.push([Text::label(cylinder.name.clone())].into_iter().chain(angles).collect());
+    }
+    table
+}
+
+/// A star with its argument, a line for each range in which the cylinders fire at the same revolutions.
+fn argued(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Vec<Text> {
+    let name = || star.order.to_string();
+    let line = |part: &SpanStar| {
+        let (value, argument) = (words::of_span(study, part), argument(&part.sum));
+        match words::label(study, &part.span).filter(|_| is_of_an_order(study)) {
+            Some(label) => phrase!("**Order {}, where {}:** {}. {}", name(), label, value, argument),
+            None => phrase!("**Order {}:** {}. {}", name(), value, argument),
+        }
+    };
+    match &star.spans {
+        Ok(spans) if !spans.is_empty() => spans.iter().map(line).collect(),
+        Ok(_) | Err(_) => vec![phrase!("**Order {}:** {}.", name(), words::summary(study, star))],
+    }
+}
+
+fn is_of_an_order(study: &OpenFiringStudy<'_>) -> bool {
+    match study.family.open_firing() {
+        Some(OpenFiring::Order(_)) => true,
+        Some(OpenFiring::Angles(_)) | None => false,
+    }
+}

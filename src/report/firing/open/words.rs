@@ -1,0 +1,197 @@
+//! In which words is it said for which angles an order of the gas torque vanishes?
+
+use std::collections::BTreeSet;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::super::super::family_page::{condition_of, greek, unknowns};
+use super::super::super::residual;
+use super::super::super::typeset::{self, Amount};
+use super::OpenFiringStudy;
+use crate::engine::{FiringSpan, Linear, NoSpans, PHI};
+use crate::family::{Never, OpenStar, SpanStar, When};
+use crate::page::{Piece, Text, phrase};
+
+/// When a star vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`.
+pub(super) fn summary(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
+    let spans = match &star.spans {
+        Ok(spans) => spans,
+        Err(NoSpans::NotSaid) => return "needs a firing order".into(),
+        Err(NoSpans::TwoAngles) => return "not solved: two angles are open".into(),
+        Err(NoSpans::TooWide) => return "not solved".into(),
+    };
+    match (spans.as_slice(), values(study, star)) {
+        ([], _) => "cannot be fired".into(),
+        _ if star.always() => Text::zero(),
+        _ if star.never() => "never 0".into(),
+        (_, Some(values)) => at(study, &values),
+        ([only], None) => of_span(study, only),
+        (several, None) => {
+            let each = several.iter().map(|star| match label(study, &star.span) {
+                Some(span) => phrase!("{} for {}", of_span(study, star), span),
+                None => of_span(study, star),
+            });
+            Text::joined(each, "; ")
+        }
+    }
+}
+
+/// The values in (0°, 360°) of the one open angle at which a star vanishes; none where it does for a whole range, or is not solved.
+pub(super) fn values(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Option<BTreeSet<BigRational>> {
+    let (none, turn) = (BigRational::zero(), BigRational::one());
+    let mut values = star.values(study.unknown()?, [&none, &turn])?;
+    values.retain(|value| *value != none && *value != turn);
+    Some(values)
+}
+
+/// When a star vanishes in one span.
+pub(super) fn of_span(study: &OpenFiringStudy<'_>, star: &SpanStar) -> Text {
+    let (none, turn) = (BigRational::zero(), BigRational::one());
+    let values = study.unknown().and_then(|unknown| star.values(unknown, [&none, &turn]));
+    match (&star.sum.when, values) {
+        (When::Always, _) => Text::zero(),
+        (When::Never(Never::OnePart | Never::UnequalLengths(_)), _) => "never 0".into(),
+        (_, Some(mut values)) => {
+            values.retain(|value| *value != none && *value != turn);
+            at(study, &values)
+        }
+        (_, None) => condition_of(&star.sum).unwrap_or_else(Text::zero),
+    }
+}
+
+fn at(study: &OpenFiringStudy<'_>, values: &BTreeSet<BigRational>) -> Text {
+    let symbol = symbol(study.unknown().unwrap_or(PHI));
+    match values.is_empty() {
+        true => "never 0 in (0°, 360°)".into(),
+        false if symbol == "φ" => phrase!("0 at φ = {}", list(values)),
+        false => phrase!("0 at δ = {}", list(values)),
+    }
+}
+
+/// How long a star is, where that is told in short: 0, a number, `6 |cos(3φ/4)|`.
+pub(super) fn length(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
+    let spans = star.spans.as_deref().unwrap_or_default();
+    let none = || Text::from("–");
+    if star.always() {
+        return Text::zero();
+    }
+    let lengths: Option<Vec<Text>> = spans.iter().map(length_of_span).collect();
+    match (spans, lengths.as_deref()) {
+        ([], _) | (_, None) => none(),
+        (_, Some([only])) => only.clone(),
+        (spans, Some(several)) => {
+            let each = spans.iter().zip(several).map(|(star, length)| match label(study, &star.span) {
+                Some(span) => phrase!("{} for {}", length.clone(), span),
+                None => length.clone(),
+            });
+            Text::joined(each, "; ")
+        }
+    }
+}
+
+/// Of two equal parts, which cancel where `x ≡ t`: `|S_1| |e^{ix} − e^{it}| = 2 |S_1| |sin((x − t)/2)|`.
+fn length_of_span(star: &SpanStar) -> Option<Text> {
+    let parts: Vec<_> = star.sum.left().collect();
+    let turning = match (parts.as_slice(), &star.sum.when) {
+        ([], _) => return Some(Text::zero()),
+        ([only], _) => return Some(residual::modulus_of(&only.sum).into()),
+        ([_, _], When::Where(angles)) => angles.alternatives.first()?.conditions.first()?,
+        _ => return None,
+    };
+    let half = BigRational::new(1.into(), 2.into());
+    let sign =
+        if turning.phi.is_negative() || turning.phi.is_zero() && turning.delta.is_negative() { -&half } else { half };
+    let x = unknowns(&(&turning.phi * &sign), &(&turning.delta * &sign));
+    let offset = typeset::signed_degrees(&turning.turn) * &sign;
+    let quarter = BigRational::from_integer(90.into());
+    let factor = match (offset.is_zero(), offset.abs() == quarter, offset.is_negative()) {
+        (true, ..) => format!("|sin({x})|"),
+        (_, true, _) => format!("|cos({x})|"),
+        (.., true) => format!("|sin({x} + {})|", typeset::degrees(&-offset)),
+        (.., false) => format!("|sin({x} − {})|", typeset::degrees(&offset)),
+    };
+    let length = residual::modulus_of(&parts[0].sum);
+    let twice = Amount {
+        exact: length.exact.map(|form| form.scaled(&BigRational::from_integer(2.into()))),
+        decimal: 2.0 * length.decimal,
+    };
+    Some(match twice.exact.as_ref().filter(|form| form.as_rational().is_none()) {
+        Some(form) => phrase!("{} {}", Piece::Form(form.clone()), factor),
+        None => phrase!("{} {}", twice, factor),
+    })
+}
+
+/// Angles in turns, in a row.
+pub(super) fn list(values: &BTreeSet<BigRational>) -> String {
+    values.iter().map(typeset::turns).collect::<Vec<_>>().join(", ")
+}
+
+pub(super) fn symbol(unknown: &str) -> &'static str {
+    if unknown == PHI { "φ" } else { "δ" }
+}
+
+/// `0° < φ ≤ 120°`; none where a span holds all values.
+pub(super) fn label(study: &OpenFiringStudy<'_>, span: &FiringSpan) -> Option<String> {
+    let ([low, high], symbol) = (span.within.as_ref()?, symbol(study.unknown()?));
+    if low.at == high.at {
+        return Some(format!("{symbol} = {}", typeset::turns(&low.at)));
+    }
+    let sign = |included: bool| if included { "≤" } else { "<" };
+    let [from, to] = [low, high].map(|end| typeset::turns(&end.at));
+    Some(format!("{from} {} {symbol} {} {to}", sign(low.included), sign(high.included)))
+}
+
+/// A crank angle with unknowns, given in turns, whole revolutions too: `360° + φ`.
+pub(super) fn crank_angle(angle: &Linear) -> String {
+    let known = Linear::constant(angle.known().clone());
+    let symbols = angle.minus(&known);
+    let degrees = typeset::turns(angle.known());
+    match (symbols == Linear::default(), angle.known().is_zero()) {
+        (true, _) => degrees,
+        (false, true) => greek(&symbols),
+        (false, false) => format!("{degrees} + {}", greek(&symbols)).replace("+ −", "− "),
+    }
+}
+
+/// Where the cylinders can fire in the order of the layout; none where it gives none, or where that is not solved.
+pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
+    let order = study.order()?;
+    let (none, turn) = (BigRational::zero(), BigRational::one());
+    let spans = match study.family.firing_spans([&none, &turn], false) {
+        Ok(spans) => spans,
+        Err(NoSpans::TwoAngles) => {
+            return Some(phrase!(
+                "Two angles are open, and for which of them the cylinders can fire in the order {} is not solved: half orders are not judged. \
+                 Give firing_angles, or one of the angles a value below [values].",
+                order
+            ));
+        }
+        Err(NoSpans::TooWide) => {
+            return Some(phrase!(
+                "The open angle enters too many times for the order {}: half orders are not judged. Give firing_angles.",
+                order
+            ));
+        }
+        Err(NoSpans::NotSaid) => return None,
+    };
+    let labels: Vec<String> = spans.iter().filter_map(|span| label(study, span)).collect();
+    let is_everywhere =
+        |span: &FiringSpan| span.within.as_ref().is_none_or(|[low, high]| low.at == none && high.at == turn);
+    Some(match spans.as_slice() {
+        [] => phrase!(
+            "These throws cannot fire in the order {} at any value of the open angle with intervals of up to a revolution; firing_angles \
+             say it otherwise.",
+            order
+        ),
+        [_] if study.unknown().is_none() => phrase!("The cylinders fire in the order {}.", order),
+        [only] if is_everywhere(only) => {
+            phrase!("The cylinders fire in the order {} at every value of the open angle.", order)
+        }
+        _ => phrase!(
+            "The cylinders can fire in the order {} where {}, and at no other value in (0°, 360°): half orders are judged there alone.",
+            order,
+            Text::joined(labels.into_iter().map(Text::label), " or ")
+        ),
+    })
+}

@@ -1,0 +1,180 @@
+//! How are the firing stars of a sweep shown? What is zero and what is longest, where each vanishes, every point.
+
+use super::super::plot::stack::stacked;
+use super::super::plot::{Axis, Curve, Plot, PointMark};
+use super::super::typeset;
+use super::amounts::{place, place_cells, place_headings, size, value};
+use super::findings::listed;
+use super::words::{axis, float};
+use crate::engine::CycleOrder;
+use crate::page::figure::Figure;
+use crate::page::{Block, Fold, Picture, Table, Text, phrase};
+use crate::sweep::{Amplitude, FiringSweep, FiringZeros, StarLength, Sweep, SweptEngine};
+
+/// More points than this are left to the table in CSV.
+const MOST_ROWS: usize = 200;
+/// More curves than this stand not in one plot.
+const MOST_CURVES: usize = 3;
+/// More exact zeros of an order than this are not marked.
+const MOST_MARKS: usize = 60;
+/// Decimals that differ by less than this part are shown alike.
+const ALIKE: f64 = 1e-9;
+
+const MEANING: &str = "The firing star of order $\\kappa$, $\\sum_j r_j e^{-i\\kappa\\varphi_j}$, is what the gas torque of that order goes with where all cylinders share \
+                       one pressure law: where it is 0 the order vanishes for every such law. Its length is in crank radii. Half orders are told where the cylinders can fire \
+                       as the layout says.";
+
+/// A sentence per order, and the table of zeros.
+pub(super) fn answer(sweep: &Sweep) -> Vec<Block> {
+    let Some(firing) = &sweep.firing else { return Vec::new() };
+    let sentences = (0..firing.orders.len()).map(|place| Block::Paragraph(sentence(sweep, firing, place)));
+    sentences.chain(zeros(sweep, firing).map(Block::from)).collect()
+}
+
+/// All that a page tells of them.
+pub(super) fn section(sweep: &Sweep) -> Vec<Block> {
+    let Some(firing) = &sweep.firing else { return Vec::new() };
+    let mut blocks = vec![Block::Heading(1, "Orders of the gas torque".into())];
+    blocks.extend(answer(sweep));
+    blocks.push(Block::Paragraph(MEANING.into()));
+    blocks.extend(picture(sweep, firing).map(Block::from));
+    if sweep.points.len() <= MOST_ROWS {
+        let summary = phrase!("The firing stars at each of the {} points", sweep.points.len());
+        blocks.push(Block::Folded(Fold { summary, blocks: vec![points(sweep, firing).into()] }));
+    }
+    blocks
+}
+
+/// The name of an order in a table or a file: `3/2`.
+pub(super) fn name(firing: &FiringSweep, place: usize) -> String {
+    firing.orders[place].exact().to_string()
+}
+
+fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
+    let order = firing.orders[place_of].to_string();
+    let known = firing.points.iter().zip(&sweep.points);
+    let lengths: Vec<(Amplitude, &SweptEngine)> =
+        known.filter_map(|(stars, point)| Some((stars[place_of]?, point))).collect();
+    let set = firing.zeros.as_ref().map(|zeros| &zeros[place_of]);
+    let by_value = |a: &&(Amplitude, &SweptEngine), b: &&(Amplitude, &SweptEngine)| a.0.value.total_cmp(&b.0.value);
+    let ends = lengths.iter().max_by(by_value).zip(lengths.iter().min_by(by_value));
+    let Some(((greatest, _), (least, _))) = ends else {
+        return match set {
+            Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
+            _ => phrase!(
+                "**Gas torque of order {}:** the cylinders can fire as the layout says at no value of the sweep.",
+                order
+            ),
+        };
+    };
+    let at = |by: Amplitude| {
+        let alike = |part: &Amplitude| {
+            part.vanishes == by.vanishes && (part.value - by.value).abs() <= ALIKE * greatest.value.abs()
+        };
+        listed(lengths.iter().filter(|(part, _)| alike(part)).map(|(_, point)| place(sweep, point)).collect())
+    };
+    let exact = |set: &FiringZeros| listed(set.at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());
+    match set {
+        Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
+        None if greatest.vanishes => everywhere(firing.orders[place_of]),
+        Some(set) if set.complete && !set.at.is_empty() => phrase!(
+            "**Gas torque of order {}:** exactly {} at {} and nowhere else in the range; the firing star is at most {}, at {}.",
+            order,
+            Text::zero(),
+            exact(set),
+            size(*greatest),
+            at(*greatest)
+        ),
+        _ => phrase!(
+            "**Gas torque of order {}:** the firing star is from {} at {} up to {} at {}.",
+            order,
+            size(*least),
+            at(*least),
+            size(*greatest),
+            at(*greatest)
+        ),
+    }
+}
+
+fn everywhere(order: CycleOrder) -> Text {
+    let words = match order.is_whole() {
+        true => "**Gas torque of order {}:** exactly {} at every value.",
+        false => "**Gas torque of order {}:** exactly {} wherever the cylinders fire as the layout says.",
+    };
+    phrase!(words, order.to_string(), Text::zero())
+}
+
+/// Where each star vanishes, for one angle.
+fn zeros(sweep: &Sweep, firing: &FiringSweep) -> Option<Table> {
+    let parameter = sweep.parameters.first()?;
+    let mut table = Table::new(["Order κ", "The firing star vanishes at"]);
+    for zeros in firing.zeros.as_ref()? {
+        let at = || Text::joined(zeros.at.iter().map(|at| value(parameter, at, true)), ", ");
+        let cell = match (zeros.fires, zeros.everywhere, zeros.complete, zeros.at.is_empty()) {
+            (false, ..) => "cannot be fired".into(),
+            (_, true, ..) => "everywhere".into(),
+            (_, _, true, true) => "never".into(),
+            (_, _, true, false) => at(),
+            (_, _, false, true) => "not solved".into(),
+            (_, _, false, false) => phrase!("{}, perhaps more", at()),
+        };
+        table.push(vec![zeros.order.to_string().into(), cell]);
+    }
+    Some(table)
+}
+
+/// The length of each star at every point.
+fn points(sweep: &Sweep, firing: &FiringSweep) -> Table {
+    let orders = firing.orders.iter().map(|order| phrase!("Order {}", order.to_string()));
+    let mut table = Table::new(place_headings(sweep).chain(orders));
+    for (point, stars) in sweep.points.iter().zip(&firing.points) {
+        let cells = stars.iter().map(|star| star.map_or_else(|| "–".into(), size));
+        table.push(place_cells(point).chain(cells).collect());
+    }
+    table
+}
+
+/// The stars over one parameter, those that do not vanish everywhere.
+fn picture(sweep: &Sweep, firing: &FiringSweep) -> Option<Picture> {
+    let is_left =
+        |place: &usize| firing.curve.iter().any(|(_, stars)| stars[*place].is_some_and(|star| !star.vanishes));
+    let drawn: Vec<usize> = (0..firing.orders.len()).filter(is_left).collect();
+    if sweep.points.len() < 2 || drawn.is_empty() {
+        return None;
+    }
+    let plots = drawn.chunks(MOST_CURVES).map(|chunk| plot(sweep, firing, chunk)).collect();
+    Some(Picture {
+        name: "firing-stars".to_owned(),
+        caption: "Length of the firing stars, in crank radii. Rings are exact zeros; a curve ends where the cylinders cannot fire as the layout says.".into(),
+        figure: stacked(plots),
+    })
+}
+
+fn plot(sweep: &Sweep, firing: &FiringSweep, orders: &[usize]) -> Figure {
+    let parameter = &sweep.parameters[0];
+    let is_angle = sweep.angles.first() == Some(&true);
+    let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
+    let label = axis(parameter, is_angle);
+    let in_degrees = is_angle && ["", "°", "deg"].contains(&parameter.range.unit());
+    let x = if in_degrees { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
+    let names: Vec<String> = orders.iter().map(|&place| firing.orders[place].to_string()).collect();
+    let title = match names.as_slice() {
+        [only] => format!("Firing star, order {only}"),
+        several => format!("Firing stars, orders {}", several.join(", ")),
+    };
+    let mut plot = Plot::new(title, x, Axis::amplitude("Length in r"));
+    let height = |star: StarLength| star.map_or(f64::NAN, |star| star.value);
+    for (number, (&place, name)) in orders.iter().zip(names).enumerate() {
+        let points = firing.curve.iter().map(|(at, stars)| (float(at), height(stars[place]))).collect();
+        let curve = Curve::new(number, format!("order {name}"), points);
+        let zeros = firing.zeros.iter().flat_map(|zeros| &zeros[place].at);
+        for zero in zeros.take(MOST_MARKS) {
+            let label = typeset::degrees(zero);
+            let is_known = plot.marks.iter().any(|mark| mark.label == label);
+            let mark = PointMark::ring((float(zero), 0.0), if is_known { String::new() } else { label });
+            plot.marks.push(PointMark { ink: curve.ink, ..mark.of("exact zero") });
+        }
+        plot.curves.push(curve);
+    }
+    plot.figure()
+}

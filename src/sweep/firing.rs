@@ -1,0 +1,134 @@
+//! How long is the firing star of each order at each point of a sweep, and at which exact angles does it vanish?
+//!
+//! Whole orders need the top dead centres alone. Half orders need to know when the cylinders fire: where the throws cannot fire in the
+//! order of the file there is no star.
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
+use super::parameter::Parameter;
+use super::run::{Reader, Sweep};
+use super::swept_engine::{Amplitude, SURELY_NOT_ZERO, float};
+use super::{SweepError, zeros};
+use crate::engine::{Cycle, CycleOrder, Engine, NoSpans};
+use crate::exact::PhasorSum;
+use crate::family::{self, OpenStar};
+use crate::file::Template;
+use crate::firing;
+
+/// The length of a firing star in crank radii; none where the cylinders cannot fire so, or are of several classes.
+pub type StarLength = Option<Amplitude>;
+
+/// The firing stars of a sweep.
+#[derive(Clone, Debug)]
+pub struct FiringSweep {
+    /// The orders κ, rising.
+    pub orders: Vec<CycleOrder>,
+    /// The stars of these orders at each point of the sweep.
+    pub points: Vec<Vec<StarLength>>,
+    /// For one parameter: the same at each point from which curves are drawn, and at the exact zeros.
+    pub curve: Vec<(BigRational, Vec<StarLength>)>,
+    /// For one angle: where each star vanishes; none for other parameters.
+    pub zeros: Option<Vec<FiringZeros>>,
+}
+
+/// Where the firing star of one order vanishes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FiringZeros {
+    /// The order κ.
+    pub order: CycleOrder,
+    /// Whether the cylinders can fire in the order of the file somewhere in the range; at whole orders that does not matter.
+    pub fires: bool,
+    /// Whether it vanishes wherever they fire.
+    pub everywhere: bool,
+    /// The values in the range at which it vanishes, rising, in the unit of the range; empty where it does everywhere.
+    pub at: Vec<BigRational>,
+    /// Whether these are proved to be all; else they are those found.
+    pub complete: bool,
+}
+
+/// The firing stars of these orders at the points of a sweep.
+///
+/// # Errors
+/// A half order of a two-stroke engine, or of a file that does not say when the cylinders fire.
+pub fn firing_stars(template: &Template, sweep: &Sweep, orders: &[CycleOrder]) -> Result<FiringSweep, SweepError> {
+    let half = orders.iter().find(|order| !order.is_whole());
+    match (half, template.cycle()) {
+        (Some(order), Some(Cycle::TwoStroke)) => {
+            return Err(SweepError::new(firing::NoStar::HalfOrder(*order).to_string()));
+        }
+        (Some(_), _) if !template.has("firing_order") && !template.has("firing_angles") => {
+            return Err(SweepError::new(NoSpans::NotSaid.to_string()));
+        }
+        _ => {}
+    }
+    let reader = Reader::new(template, &sweep.parameters);
+    let lengths = |values: &[BigRational]| -> Result<Vec<StarLength>, SweepError> {
+        let engine = reader.engine(values)?;
+        Ok(orders.iter().map(|order| length(&engine, *order)).collect())
+    };
+    let zeros = match sweep.parameters.as_slice() {
+        [one] => found(template, one, orders),
+        _ => None,
+    };
+    let mut curve: Vec<BigRational> = match sweep.parameters.len() {
+        1 => sweep.curve.iter().filter_map(|point| point.values.first()).cloned().collect(),
+        _ => Vec::new(),
+    };
+    curve.extend(zeros.iter().flatten().flat_map(|zeros| zeros.at.iter().cloned()));
+    curve.sort();
+    curve.dedup();
+    let on_curve = |value: BigRational| Ok((value.clone(), lengths(&[value])?));
+    Ok(FiringSweep {
+        orders: orders.to_vec(),
+        points: sweep.points.iter().map(|point| lengths(&point.values)).collect::<Result<_, SweepError>>()?,
+        curve: curve.into_iter().map(on_curve).collect::<Result<_, SweepError>>()?,
+        zeros,
+    })
+}
+
+fn length(engine: &Engine, order: CycleOrder) -> StarLength {
+    let sums = firing::star_sums(engine, order)?;
+    match sums.as_slice() {
+        [only] => Some(amplitude(only)),
+        several if several.iter().all(PhasorSum::vanishes) => Some(Amplitude { value: 0.0, vanishes: true }),
+        // Stars of different classes have no common measure.
+        _ => None,
+    }
+}
+
+fn amplitude(sum: &PhasorSum) -> Amplitude {
+    let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
+    let (value, total) = (float(sum).norm(), weights.sum::<f64>());
+    match value <= total * SURELY_NOT_ZERO && sum.vanishes() {
+        true => Amplitude { value: 0.0, vanishes: true },
+        false => Amplitude { value, vanishes: false },
+    }
+}
+
+/// Where the stars vanish; `None` where the parameter is no angle, or the rods differ.
+fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> Option<Vec<FiringZeros>> {
+    let (open, per_unit) = zeros::opened_with_firing(template, parameter)?;
+    let unknown = open.open_angles().into_iter().next()?;
+    let ends = [parameter.range.value(0), parameter.range.last()].map(|end| end * &per_unit);
+    let range = [ends.iter().min()?, ends.iter().max()?];
+    let stars = family::firing_stars(&open, orders, None, range, true).ok()?;
+    let zeros = |star: &OpenStar| {
+        let none = FiringZeros { order: star.order, fires: true, everywhere: false, at: Vec::new(), complete: true };
+        let in_units = |values: Vec<BigRational>| values.into_iter().map(|value| value / &per_unit).collect();
+        let spans = match &star.spans {
+            Err(_) => return FiringZeros { complete: false, ..none },
+            Ok(spans) if spans.is_empty() => return FiringZeros { fires: false, ..none },
+            Ok(spans) => spans,
+        };
+        match (star.always(), star.values(unknown, range)) {
+            (true, _) => FiringZeros { everywhere: true, ..none },
+            (false, Some(values)) => FiringZeros { at: in_units(values.into_iter().collect()), ..none },
+            (false, None) => {
+                let solved = spans.iter().filter_map(|span| span.values(unknown, range));
+                FiringZeros { at: in_units(solved.flatten().collect()), complete: false, ..none }
+            }
+        }
+    };
+    Some(stars.iter().map(zeros).collect())
+}

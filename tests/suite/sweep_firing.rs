@@ -1,0 +1,126 @@
+//! Are the firing stars of a sweep as long as sums in doubles, and zero exactly where these are?
+
+use std::f64::consts::TAU;
+
+use crankstar::engine::{CycleOrder, Engine};
+use crankstar::file::{self, Template};
+use crankstar::page::{self, Format, Language, Options};
+use crankstar::report;
+use crankstar::sweep::{self, Geometry, Parameter, Sweep};
+use num_complex::Complex;
+use num_traits::ToPrimitive;
+
+const V6: &str =
+    "cycle = 'four-stroke'\nfiring_order = '1-4-3-6-2-5'\nvee = { bank_angle = 60, throws = [0, 240, 120] }";
+const V2: &str = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\nvee = { bank_angle = 'phi', throws = [0] }\n\
+                  values.phi = 90";
+
+fn swept(text: &str, parameters: &[&str], orders: &[&str]) -> Result<Sweep, String> {
+    let template = Template::new("layout.toml", text).expect("TOML");
+    let parameters: Vec<Parameter> = parameters.iter().map(|text| Parameter::parse(text).expect("a range")).collect();
+    let orders: Vec<CycleOrder> = orders.iter().map(|order| order.parse().expect("an order")).collect();
+    let mut sweep = sweep::sweep(&template, &parameters, &[1], &Geometry::default()).expect("a sweep");
+    sweep.firing = Some(sweep::firing_stars(&template, &sweep, &orders).map_err(|error| error.to_string())?);
+    Ok(sweep)
+}
+
+fn zeros(sweep: &Sweep) -> Vec<Vec<String>> {
+    let zeros = sweep.firing.iter().flat_map(|firing| firing.zeros.as_ref().expect("an angle"));
+    zeros.map(|zeros| zeros.at.iter().map(ToString::to_string).collect()).collect()
+}
+
+/// `|Σ e^{−iκφ_j}|` in doubles.
+fn length(engine: &Engine, order: CycleOrder) -> Option<f64> {
+    let angles: Vec<f64> = match (engine.firing(), order.is_whole()) {
+        (_, true) => engine.cylinders().iter().filter_map(|one| (&one.bank - &one.throw).turns().to_f64()).collect(),
+        (Some(firing), false) => firing.shots.iter().filter_map(|shot| shot.angle.to_f64()).collect(),
+        (None, false) => return None,
+    };
+    let kappa = f64::from(order.halves()) / 2.0;
+    Some(angles.iter().map(|angle| Complex::from_polar(1.0, -kappa * TAU * angle)).sum::<Complex<f64>>().norm())
+}
+
+#[test]
+fn lengths_and_zeros_are_those_of_sums_in_doubles() {
+    let orders = ["1/2", "1", "3/2", "3", "9/2"];
+    for (key, from, to, text) in [
+        ("vee.bank_angle", 0, 359, V6.to_owned()),
+        ("vee.pin_split", -180, 180, V6.replace("throws", "pin_split = 0, throws")),
+        ("values.phi", 0, 359, V2.to_owned()),
+    ] {
+        let sweep = swept(&text, &[&format!("{key}={from}..{to}:5")], &orders).expect("stars");
+        let firing = sweep.firing.as_ref().expect("asked for");
+        let all = firing.zeros.as_ref().expect("an angle");
+        for (value, stars) in &firing.curve {
+            let written = match key {
+                "vee.bank_angle" => text.replace("bank_angle = 60", &format!("bank_angle = '{value}'")),
+                "vee.pin_split" => text.replace("pin_split = 0", &format!("pin_split = '{value}'")),
+                _ => text.replace("values.phi = 90", &format!("values.phi = '{value}'")),
+            };
+            let unfired = written.replace("firing_order = '1-4-3-6-2-5'", "");
+            let read = file::parse("layout.toml", &written).or_else(|_| file::parse("layout.toml", &unfired));
+            let engine = read.expect("an engine");
+            for ((order, star), zeros) in firing.orders.iter().zip(stars).zip(all) {
+                let right = length(&engine, *order);
+                assert_eq!(star.is_some(), right.is_some(), "{key} = {value}, order {order}");
+                assert!(zeros.complete && zeros.fires, "{key}, order {order}");
+                let Some((star, right)) = star.zip(right) else { continue };
+                assert!(
+                    (star.value - right).abs() < 1e-9,
+                    "{key} = {value}, order {order}: {} for {right}",
+                    star.value
+                );
+                let is_listed = zeros.everywhere || zeros.at.contains(value);
+                assert_eq!(star.vanishes, is_listed, "{key} = {value}, order {order}");
+                assert_eq!(star.vanishes, right < 1e-9, "{key} = {value}, order {order}");
+            }
+        }
+    }
+}
+
+#[test]
+fn exact_angles_are_found_between_the_points() {
+    let sweep = swept(V6, &["vee.bank_angle=1..358:7"], &["3/2", "3", "9/2"]).expect("stars");
+    let right = [vec!["120"], vec!["60", "180", "300"], vec!["40", "120", "200"]];
+    assert_eq!(zeros(&sweep), right.map(|row| row.into_iter().map(str::to_owned).collect::<Vec<String>>()));
+    let split = V6.replace("throws", "pin_split = 0, throws");
+    let sweep = swept(&split, &["vee.pin_split=-90..90:45"], &["3/2", "3"]).expect("stars");
+    assert_eq!(zeros(&sweep), [vec!["-60".to_owned()], vec!["0".to_owned()]]);
+    let turns = swept(V6, &["vee.bank_angle=0..0.9:0.1 turn"], &["3/2"]).expect("stars");
+    assert_eq!(zeros(&turns), [vec!["1/3".to_owned()]]);
+}
+
+#[test]
+fn half_orders_without_a_firing_order_are_refused_and_whole_ones_are_not() {
+    let silent = "cycle = 'four-stroke'\nvee = { bank_angle = 60, throws = [0, 240, 120] }";
+    let refused = swept(silent, &["vee.bank_angle=0..90:30"], &["1/2"]).expect_err("half orders");
+    assert!(refused.contains("firing_order"), "{refused}");
+    let sweep = swept(silent, &["vee.bank_angle=0..90:30"], &["1", "3"]).expect("whole orders");
+    assert_eq!(zeros(&sweep), [Vec::new(), vec!["60".to_owned()]]);
+    let two_stroke = "cycle = 'two-stroke'\nvee = { bank_angle = 60, throws = [0] }";
+    let refused = swept(two_stroke, &["vee.bank_angle=0..90:30"], &["1/2"]).expect_err("a half order");
+    assert!(refused.contains("does not exist in a two-stroke engine"), "{refused}");
+    let map = swept(V6, &["vee.bank_angle=60..90:30", "vee.throws.2=240..250:10"], &["3"]).expect("a map");
+    assert!(map.firing.expect("asked for").zeros.is_none());
+}
+
+#[test]
+fn page_table_and_document_tell_the_stars() {
+    let sweep = swept(V6, &["vee.bank_angle=0..350:10"], &["1", "3/2", "3"]).expect("stars");
+    let page = report::sweep_page(&sweep);
+    let text = page::write(&page, Format::GITHUB, &Options::default()).remove(0).text;
+    assert!(text.contains("**Gas torque of order 1½:** exactly **0** at 120° and nowhere else in the range"), "{text}");
+    assert!(text.contains("| 3 | 60°, 180°, 300° |"), "{text}");
+    let pages = [page, report::sweep_answer(&sweep)];
+    let phrases = pages.iter().flat_map(page::Document::phrases);
+    let unknown: Vec<&str> = phrases.filter(|words| words.contains("iring") && !Language::De.knows(words)).collect();
+    assert!(unknown.is_empty(), "no German for {unknown:#?}");
+    let csv = report::sweep_csv(&sweep).text;
+    let rows: Vec<&str> = csv.lines().collect();
+    assert!(rows[0].ends_with(",firing_star_1_r,firing_star_3/2_r,firing_star_3_r"), "{}", rows[0]);
+    assert!(rows[13].starts_with("120,") && rows[13].ends_with(",0,0,6"), "{}", rows[13]);
+    assert!(rows[31].starts_with("300,") && rows[31].ends_with(",0,,0"), "{}", rows[31]);
+    let document = serde_json::to_value(report::sweep_document(&sweep)).expect("JSON");
+    assert_eq!(document["firing_zeros"][1]["at"][0], "120");
+    assert!(document["points"][30]["firing_stars"][1]["length"].is_null());
+}
