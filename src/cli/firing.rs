@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use crankstar::BigRational;
 use crankstar::engine::{CycleOrder, Engine, Family};
 use crankstar::file::{self, Layout, parse_number};
 use crankstar::firing::Weights;
 use crankstar::report::{self, FiringStudy, OpenFiringStudy};
+use num_rational::BigRational;
 
 use super::failure::Failure;
 use super::layouts;

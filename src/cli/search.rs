@@ -41,8 +41,8 @@ pub struct Search {
     /// Compare by neighbours that fire in succession too
     #[arg(long)]
     neighbours: bool,
-    /// Judge the firing orders of each star by their minor orders in a mode of torsional vibration that falls evenly along the shaft,
-    /// or in --mode-shape; for engines in line
+    /// Judge the firing orders of each star of an engine in line by their minor orders in a mode of torsional vibration: one that falls
+    /// evenly along the shaft, or the mode shape
     #[arg(long, conflicts_with = "bank_angle")]
     torsion: bool,
     #[command(flatten)]
