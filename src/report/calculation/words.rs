@@ -126,9 +126,25 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
-        row("gas forces", false, "", "not part of this program"),
     ];
-    masses.chain(others).collect()
+    let effects = engine.effects();
+    let asked = |name, asked: bool, given: bool| EffectRow {
+        name,
+        inside: asked && given,
+        why: match (asked, given) {
+            (true, true) => "asked for, in a section of its own",
+            (true, false) => "asked for, and not given",
+            (false, true) => "given, and not asked for",
+            (false, false) => "not given",
+        }
+        .into(),
+        group: None,
+    };
+    let sections = [
+        asked("gas", effects.gas, engine.gas().is_some()),
+        asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some()),
+    ];
+    masses.chain(others).chain(sections).collect()
 }
 
 /// Where the numbers end.
@@ -136,7 +152,7 @@ pub(super) fn limits(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
         phrase!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),
-        "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts, but their torque does.".into(),
+        "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts; their torque on the mounts is that of the section on torque, where the gas is asked for.".into(),
         "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".into(),
         "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".into(),
     ];
