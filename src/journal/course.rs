@@ -116,11 +116,15 @@ impl Course {
 
     /// The forces in a cylinder, by its index.
     pub fn forces(&self, index: usize, theta: f64) -> PistonForces {
+        self.forces_with(index, theta, |class, psi| class.gas.force(psi))
+    }
+
+    fn forces_with(&self, index: usize, theta: f64, gas: impl Fn(&Class, f64) -> f64) -> PistonForces {
         let cylinder = &self.cylinders[index];
         let class = &self.classes[cylinder.class];
         let psi = theta - cylinder.fires;
         PistonForces {
-            gas: class.gas.force(psi),
+            gas: gas(class, psi),
             inertia: class.inertia.as_ref().map_or(0.0, |inertia| inertia.force(psi)),
             slope: class.gas.geometry().slope(psi),
         }
@@ -128,10 +132,20 @@ impl Course {
 
     /// What a rod loads its crankpin with, seen from the engine: of the masses, and of the gas.
     pub fn pin_parts(&self, index: usize, theta: f64) -> [Complex<f64>; 2] {
-        let (cylinder, forces) = (&self.cylinders[index], self.forces(index, theta));
+        self.pin_parts_of(index, theta, self.forces(index, theta))
+    }
+
+    pub(super) fn pin_parts_of(&self, index: usize, theta: f64, forces: PistonForces) -> [Complex<f64>; 2] {
+        let cylinder = &self.cylinders[index];
         let rotating = cylinder.throw * Complex::cis(theta) * cylinder.rotating;
         let on_the_pin = |effort: f64| forces.on_the_pin(effort) * cylinder.axis;
         [on_the_pin(-forces.inertia) + rotating, on_the_pin(forces.gas)]
+    }
+
+    /// The part of the masses alone, for which no pressure is found.
+    pub(super) fn pin_of_inertia(&self, index: usize, theta: f64) -> Complex<f64> {
+        let still = self.forces_with(index, theta, |_, _| 0.0);
+        self.pin_parts_of(index, theta, still)[0]
     }
 
     /// What a rod loads its crankpin with, seen from the engine.
@@ -147,8 +161,13 @@ impl Course {
 
     /// The pull of the big end on its pin along the rod, towards the piston: the bolts of its cap bear it, less what the cap itself makes.
     pub fn pull(&self, index: usize, theta: f64) -> f64 {
-        let along = self.forces(index, theta).rod_direction() * self.cylinders[index].axis;
-        (self.pin(index, theta) * along.conj()).re
+        self.pull_of(index, theta, self.forces(index, theta))
+    }
+
+    pub(super) fn pull_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
+        let along = forces.rod_direction() * self.cylinders[index].axis;
+        let [inertia, gas] = self.pin_parts_of(index, theta, forces);
+        ((inertia + gas) * along.conj()).re
     }
 
     /// What a place carries of masses and of gas.
@@ -159,6 +178,13 @@ impl Course {
             let [of_inertia, of_gas] = self.pin_parts(index, theta);
             [inertia + of_inertia * part, gas + of_gas * part]
         })
+    }
+
+    /// What it carries of the masses alone.
+    pub(super) fn carried_of_inertia(&self, carried: &Carried, theta: f64) -> Complex<f64> {
+        let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
+        let shaft = carried.shaft * Complex::cis(theta);
+        loads.fold(shaft, |sum, (index, part)| sum + self.pin_of_inertia(index, theta) * part)
     }
 
     /// What a place carries of all forces.

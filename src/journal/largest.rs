@@ -3,7 +3,7 @@
 use num_complex::Complex;
 
 use super::Carried;
-use super::course::Course;
+use super::course::{Course, PistonForces};
 use crate::torque::{self, Extreme};
 
 /// The largest load of a place in a cycle.
@@ -44,10 +44,12 @@ pub struct CylinderPeaks {
 /// Angles closer than this in radians are one.
 const SAME: f64 = 1e-9;
 
-/// The loads of the pins at rising angles through a cycle, kinks of the pressures among them: from one to the next all is smooth.
+/// The forces at rising angles through a cycle, kinks of the pressures among them: from one to the next all is smooth.
 pub(super) struct Samples {
     grid: Vec<f64>,
-    /// Of masses and gas, a row a cylinder.
+    /// A row a cylinder.
+    forces: Vec<Vec<PistonForces>>,
+    /// The loads of the pins, of masses and gas.
     pins: Vec<Vec<[Complex<f64>; 2]>>,
 }
 
@@ -56,54 +58,67 @@ impl Samples {
         let mut grid: Vec<f64> = torque::angles(course.period()).chain(course.kinks()).collect();
         grid.sort_unstable_by(f64::total_cmp);
         grid.dedup_by(|next, before| *next - *before < SAME);
-        let row = |index: usize| grid.iter().map(|&theta| course.pin_parts(index, theta)).collect();
-        Samples { pins: (0..course.cylinders()).map(row).collect(), grid }
+        let row = |index: usize| grid.iter().map(|&theta| course.forces(index, theta)).collect();
+        let forces: Vec<Vec<PistonForces>> = (0..course.cylinders()).map(row).collect();
+        let pins = forces.iter().enumerate().map(|(index, row)| {
+            let known = grid.iter().zip(row);
+            known.map(|(&theta, &forces)| course.pin_parts_of(index, theta, forces)).collect()
+        });
+        Samples { pins: pins.collect(), forces, grid }
     }
 
-    /// The largest load of a place: of all, of the masses alone, of the gas alone.
-    pub fn peaks_of(&self, course: &Course, carried: &Carried) -> [CyclePeak; 3] {
-        let parts: Vec<[Complex<f64>; 2]> = self
-            .grid
-            .iter()
-            .enumerate()
-            .map(|(step, theta)| {
-                let shaft = [carried.shaft * Complex::cis(*theta), Complex::new(0.0, 0.0)];
-                carried.parts.iter().zip(&self.pins).fold(shaft, |[inertia, gas], (part, row)| {
-                    let [of_inertia, of_gas] = row[step];
-                    [inertia + of_inertia * part, gas + of_gas * part]
-                })
+    /// The largest load of a place: of all, and of the masses alone.
+    pub fn peaks_of(&self, course: &Course, carried: &Carried) -> [CyclePeak; 2] {
+        let at = |(step, theta): (usize, &f64)| {
+            let shaft = [carried.shaft * Complex::cis(*theta), Complex::new(0.0, 0.0)];
+            carried.parts.iter().zip(&self.pins).fold(shaft, |[inertia, gas], (part, row)| {
+                let [of_inertia, of_gas] = row[step];
+                [inertia + of_inertia * part, gas + of_gas * part]
             })
-            .collect();
-        self.three(course, &parts, |theta| course.carried_parts(carried, theta))
+        };
+        let known: Vec<[Complex<f64>; 2]> = self.grid.iter().enumerate().map(at).collect();
+        let of_inertia = |theta: f64| course.carried_of_inertia(carried, theta);
+        self.two(course, &known, (|theta| course.carried_parts(carried, theta), of_inertia))
     }
 
-    fn three(
+    fn two(
         &self,
         course: &Course,
         known: &[[Complex<f64>; 2]],
-        at: impl Fn(f64) -> [Complex<f64>; 2],
-    ) -> [CyclePeak; 3] {
-        let meant: [fn([Complex<f64>; 2]) -> Complex<f64>; 3] =
-            [|[inertia, gas]| inertia + gas, |[inertia, _]| inertia, |[_, gas]| gas];
-        meant.map(|meant| {
-            let sizes: Vec<f64> = known.iter().map(|&parts| meant(parts).norm()).collect();
-            let found = torque::largest(course.period(), &self.grid, &sizes, |theta| meant(at(theta)).norm());
-            let parts = at(found.angle.to_radians());
-            CyclePeak { value: found.value, angle: found.angle, vector: meant(parts), gas: parts[1] }
-        })
+        (parts, inertia): (impl Fn(f64) -> [Complex<f64>; 2], impl Fn(f64) -> Complex<f64>),
+    ) -> [CyclePeak; 2] {
+        let all = |[inertia, gas]: [Complex<f64>; 2]| inertia + gas;
+        let sizes: Vec<f64> = known.iter().map(|&parts| all(parts).norm()).collect();
+        let found = torque::largest(course.period(), &self.grid, &sizes, |theta| all(parts(theta)).norm());
+        let there = parts(found.angle.to_radians());
+        let sizes: Vec<f64> = known.iter().map(|[inertia, _]| inertia.norm()).collect();
+        let of_inertia = torque::largest(course.period(), &self.grid, &sizes, |theta| inertia(theta).norm());
+        [
+            CyclePeak { value: found.value, angle: found.angle, vector: all(there), gas: there[1] },
+            CyclePeak {
+                value: of_inertia.value,
+                angle: of_inertia.angle,
+                vector: inertia(of_inertia.angle.to_radians()),
+                gas: Complex::new(0.0, 0.0),
+            },
+        ]
     }
 }
 
 impl CylinderPeaks {
     pub(super) fn new(course: &Course, samples: &Samples, index: usize) -> Self {
-        let extremes = |value: &dyn Fn(f64) -> f64| torque::extremes(course.period(), &samples.grid, value);
-        let [pull, _] = extremes(&|theta| course.pull(index, theta).max(0.0));
-        let [pin, pin_of_inertia, _] =
-            samples.three(course, &samples.pins[index], |theta| course.pin_parts(index, theta));
+        let extremes = |value: &dyn Fn(f64, PistonForces) -> f64| {
+            let known = samples.grid.iter().zip(&samples.forces[index]);
+            let known: Vec<f64> = known.map(|(&theta, &forces)| value(theta, forces)).collect();
+            torque::extremes(course.period(), &samples.grid, &known, |theta| value(theta, course.forces(index, theta)))
+        };
+        let [pull, _] = extremes(&|theta, forces| course.pull_of(index, theta, forces).max(0.0));
+        let laws = (|theta: f64| course.pin_parts(index, theta), |theta: f64| course.pin_of_inertia(index, theta));
+        let [pin, pin_of_inertia] = samples.two(course, &samples.pins[index], laws);
         CylinderPeaks {
-            rod: extremes(&|theta| course.forces(index, theta).rod()),
+            rod: extremes(&|_, forces| forces.rod()),
             pull,
-            side: extremes(&|theta| course.forces(index, theta).side()),
+            side: extremes(&|_, forces| forces.side()),
             pin,
             pin_of_inertia,
         }

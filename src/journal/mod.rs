@@ -71,8 +71,6 @@ pub struct CycleBearing {
     pub peak: CyclePeak,
     /// The largest force of the masses alone.
     pub inertia: CyclePeak,
-    /// The largest force of the gas alone.
-    pub gas: CyclePeak,
     /// The load by orders.
     pub series: Series,
 }
@@ -162,12 +160,11 @@ fn bearings(
         let parts: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| part(&cylinder.position)).collect();
         let carried = course::carried_by(engine, &parts, part, newtons);
         let inertia = moving.orders.iter().map(|order| (order.order, &order.swing));
-        let [peak, inertia_alone, gas] = samples.peaks_of(course, &carried);
+        let [peak, inertia_alone] = samples.peaks_of(course, &carried);
         CycleBearing {
             position: moving.position.clone(),
             peak,
             inertia: inertia_alone,
-            gas,
             series: order::series(engine, course.classes(), |of| parts[of].clone(), inertia, newtons),
             carried,
             parts,

@@ -131,6 +131,7 @@ impl Course {
     /// The largest and the smallest value of a function in the cycle.
     pub fn extremes(&self, value: impl Fn(f64) -> f64) -> [Extreme; 2] {
         let grid: Vec<f64> = self.angles().collect();
-        extreme::extremes(self.period, &grid, value)
+        let values: Vec<f64> = grid.iter().map(|&theta| value(theta)).collect();
+        extreme::extremes(self.period, &grid, &values, value)
     }
 }

@@ -17,6 +17,8 @@ const STEPS: usize = 720;
 const NEAR_TOP: f64 = 0.02;
 /// Two tops closer than this part of their size are one, by roundings.
 const EQUAL: f64 = 1e-9;
+/// Sections after which a place is known to some billionths of half a degree.
+const SECTIONS: usize = 40;
 
 /// Angles through a cycle of this length in radians, half a degree apart.
 pub fn angles(period: f64) -> impl Iterator<Item = f64> {
@@ -52,23 +54,29 @@ pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) ->
     best
 }
 
-/// The largest and the smallest value of a function in a cycle of this length.
-pub fn extremes(period: f64, grid: &[f64], value: impl Fn(f64) -> f64) -> [Extreme; 2] {
-    let values: Vec<f64> = grid.iter().map(|&theta| value(theta)).collect();
+/// The largest and the smallest value of such a function.
+pub fn extremes(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> [Extreme; 2] {
     let opposite: Vec<f64> = values.iter().map(|value| -value).collect();
     let lowest = largest(period, grid, &opposite, |theta| -value(theta));
-    [largest(period, grid, &values, value), Extreme { value: -lowest.value, ..lowest }]
+    [largest(period, grid, values, value), Extreme { value: -lowest.value, ..lowest }]
 }
 
 /// Where a function is largest between two places, by golden sections.
 fn refined(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    for _ in 0..50 {
-        let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        if value(left) < value(right) {
-            low = left;
+    let places = |low: f64, high: f64| (high - golden * (high - low), low + golden * (high - low));
+    let (mut left, mut right) = places(low, high);
+    let (mut at_left, mut at_right) = (value(left), value(right));
+    for _ in 0..SECTIONS {
+        // One of the two places is one of the next two as well.
+        if at_left < at_right {
+            (low, left, at_left) = (left, right, at_right);
+            right = places(low, high).1;
+            at_right = value(right);
         } else {
-            high = right;
+            (high, right, at_right) = (right, left, at_left);
+            left = places(low, high).0;
+            at_left = value(left);
         }
     }
     (low + high) / 2.0
