@@ -103,8 +103,22 @@ impl Course {
         self.cylinders.len()
     }
 
-    pub(super) fn classes(&self) -> &[Class] {
+    /// The classes of equal cylinders.
+    pub fn classes(&self) -> &[Class] {
         &self.classes
+    }
+
+    /// Cylinders, by index, whose crankpins feel the same seen from the crank, each when it fires.
+    pub fn alike(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (index, cylinder) in self.cylinders.iter().enumerate() {
+            let is_alike = |other: &Cylinder| (other.class, other.rotating) == (cylinder.class, cylinder.rotating);
+            match groups.iter_mut().find(|group| is_alike(&self.cylinders[group[0]])) {
+                Some(group) => group.push(index),
+                None => groups.push(vec![index]),
+            }
+        }
+        groups
     }
 
     /// Angles at which the pressure of some cylinder has a kink, within the cycle.
