@@ -14,6 +14,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use crate::support::dice::Dice;
+use crate::support::program::{call, scratch};
 use crate::support::stiffness;
 
 fn layout(text: &str) -> Engine {
@@ -520,4 +521,50 @@ fn what_a_layout_lacks_for_its_complete_loads_is_told() {
     let no_bearings = four().replace("bearings = ['200 mm', '100 mm', 0, '-100 mm', '-200 mm']\n", "");
     let loads = loads_of(&layout(&no_bearings));
     assert!(loads.bearings.is_none() && loads.cylinders.len() == 4);
+}
+
+#[test]
+fn the_command_shows_the_gas_only_where_it_is_asked_for() {
+    let folder = scratch("journal-page");
+    let layout = folder.join("four.toml");
+    let run = |text: &str, more: &[&str]| {
+        std::fs::write(&layout, text).expect("a file");
+        let arguments: Vec<&str> = ["bearings", layout.to_str().expect("a path")].iter().chain(more).copied().collect();
+        let output = call(&arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("a text")
+    };
+    let with = four();
+    let without = with.replace("effects = ['gas']\n", "");
+    let text = run(&with, &[]);
+    for words in ["Largest load. Bearing", "Without gas the largest is", "Rods. The rod of cylinder 1 is pressed with"]
+    {
+        assert!(text.contains(words), "{words:?} in {text}");
+    }
+    let masses = run(&without, &[]);
+    assert!(!masses.contains(" gas") && masses.contains("Largest force: bearing"), "{masses}");
+    let document: serde_json::Value = serde_json::from_str(&run(&with, &["--json"])).expect("a document");
+    let loads = loads_of(&self::layout(&with));
+    let [bearings, _] = loads.bearings.as_ref().expect("bearings");
+    let told = &document["with_gas"]["continuous"]["bearings"][2]["peak"]["value"];
+    assert_eq!(told.as_f64(), Some(bearings.bearings[2].peak.value));
+    assert_eq!(document["with_gas"]["continuous"]["bearings"][2]["orders"][0]["vanishes"], true);
+    let plain: serde_json::Value = serde_json::from_str(&run(&without, &["--json"])).expect("a document");
+    assert!(plain.get("with_gas").is_none() && plain["continuous"] == document["continuous"]);
+    // A layout that lacks something keeps the loads of its masses, and is told.
+    let slow = run(&with.replace("speed = 3000\n", ""), &[]);
+    assert!(
+        slow.contains("The gas is asked for, and left out here") && slow.contains("Largest force: bearing"),
+        "{slow}"
+    );
+    let page = folder.join("page");
+    for format in ["markdown", "latex", "html", "typst", "text"] {
+        run(&with, &["--format", format, "--output", page.to_str().expect("a path")]);
+    }
+    let markdown = std::fs::read_to_string(page.join("bearings.md")).expect("the page");
+    for picture in ["bearing-3-cycle.svg", "bearing-3-cycle-polar.svg", "pin-1-engine.svg", "pin-1-crank.svg"] {
+        assert!(markdown.contains(picture) && page.join(picture).is_file(), "{picture}");
+    }
+    // What is said of the masses alone is not said of all.
+    assert!(!markdown.contains("No gas force") && markdown.contains("The loads are those of gas and masses"));
 }

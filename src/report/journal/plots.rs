@@ -60,14 +60,13 @@ fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Pictu
 
 fn polar(number: usize, bearing: &CycleBearing, all: Vec<(f64, f64)>, inertia: Vec<(f64, f64)>) -> Picture {
     let label = "Force in N; 0° is the reference direction";
-    let curves = vec![Curve::new(0, "with gas", all.clone()), Curve::new(1, "without gas", inertia)];
+    let curves = vec![Curve::new(0, "with gas", all), Curve::new(1, "without gas", inertia)];
     let mut polar = Polar::new(format!("Main bearing {number}"), label, curves);
-    polar.mark_quarters(&all, STEPS);
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
     Picture {
         name: format!("bearing-{number}-cycle-polar"),
         caption: phrase!(
-            "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dashed). Rings mark crank angles of the first revolution, the dot the largest force.",
+            "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
             number
         ),
         figure: polar.figure(),
