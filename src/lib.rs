@@ -31,6 +31,7 @@
 //! report
 //! page
 //! claim
+//! journal
 //! accuracy  remedy  optimise  sweep  search  torque  torsion
 //! loads  family  firing
 //! verdict
@@ -84,6 +85,8 @@ pub mod claim;
 pub mod family;
 #[allow(clippy::disallowed_types)]
 pub mod gas;
+#[allow(clippy::disallowed_types)]
+pub mod journal;
 #[allow(clippy::disallowed_types)]
 pub mod loads;
 #[allow(clippy::disallowed_types)]

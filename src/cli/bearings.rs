@@ -1,6 +1,7 @@
 //! `bearings`: what do the main bearings feel?
 
 use crankstar::file::Layout;
+use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
@@ -29,10 +30,25 @@ impl Bearings {
         };
         let solve = |method| bearing_loads(&engine, &orders, method).map_err(Failure::new);
         let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
+        // What nobody asks for costs nothing.
+        let complete = engine.effects().gas.then(|| cycle_loads(&engine));
         if self.json {
-            return print_json(&report::bearings_document(&engine, &continuous, &determinate));
+            let document = report::bearings_document(&engine, &continuous, &determinate);
+            return print_json(&match &complete {
+                Some(Ok(loads)) => document.with_gas(report::CycleLoadsDocument::new(&engine, loads)),
+                Some(Err(_)) | None => document,
+            });
         }
-        let answer = report::bearings_answer(&engine, &continuous, &determinate);
-        self.pages.show(&answer, || report::bearings_page(&engine, &continuous, &determinate))
+        let answer = || report::bearings_answer(&engine, &continuous, &determinate);
+        let page = || report::bearings_page(&engine, &continuous, &determinate);
+        match &complete {
+            None => self.pages.show(&answer(), page),
+            Some(Err(lack)) => {
+                self.pages.show(&report::without_gas(answer(), lack), || report::without_gas(page(), lack))
+            }
+            Some(Ok(loads)) => self.pages.show(&report::complete_bearings_answer(&engine, loads), || {
+                report::complete_bearings_page(&engine, loads, &continuous)
+            }),
+        }
     }
 }

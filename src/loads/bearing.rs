@@ -3,7 +3,7 @@
 //! A bearing carries a rational part of a force that acts at a position of the shaft ([`crate::beam`]), so each order of
 //! each reaction is again an exact sum: that of the loads of the shaft, each term weighed by its part (theory, section 8). Those
 //! are the loads of the crankpins ([`super::pin`]), whose sum is not the shaking force: the cylinder walls carry the side forces of
-//! the pistons. Inertia alone: no gas force, no weight; rigid collinear bearings without clearance.
+//! the pistons. Inertia alone: the room `journal` adds the gas; no weight; rigid collinear bearings without clearance.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,6 @@ use num_traits::One;
 use super::pin::with_constant;
 use super::shares::{Shares, in_equilibrium};
 use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
-use crate::beam::Beam;
 use crate::engine::{self, Engine};
 use crate::order::{self, Contribution, OrderSum};
 
@@ -81,13 +80,9 @@ const EQUAL: f64 = 1e-12;
 /// # Errors
 /// What the layout lacks.
 pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
-    if engine.bearings().is_empty() {
-        return Err(Missing::Bearings);
-    }
+    let shares = Shares::of(engine, method)?;
     engine::are_orders(orders)?;
-    let beam = Beam::new(engine.bearings().to_vec()).map_err(Missing::Beam)?;
     let motion = Motion::new(engine)?;
-    let shares = Shares::new(beam, method);
     let mut by_bearing: Vec<Vec<BearingOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
         let [direct, reverse] = SENSES.map(|sense| {

@@ -6,20 +6,31 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::Missing;
 use super::bearing::Method;
 use crate::beam::{Beam, BeamError};
+use crate::engine::Engine;
 use crate::order::OrderSum;
 
 /// The parts that the bearings carry of a load, by its position; each position is solved once.
-pub(super) struct Shares {
+#[derive(Clone, Debug)]
+pub struct Shares {
     beam: Beam,
     method: Method,
     known: RefCell<BTreeMap<BigRational, Vec<BigRational>>>,
 }
 
 impl Shares {
-    pub fn new(beam: Beam, method: Method) -> Self {
-        Shares { beam, method, known: RefCell::default() }
+    /// Those of the bearings of an engine.
+    ///
+    /// # Errors
+    /// No bearings, or some that hold no shaft.
+    pub fn of(engine: &Engine, method: Method) -> Result<Self, Missing> {
+        if engine.bearings().is_empty() {
+            return Err(Missing::Bearings);
+        }
+        let beam = Beam::new(engine.bearings().to_vec()).map_err(Missing::Beam)?;
+        Ok(Shares { beam, method, known: RefCell::default() })
     }
 
     /// What one bearing carries of a unit load.
@@ -35,7 +46,7 @@ impl Shares {
     }
 
     /// All that was solved.
-    pub fn into_known(self) -> BTreeMap<BigRational, Vec<BigRational>> {
+    pub(super) fn into_known(self) -> BTreeMap<BigRational, Vec<BigRational>> {
         self.known.into_inner()
     }
 

@@ -18,6 +18,7 @@ mod family_page;
 mod figures;
 mod firing;
 mod firmness;
+mod journal;
 mod loads_document;
 pub mod moving;
 mod multiples;
@@ -62,6 +63,7 @@ pub use firing::{
     FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,
     firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
+pub use journal::{CycleLoadsDocument, complete_bearings_answer, complete_bearings_page, without_gas};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]

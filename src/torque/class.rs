@@ -33,6 +33,8 @@ pub struct Class {
 #[derive(Clone, Debug)]
 pub struct Inertia {
     crank: SliderCrank,
+    /// Crank radius r in metres.
+    pub radius: f64,
     /// Offset e over crank radius r: 0 where the axis meets the crankshaft.
     pub lever: f64,
     /// `m r²` in kilograms times square metres.
@@ -49,9 +51,14 @@ impl Inertia {
         self.scale * self.crank.torque(psi)
     }
 
-    /// Moment `e F_in` of the shaking force at the offset of its axis, `F_in = −m s̈`.
+    /// The force `F_in = −m s̈` along the axis, outward, in newtons.
+    pub fn force(&self, psi: f64) -> f64 {
+        -self.scale / self.radius * self.crank.acceleration(psi)
+    }
+
+    /// Moment `e F_in` of the shaking force at the offset of its axis.
     pub fn sideways(&self, psi: f64) -> f64 {
-        -self.scale * self.lever * self.crank.acceleration(psi)
+        self.lever * self.radius * self.force(psi)
     }
 
     /// `m s'²` in kilograms times square metres.
@@ -86,7 +93,11 @@ fn fires(engine: &Engine) -> Result<Vec<BigRational>, NoTorque> {
     Ok(angles)
 }
 
-pub(super) fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
+/// The classes of equal cylinders, in the order of their first ones.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
     let Some(gas) = engine.gas() else { return Err(NoGas::Gas.into()) };
     let fires = fires(engine)?;
     let cylinders = engine.cylinders();
@@ -127,6 +138,7 @@ fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
     let mass = engine.dimensions().mass.as_ref()? * &cylinder.reciprocating_mass;
     let radius = engine.dimensions().crank_radius.as_ref()? * &cylinder.crank_radius;
     let weight = float(&(mass * &radius * &radius));
+    let radius = float(&radius);
     let scale = weight * omega(engine)?.powi(2);
     let crank = order::crank(mechanism);
     let harmonics = (1..=HIGHEST).map(|order| crank.torque_coefficient(order).to_complex() * scale).collect();
@@ -136,11 +148,11 @@ fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
         false if crank.ratio().is_zero() => 0.0,
         false => float(&(crank.offset() / crank.ratio())),
     };
-    Some(Inertia { crank, lever, weight, scale, harmonics })
+    Some(Inertia { crank, radius, lever, weight, scale, harmonics })
 }
 
 /// What is odd about the pressures, by class.
-pub(super) fn warnings(engine: &Engine, classes: &[Class]) -> Vec<(usize, Warning)> {
+pub fn warnings(engine: &Engine, classes: &[Class]) -> Vec<(usize, Warning)> {
     let (Some(gas), Some(cycle)) = (engine.gas(), engine.cycle()) else { return Vec::new() };
     let of_class = |(index, class): (usize, &Class)| {
         let law = &gas.laws[gas.chambers[class.cylinders[0]].law];

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_traits::ToPrimitive;
 
 use super::class::{Class, Inertia};
+use super::extreme::{self, Extreme};
 use crate::gas::{CylinderGas, integrate, integrate_short};
 
 /// The torque over the crank angle θ, in radians.
@@ -30,23 +31,8 @@ struct ClassCourse {
     work: Vec<(f64, f64)>,
 }
 
-/// A largest or smallest value, and where it first stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extreme {
-    /// The value.
-    pub value: f64,
-    /// The crank angle θ in degrees, within the cycle.
-    pub angle: f64,
-}
-
-/// Steps of a revolution in which the largest value is looked for: half a degree each.
-const STEPS: usize = 720;
 /// Parts of the gas work are at most so wide, in radians.
 const WIDEST: f64 = 0.05;
-/// A top of the grid lower than the highest by more than this part of the range is no highest value.
-const NEAR_TOP: f64 = 0.02;
-/// Two tops closer than this part of their size are one, by roundings.
-const EQUAL: f64 = 1e-9;
 
 impl ClassCourse {
     fn new(class: &Class) -> Self {
@@ -139,54 +125,13 @@ impl Course {
 
     /// Angles through the cycle, half a degree apart.
     pub fn angles(&self) -> impl Iterator<Item = f64> {
-        let count = (self.period / TAU * STEPS as f64).round() as usize;
-        let step = self.period / count as f64;
-        (0..count).map(move |index| index as f64 * step)
+        extreme::angles(self.period)
     }
 
-    /// The largest and the smallest value of a function in the cycle: on a grid, then by golden sections beside its tops.
+    /// The largest and the smallest value of a function in the cycle.
     pub fn extremes(&self, value: impl Fn(f64) -> f64) -> [Extreme; 2] {
-        let values: Vec<f64> = self.angles().map(&value).collect();
-        let step = self.period / values.len() as f64;
-        let opposite: Vec<f64> = values.iter().map(|value| -value).collect();
-        let lowest = self.highest(&opposite, step, |theta| -value(theta));
-        [self.highest(&values, step, value), Extreme { value: -lowest.value, ..lowest }]
+        let grid: Vec<f64> = self.angles().collect();
+        let values: Vec<f64> = grid.iter().map(|&theta| value(theta)).collect();
+        extreme::extremes(self.period, &grid, &values, value)
     }
-
-    fn highest(&self, values: &[f64], step: f64, value: impl Fn(f64) -> f64) -> Extreme {
-        let count = values.len();
-        let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let is_top = |&index: &usize| {
-            let beside = values[(index + count - 1) % count].max(values[(index + 1) % count]);
-            values[index] >= beside && values[index] >= highest - NEAR_TOP * (highest - lowest)
-        };
-        let mut best = Extreme { value: f64::NEG_INFINITY, angle: 0.0 };
-        // Where nothing changes one place is as good as all.
-        let most = if highest > lowest { count } else { 1 };
-        for index in (0..count).filter(is_top).take(most) {
-            let place = index as f64 * step;
-            let theta = refined(place - step, place + step, &value);
-            let theta = if value(theta) > values[index] { theta } else { place };
-            let found = value(theta);
-            if found > best.value + EQUAL * (highest - lowest) || best.value == f64::NEG_INFINITY {
-                best = Extreme { value: found, angle: theta.rem_euclid(self.period).to_degrees() };
-            }
-        }
-        best
-    }
-}
-
-/// Where a function is largest between two places, by golden sections.
-fn refined(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
-    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    for _ in 0..50 {
-        let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        if value(left) < value(right) {
-            low = left;
-        } else {
-            high = right;
-        }
-    }
-    (low + high) / 2.0
 }

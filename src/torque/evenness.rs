@@ -6,7 +6,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::course::{Course, Extreme};
+use super::course::Course;
+use super::extreme::Extreme;
 use crate::engine::Engine;
 
 /// How evenly an engine turns at its speed.

@@ -6,13 +6,15 @@
 mod class;
 mod course;
 mod evenness;
+mod extreme;
 mod guide;
 mod missing;
 mod order;
 
-pub use class::Class;
-pub use course::{Course, Extreme};
+pub use class::{Class, Inertia, classes, warnings};
+pub use course::Course;
 pub use evenness::{Evenness, evenness};
+pub use extreme::{Extreme, angles, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
 pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
@@ -57,7 +59,7 @@ pub const HIGHEST: u32 = 12;
 /// # Errors
 /// What the layout lacks.
 pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
-    let classes = class::classes(engine)?;
+    let classes = classes(engine)?;
     let course = Course::new(&classes);
     let orders = orders(&classes);
     let work: f64 = classes.iter().map(|class| class.gas.work() * class.cylinders.len() as f64).sum();
@@ -66,7 +68,7 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
     let moved = |gas: &CylinderGas| (gas.peak_pressure().0 + gas.crankcase()) * gas.geometry().swept();
     let moved: f64 = classes.iter().map(|class| moved(&class.gas)).sum();
     let omega = class::omega(engine);
-    let warnings = class::warnings(engine, &classes);
+    let warnings = warnings(engine, &classes);
     let [highest, lowest] = course.extremes(|theta| course.total(theta));
     let missed =
         course.angles().map(|theta| (course.total(theta) - mean - series(&orders, theta)).abs()).fold(0.0, f64::max);

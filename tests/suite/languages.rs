@@ -6,6 +6,8 @@ use std::path::Path;
 
 use crankstar::engine::Engine;
 use crankstar::file;
+use crankstar::journal::cycle_loads;
+use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
 use crankstar::report::{self, Compared};
@@ -94,6 +96,41 @@ fn pages_of_the_torque_have_german_for_every_phrase() {
         assert_known(&pages_of(&engine));
         if let Ok(torque) = torque(&engine) {
             assert_known(&[report::torque_answer(&engine, &torque), report::torque_page(&engine, &torque)]);
+        }
+    }
+}
+
+#[test]
+fn pages_of_the_complete_loads_have_german_for_every_phrase() {
+    let four = crate::journal::four();
+    let texts = [
+        four.clone(),
+        four.replace("speed = 3000", "speed = 0"),
+        four.replace("speed = 3000", "speed = 12000"),
+        // Pistons heavier than their gas, and a misfire.
+        four.replace("'0.5 kg'", "'9 kg'") + "[[gas.cylinder]]\ncylinders = [2]\nheat = 0",
+        four.replace("speed = 3000\n", ""),
+    ];
+    for text in texts {
+        let engine = file::parse("layout.toml", &text).unwrap_or_else(|error| panic!("{text}\n{error}"));
+        let solve = |method| bearing_loads(&engine, engine.orders(), method).expect("bearings");
+        let (masses, other) = (solve(Method::Continuous), solve(Method::Determinate));
+        let pages = match cycle_loads(&engine) {
+            Ok(loads) => vec![
+                report::complete_bearings_answer(&engine, &loads),
+                report::complete_bearings_page(&engine, &loads, &masses),
+            ],
+            Err(lack) => vec![report::without_gas(report::bearings_page(&engine, &masses, &other), &lack)],
+        };
+        assert_known(&pages);
+        for picture in pages.iter().flat_map(Document::pictures) {
+            let translated = Language::De.picture(picture);
+            for (english, german) in picture.figure.marks.iter().zip(&translated.figure.marks) {
+                let (Mark::Text { text: english, .. }, Mark::Text { text: german, .. }) = (english, german) else {
+                    continue;
+                };
+                assert!(english != german || !english.contains(" in "), "{english}");
+            }
         }
     }
 }

@@ -41,6 +41,7 @@ mod ground_truth;
 mod hard_cases;
 mod help;
 mod hostile_text;
+mod journal;
 mod languages;
 mod largest;
 mod layout_files;

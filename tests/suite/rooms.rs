@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::support::imports;
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
-const STOREYS: [&[&str]; 12] = [
+const STOREYS: [&[&str]; 13] = [
     &["proof", "motion", "beam", "text"],
     &["exact"],
     &["engine"],
@@ -16,6 +16,7 @@ const STOREYS: [&[&str]; 12] = [
     &["verdict"],
     &["loads", "family", "firing"],
     &["accuracy", "remedy", "optimise", "sweep", "search", "torque", "torsion"],
+    &["journal"],
     &["claim"],
     &["page"],
     &["report"],

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::super::calculation::Unit;
+use super::super::journal::CycleLoadsDocument;
 use super::amounts::unit_of;
 use super::page::orders_of;
 use crate::engine::{Engine, Mechanism};
@@ -25,6 +26,16 @@ pub struct BearingsDocument {
     pins: Vec<Pin>,
     continuous: Solution,
     determinate: Solution,
+    /// Gas and masses together, where the layout asks for the gas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    with_gas: Option<CycleLoadsDocument>,
+}
+
+impl BearingsDocument {
+    /// The same with the loads of gas and masses together.
+    pub fn with_gas(self, loads: CycleLoadsDocument) -> Self {
+        BearingsDocument { with_gas: Some(loads), ..self }
+    }
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -115,6 +126,7 @@ pub fn bearings_document(engine: &Engine, continuous: &BearingLoads, determinate
         pins: pins(engine, &orders_of(continuous), unit),
         continuous: solution(engine, continuous, unit),
         determinate: solution(engine, determinate, unit),
+        with_gas: None,
     }
 }
 

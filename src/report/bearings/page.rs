@@ -108,15 +108,7 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
     page.push(Block::Answer(answer(continuous, determinate).to_vec()));
     page.push(tables::peaks(engine, continuous, determinate));
     section(&mut page, "Order by order");
-    page.push(Block::Paragraph("The largest value of each order:".into()));
-    page.push(tables::orders(continuous));
-    page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
-    page.push(Block::Paragraph(VECTORS.into()));
-    page.push(tables::vectors(continuous));
-    if let Some(numbers) = tables::numbers(engine, continuous) {
-        page.push(Block::Paragraph("The numbers of the motion:".into()));
-        page.push(numbers);
-    }
+    page.blocks.extend(by_orders(engine, continuous));
     section(&mut page, "Through a revolution");
     for (index, pictures) in plots::drawings(continuous).into_iter().enumerate() {
         page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
@@ -129,9 +121,24 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
         page.push(tables::pins(engine, &pins));
     }
     section(&mut page, "Parts of a load");
-    page.push(Block::Paragraph(METHOD.into()));
-    page.push(tables::parts(engine, continuous));
+    page.blocks.extend(parts_of_a_load(engine, continuous));
     section(&mut page, "Assumptions");
     page.push(Block::List(ASSUMPTIONS.map(Text::from).into()));
     page
+}
+
+/// The largest value of each order, what is left out, and the exact vectors.
+pub(in crate::report) fn by_orders(engine: &Engine, loads: &BearingLoads) -> Vec<Block> {
+    let mut blocks = vec![Block::Paragraph("The largest value of each order:".into()), tables::orders(loads).into()];
+    blocks.extend(left_out(engine, loads).map(Block::Paragraph));
+    blocks.extend([Block::Paragraph(VECTORS.into()), tables::vectors(loads).into()]);
+    if let Some(numbers) = tables::numbers(engine, loads) {
+        blocks.extend([Block::Paragraph("The numbers of the motion:".into()), numbers.into()]);
+    }
+    blocks
+}
+
+/// Which part of a load each bearing carries, and how that was found.
+pub(in crate::report) fn parts_of_a_load(engine: &Engine, loads: &BearingLoads) -> Vec<Block> {
+    vec![Block::Paragraph(METHOD.into()), tables::parts(engine, loads).into()]
 }

@@ -8,5 +8,6 @@ mod tables;
 mod words;
 
 pub use document::{TorqueDocument, torque_document};
-pub(super) use page::torque_section;
+pub(super) use page::{has_assumed, torque_section};
 pub use page::{torque_answer, torque_page};
+pub(super) use words::{angle, assumptions, names, quantity, warning};

@@ -91,7 +91,7 @@ pub fn torque_page(engine: &Engine, torque: &EngineTorque) -> Document {
 }
 
 /// Whether some value of the gas was not given.
-fn has_assumed(engine: &Engine) -> bool {
+pub(in crate::report) fn has_assumed(engine: &Engine) -> bool {
     use crate::engine::PressureLaw;
     let Some(gas) = engine.gas() else { return false };
     let of_law = |law: &PressureLaw| match law {

@@ -6,12 +6,12 @@ use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::torque::{EngineTorque, Evenness};
 
 /// A decimal with its unit.
-pub(super) fn quantity(value: f64, unit: Unit) -> Text {
+pub(in crate::report) fn quantity(value: f64, unit: Unit) -> Text {
     Piece::Quantity(value, unit).into()
 }
 
 /// An angle of the crank.
-pub(super) fn angle(degrees: f64) -> Text {
+pub(in crate::report) fn angle(degrees: f64) -> Text {
     phrase!("≈ {}°", number::decimal(degrees))
 }
 
@@ -103,43 +103,50 @@ pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
 
 /// What a person should look at, by cylinders.
 pub(super) fn warnings(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
-    let told = |(class, warning): &(usize, Warning)| {
-        let of = cylinders(engine, torque, *class);
-        match warning {
-            Warning::Peak(pascals) => phrase!(
-                "Cylinders {}: the largest pressure is {}. Engines have 5 to 400 bar: is the unit right?",
-                of,
-                quantity(pascals / 1e5, Unit::BAR)
-            ),
-            Warning::PeakAngle(degrees) => phrase!(
-                "Cylinders {}: the largest pressure stands at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",
-                of,
-                angle(*degrees)
-            ),
-            Warning::TakesWork(mean) => phrase!(
-                "Cylinders {}: the gas takes a mean torque of {} in place of giving one: is the dead centre a revolution off, or does the table count backwards?",
-                of,
-                quantity(-mean, Unit::NEWTON_METRE)
-            ),
-            Warning::Coarse(degrees) => phrase!(
-                "Cylinders {}: rows of the table stand {} apart; the straight lines between them decide the higher orders.",
-                of,
-                angle(*degrees)
-            ),
-        }
-    };
-    torque.warnings.iter().map(told).collect()
+    let of = |class: usize| torque.classes[class].cylinders.as_slice();
+    torque.warnings.iter().map(|(class, odd)| warning(engine, of(*class), odd)).collect()
+}
+
+/// What is odd about the pressure of these cylinders.
+pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: &Warning) -> Text {
+    let of = names(engine, cylinders);
+    match warning {
+        Warning::Peak(pascals) => phrase!(
+            "Cylinders {}: the largest pressure is {}. Engines have 5 to 400 bar: is the unit right?",
+            of,
+            quantity(pascals / 1e5, Unit::BAR)
+        ),
+        Warning::PeakAngle(degrees) => phrase!(
+            "Cylinders {}: the largest pressure stands at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",
+            of,
+            angle(*degrees)
+        ),
+        Warning::TakesWork(mean) => phrase!(
+            "Cylinders {}: the gas takes a mean torque of {} in place of giving one: is the dead centre a revolution off, or does the table count backwards?",
+            of,
+            quantity(-mean, Unit::NEWTON_METRE)
+        ),
+        Warning::Coarse(degrees) => phrase!(
+            "Cylinders {}: rows of the table stand {} apart; the straight lines between them decide the higher orders.",
+            of,
+            angle(*degrees)
+        ),
+    }
 }
 
 /// The names of the cylinders of a class.
 pub(super) fn cylinders(engine: &Engine, torque: &EngineTorque, class: usize) -> Text {
-    let names: Vec<&str> =
-        torque.classes[class].cylinders.iter().map(|&index| engine.cylinders()[index].name.as_str()).collect();
+    names(engine, &torque.classes[class].cylinders)
+}
+
+/// The names of these cylinders.
+pub(in crate::report) fn names(engine: &Engine, cylinders: &[usize]) -> Text {
+    let names: Vec<&str> = cylinders.iter().map(|&index| engine.cylinders()[index].name.as_str()).collect();
     Text::label(names.join(", "))
 }
 
 /// What the numbers rest on.
-pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
+pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
     let mut list: Vec<Text> = vec![
         "The crank turns at constant speed while the torque is found; the shaft is rigid; friction, the valve gear and the pumps take nothing.".into(),
         "Every cylinder of a class has the same pressure in each cycle.".into(),

@@ -1,0 +1,231 @@
+//! Which forces act at a crank angle: on piston, wall, rod and crankpin of each cylinder, and on what carries them?
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::Carried;
+use crate::engine::Engine;
+use crate::numbers;
+use crate::order::{self, MassGroup, Source};
+use crate::torque::Class;
+
+/// The forces over the crank angle θ, in radians and newtons.
+#[derive(Clone, Debug)]
+pub struct Course {
+    classes: Vec<Class>,
+    cylinders: Vec<Cylinder>,
+    period: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Cylinder {
+    class: usize,
+    /// Where it fires, in radians of the cycle.
+    fires: f64,
+    /// The direction of its axis.
+    axis: Complex<f64>,
+    /// That of its throw at θ = 0.
+    throw: Complex<f64>,
+    /// What the rotating part of its rod pulls the pin outward with.
+    rotating: f64,
+}
+
+/// The forces along and across the axis of one cylinder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PistonForces {
+    /// F_g: of the gas on the piston, towards the crank; the head feels the opposite.
+    pub gas: f64,
+    /// F_in: of the inertia of what goes back and forth, outward.
+    pub inertia: f64,
+    /// tan β, the slope of the rod.
+    pub slope: f64,
+}
+
+impl PistonForces {
+    /// The piston effort `F = F_g − F_in`, towards the crank.
+    pub fn effort(&self) -> f64 {
+        self.gas - self.inertia
+    }
+
+    /// The side force `F tan β` of the wall on the piston, a quarter turn anticlockwise from the axis outward.
+    pub fn side(&self) -> f64 {
+        self.effort() * self.slope
+    }
+
+    /// The force `F/cos β` along the rod: positive where it is pressed.
+    pub fn rod(&self) -> f64 {
+        self.effort() * self.slope.hypot(1.0)
+    }
+
+    /// The direction from the crankpin to the piston, in the frame of the axis: `cos β − i sin β`.
+    fn rod_direction(&self) -> Complex<f64> {
+        Complex::new(1.0, -self.slope) / self.slope.hypot(1.0)
+    }
+
+    /// What a force towards the crank loads the crankpin with, in the frame of the axis.
+    fn on_the_pin(&self, effort: f64) -> Complex<f64> {
+        -effort * Complex::new(1.0, -self.slope)
+    }
+}
+
+impl Course {
+    pub(super) fn new(engine: &Engine, classes: Vec<Class>, newtons: f64) -> Self {
+        let turning = order::turning_masses(engine);
+        let rotating = |index: usize| {
+            let own = turning.iter().filter(|mass| mass.source == Source::BigEnd(index));
+            own.map(|mass| float(&mass.mass_radius) * newtons).sum()
+        };
+        let fires = |index: usize| {
+            classes.iter().enumerate().find_map(|(class, of)| {
+                let place = of.cylinders.iter().position(|&cylinder| cylinder == index)?;
+                Some((class, float(&of.fires[place]) * TAU))
+            })
+        };
+        let cylinders = engine.cylinders().iter().enumerate().map(|(index, cylinder)| {
+            let Some((class, fires)) = fires(index) else { unreachable!("every cylinder belongs to a class") };
+            let [axis, throw] = [&cylinder.bank, &cylinder.throw].map(numbers::direction);
+            Cylinder { class, fires, axis, throw, rotating: rotating(index) }
+        });
+        let cylinders = cylinders.collect();
+        Course { cylinders, period: classes.first().map_or(TAU, |class| class.gas.period()), classes }
+    }
+
+    /// Length of the cycle in radians.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// How many cylinders there are.
+    pub fn cylinders(&self) -> usize {
+        self.cylinders.len()
+    }
+
+    /// The classes of equal cylinders.
+    pub fn classes(&self) -> &[Class] {
+        &self.classes
+    }
+
+    /// Cylinders, by index, whose crankpins feel the same seen from the crank, each when it fires.
+    pub fn alike(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (index, cylinder) in self.cylinders.iter().enumerate() {
+            let is_alike = |other: &Cylinder| (other.class, other.rotating) == (cylinder.class, cylinder.rotating);
+            match groups.iter_mut().find(|group| is_alike(&self.cylinders[group[0]])) {
+                Some(group) => group.push(index),
+                None => groups.push(vec![index]),
+            }
+        }
+        groups
+    }
+
+    /// Angles at which the pressure of some cylinder has a kink, within the cycle.
+    pub(super) fn kinks(&self) -> impl Iterator<Item = f64> {
+        self.cylinders.iter().flat_map(|cylinder| {
+            self.classes[cylinder.class].gas.kinks().map(|psi| (psi + cylinder.fires).rem_euclid(self.period))
+        })
+    }
+
+    /// The forces in a cylinder, by its index.
+    pub fn forces(&self, index: usize, theta: f64) -> PistonForces {
+        self.forces_with(index, theta, |class, psi| class.gas.force(psi))
+    }
+
+    fn forces_with(&self, index: usize, theta: f64, gas: impl Fn(&Class, f64) -> f64) -> PistonForces {
+        let cylinder = &self.cylinders[index];
+        let class = &self.classes[cylinder.class];
+        let psi = theta - cylinder.fires;
+        PistonForces {
+            gas: gas(class, psi),
+            inertia: class.inertia.as_ref().map_or(0.0, |inertia| inertia.force(psi)),
+            slope: class.gas.geometry().slope(psi),
+        }
+    }
+
+    /// What a rod loads its crankpin with, seen from the engine: of the masses, and of the gas.
+    pub fn pin_parts(&self, index: usize, theta: f64) -> [Complex<f64>; 2] {
+        self.pin_parts_of(index, theta, self.forces(index, theta))
+    }
+
+    pub(super) fn pin_parts_of(&self, index: usize, theta: f64, forces: PistonForces) -> [Complex<f64>; 2] {
+        let cylinder = &self.cylinders[index];
+        let rotating = cylinder.throw * Complex::cis(theta) * cylinder.rotating;
+        let on_the_pin = |effort: f64| forces.on_the_pin(effort) * cylinder.axis;
+        [on_the_pin(-forces.inertia) + rotating, on_the_pin(forces.gas)]
+    }
+
+    /// The part of the masses alone, for which no pressure is found.
+    pub(super) fn pin_of_inertia(&self, index: usize, theta: f64) -> Complex<f64> {
+        let still = self.forces_with(index, theta, |_, _| 0.0);
+        self.pin_parts_of(index, theta, still)[0]
+    }
+
+    /// What a rod loads its crankpin with, seen from the engine.
+    pub fn pin(&self, index: usize, theta: f64) -> Complex<f64> {
+        let [inertia, gas] = self.pin_parts(index, theta);
+        inertia + gas
+    }
+
+    /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
+    pub fn pin_on_the_crank(&self, index: usize, theta: f64) -> Complex<f64> {
+        self.pin(index, theta) * (self.cylinders[index].throw * Complex::cis(theta)).conj()
+    }
+
+    /// The pull of the big end on its pin along the rod, towards the piston: the bolts of its cap bear it, less what the cap itself makes.
+    pub fn pull(&self, index: usize, theta: f64) -> f64 {
+        self.pull_of(index, theta, self.forces(index, theta))
+    }
+
+    pub(super) fn pull_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
+        let along = forces.rod_direction() * self.cylinders[index].axis;
+        let [inertia, gas] = self.pin_parts_of(index, theta, forces);
+        ((inertia + gas) * along.conj()).re
+    }
+
+    /// What a place carries of masses and of gas.
+    pub fn carried_parts(&self, carried: &Carried, theta: f64) -> [Complex<f64>; 2] {
+        let shaft = [carried.shaft * Complex::cis(theta), Complex::new(0.0, 0.0)];
+        let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
+        loads.fold(shaft, |[inertia, gas], (index, part)| {
+            let [of_inertia, of_gas] = self.pin_parts(index, theta);
+            [inertia + of_inertia * part, gas + of_gas * part]
+        })
+    }
+
+    /// What it carries of the masses alone.
+    pub(super) fn carried_of_inertia(&self, carried: &Carried, theta: f64) -> Complex<f64> {
+        let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
+        let shaft = carried.shaft * Complex::cis(theta);
+        loads.fold(shaft, |sum, (index, part)| sum + self.pin_of_inertia(index, theta) * part)
+    }
+
+    /// What a place carries of all forces.
+    pub fn carried(&self, carried: &Carried, theta: f64) -> Complex<f64> {
+        let [inertia, gas] = self.carried_parts(carried, theta);
+        inertia + gas
+    }
+}
+
+/// What a bearing carries: these parts of the pins, and those of the masses of the crankshaft itself.
+pub(super) fn carried_by(
+    engine: &Engine,
+    parts: &[BigRational],
+    part: impl Fn(&BigRational) -> BigRational,
+    newtons: f64,
+) -> Carried {
+    let is_own = |group: MassGroup| match group {
+        MassGroup::Crankshaft | MassGroup::Counterweights => true,
+        // Rods load the pins, and a balancer shaft stands in bearings of its own.
+        MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
+    };
+    let turning = order::turning_masses(engine).into_iter().filter(|mass| is_own(mass.source.group()));
+    let shaft = turning
+        .map(|mass| numbers::direction(&mass.angle) * float(&(&mass.mass_radius * part(&mass.position))) * newtons);
+    Carried { shaft: shaft.sum(), parts: parts.iter().map(float).collect() }
+}
+
+fn float(number: &BigRational) -> f64 {
+    number.to_f64().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,178 @@
+//! Which forces do pistons, rods, crankpins and main bearings feel through the cycle, of gas and masses together?
+//!
+//! Each piston pushes its rod with `F = F_g − F_in` towards the crank, and the wall with the side force `F tan β`; the rod pushes its crankpin
+//! with `−F (1 − i tan β) e^{iα}` and its rotating mass, and the main bearings carry the pins in fixed parts (theory, section 12). Largest
+//! values are those of the forces themselves, through the whole cycle; the orders are a series, halves in a four-stroke engine.
+
+mod course;
+mod largest;
+mod missing;
+mod order;
+
+pub use course::{Course, PistonForces};
+pub use largest::{CyclePeak, CylinderPeaks};
+pub use missing::NoCycleLoads;
+pub use order::{CycleMean, GasStars, JournalOrder};
+
+use num_complex::Complex;
+use num_rational::BigRational;
+
+use crate::engine::Engine;
+use crate::gas::Warning;
+use crate::loads::{self, Method, Shares, bearing_loads, pin_loads};
+use crate::torque::{self, HIGHEST};
+use largest::Samples;
+
+/// The complete loads of an engine through its cycle, in newtons.
+#[derive(Clone, Debug)]
+pub struct CycleLoads {
+    /// The forces at any crank angle.
+    pub course: Course,
+    /// What each cylinder loads its wall, its rod and its crankpin with, in the order of the layout.
+    pub cylinders: Vec<CylinderLoads>,
+    /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives no bearings.
+    pub bearings: Option<[CycleBearings; 2]>,
+    /// What is odd about a pressure: the cylinders, and what.
+    pub warnings: Vec<(Vec<usize>, Warning)>,
+}
+
+/// What one cylinder does.
+#[derive(Clone, Debug)]
+pub struct CylinderLoads {
+    /// Where its crankpin stands, in the unit of the layout's positions.
+    pub position: BigRational,
+    /// The largest forces.
+    pub peaks: CylinderPeaks,
+    /// The load of its crankpin by orders.
+    pub pin: Series,
+}
+
+/// What all main bearings feel.
+#[derive(Clone, Debug)]
+pub struct CycleBearings {
+    /// How loads are shared.
+    pub method: Method,
+    /// The bearings, in the order of the file.
+    pub bearings: Vec<CycleBearing>,
+    /// Index of the one with the largest peak, the first of equal ones.
+    pub worst: usize,
+}
+
+/// What one main bearing feels: the force in the direction of the load, not the one that it answers with.
+#[derive(Clone, Debug)]
+pub struct CycleBearing {
+    /// Where it stands, in the unit of the layout's positions.
+    pub position: BigRational,
+    /// What it carries of a unit load on each crankpin: exact.
+    pub parts: Vec<BigRational>,
+    /// The same in decimals, and the force of the masses of the shaft itself at θ = 0.
+    pub carried: Carried,
+    /// The largest force in a cycle.
+    pub peak: CyclePeak,
+    /// The largest force of the masses alone.
+    pub inertia: CyclePeak,
+    /// The load by orders.
+    pub series: Series,
+}
+
+/// What of the engine's forces one place carries.
+#[derive(Clone, Debug)]
+pub struct Carried {
+    /// The part of the load of each crankpin.
+    pub parts: Vec<f64>,
+    /// What the masses of the crankshaft itself pull there with at θ = 0, in newtons; it turns with the crank.
+    pub shaft: Complex<f64>,
+}
+
+/// A load by orders of the cycle.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The force that stays.
+    pub mean: CycleMean,
+    /// The orders, rising, up to [`torque::HIGHEST`]; halves in a four-stroke engine.
+    pub orders: Vec<JournalOrder>,
+}
+
+impl Series {
+    /// The sum of mean and orders at a crank angle.
+    pub fn at(&self, theta: f64) -> Complex<f64> {
+        self.orders.iter().fold(self.mean.total(), |sum, order| sum + order.at(theta))
+    }
+}
+
+impl CycleLoads {
+    /// How much of the load of any bearing the orders miss at most, looked for half a degree apart; none without bearings.
+    pub fn missed(&self, bearings: &CycleBearings) -> f64 {
+        let miss = |bearing: &CycleBearing, theta: f64| {
+            (self.course.carried(&bearing.carried, theta) - bearing.series.at(theta)).norm()
+        };
+        let all = torque::angles(self.course.period())
+            .flat_map(|theta| bearings.bearings.iter().map(move |bearing| (bearing, theta)));
+        all.map(|(bearing, theta)| miss(bearing, theta)).fold(0.0, f64::max)
+    }
+}
+
+/// The complete loads of an engine.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
+    let classes = torque::classes(engine)?;
+    let scale = loads::scale(engine).filter(|_| classes.iter().all(|class| class.inertia.is_some()));
+    let scale = scale.ok_or(NoCycleLoads::Masses)?;
+    let whole: Vec<u32> = (1..=HIGHEST).collect();
+    let pins = pin_loads(engine, &whole)?;
+    let warnings = torque::warnings(engine, &classes);
+    let warnings = warnings.into_iter().map(|(class, warning)| (classes[class].cylinders.clone(), warning)).collect();
+    let course = Course::new(engine, classes, scale.force());
+    let samples = Samples::new(&course);
+    let cylinders = engine.cylinders().iter().enumerate().zip(&pins.pins).map(|((index, cylinder), pin)| {
+        let own = |of: usize| BigRational::from_integer(i32::from(of == index).into());
+        let inertia = pin.orders.iter().map(|order| (order.order, &order.swing));
+        CylinderLoads {
+            position: cylinder.position.clone(),
+            peaks: CylinderPeaks::new(&course, &samples, index),
+            pin: order::series(engine, course.classes(), own, inertia, scale.force()),
+        }
+    });
+    let cylinders = cylinders.collect();
+    let bearings = match engine.bearings().is_empty() {
+        true => None,
+        false => {
+            let solve = |method| bearings(engine, &course, &samples, (method, scale.force()));
+            Some([solve(Method::Continuous)?, solve(Method::Determinate)?])
+        }
+    };
+    Ok(CycleLoads { cylinders, bearings, course, warnings })
+}
+
+fn bearings(
+    engine: &Engine,
+    course: &Course,
+    samples: &Samples,
+    (method, newtons): (Method, f64),
+) -> Result<CycleBearings, NoCycleLoads> {
+    let shares = Shares::of(engine, method)?;
+    let whole: Vec<u32> = (1..=HIGHEST).collect();
+    let moving = bearing_loads(engine, &whole, method)?;
+    let bearing = |(index, moving): (usize, &loads::BearingLoad)| {
+        let part = |position: &BigRational| shares.part(index, position);
+        let parts: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| part(&cylinder.position)).collect();
+        let carried = course::carried_by(engine, &parts, part, newtons);
+        let inertia = moving.orders.iter().map(|order| (order.order, &order.swing));
+        let [peak, inertia_alone] = samples.peaks_of(course, &carried);
+        CycleBearing {
+            position: moving.position.clone(),
+            peak,
+            inertia: inertia_alone,
+            series: order::series(engine, course.classes(), |of| parts[of].clone(), inertia, newtons),
+            carried,
+            parts,
+        }
+    };
+    let bearings: Vec<CycleBearing> = moving.bearings.iter().enumerate().map(bearing).collect();
+    let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
+    // Peaks closer than this are equal: the roundings of decimals could not tell them apart.
+    let worst = bearings.iter().position(|bearing| bearing.peak.value >= largest * (1.0 - 1e-9));
+    Ok(CycleBearings { method, bearings, worst: worst.unwrap_or(0) })
+}

@@ -1,0 +1,96 @@
+//! What stands on the page of the main bearings, and on the terminal, where the layout asks for the gas?
+
+use super::super::bearings::{by_orders, parts_of_a_load};
+use super::super::torque::{has_assumed, warning};
+use super::{plots, tables, words};
+use crate::engine::Engine;
+use crate::journal::{CycleBearings, CycleLoads, NoCycleLoads};
+use crate::loads::BearingLoads;
+use crate::page::{Block, Document, Text, phrase};
+
+const RODS: &str = "A rod is pressed where gas presses the piston, and pulled where the piston's inertia does. What the big end pulls its crankpin with, towards the piston, has the rotating part of \
+                    the rod in it: the bolts of its cap bear that, less what the cap itself makes. The side force is that of piston and wall on each other.";
+
+const PINS: &str = "What the rod of each cylinder loads its crankpin with through the cycle: gas and inertia of the piston, with the side force, and the rotating part of the rod.";
+
+const ORDERS: &str = "The largest value of each order of the load, gas and masses together, zero to peak. Order κ of the gas is a harmonic of one cylinder times the stars \
+                      $\\sum_j \\rho_j e^{i(\\alpha_j \\mp \\kappa\\varphi_j)}$, $\\rho_j$ the part that the bearing carries, $\\alpha_j$ the axis and $\\varphi_j$ the crank angle at which cylinder j fires: where both are 0, \
+                      exactly, and the masses leave nothing, the order is **0** for every pressure that the cylinders share. At whole orders gas and masses add as vectors; halves are the gas alone.";
+
+const FOUND: &str = "The piston pushes its rod with $F = F_g - F_{in}$ towards the crank, $F_g = (p - p_c)\\,A$ the gas and $F_{in} = -m\\ddot s$ the inertia; the rod stands askew by β and pushes its \
+                     crankpin with $-F\\,(1 - i\\tan\\beta)\\,e^{i\\alpha}$, the piston the wall with $F\\tan\\beta$. Each bearing carries its parts of the pins, and of what turns with the shaft. \
+                     Head, walls and bearings together feel the shaking force of the masses alone: the gas makes none.";
+
+const ALONE: &str = "What follows is of the masses alone, by orders, exactly: the largest of their sum in one revolution is “without gas” above.";
+
+/// The short answer: the largest load of every bearing and rod.
+pub fn complete_bearings_answer(engine: &Engine, loads: &CycleLoads) -> Document {
+    let mut answer = Document::new("bearings", engine.title());
+    if let Some(bearings) = &loads.bearings {
+        answer.push(tables::bearings(engine, bearings));
+        answer.blocks.extend(words::answer(engine, loads, bearings).into_iter().map(Block::Paragraph));
+    }
+    answer.blocks.extend(notes(engine, loads));
+    answer
+}
+
+/// A document on the masses alone that says why the gas, which the layout asks for, is not in it.
+pub fn without_gas(mut document: Document, lack: &NoCycleLoads) -> Document {
+    let told = Block::Note(phrase!("The gas is asked for, and left out here: {}.", lack.to_string()));
+    document.blocks.insert(1.min(document.blocks.len()), told);
+    document
+}
+
+/// What a person should look at.
+fn notes(engine: &Engine, loads: &CycleLoads) -> Vec<Block> {
+    let odd = loads.warnings.iter().map(|(cylinders, odd)| Block::Note(warning(engine, cylinders, odd)));
+    let mut notes: Vec<Block> = odd.collect();
+    if has_assumed(engine) {
+        let command = Text::code("crankstar torque --output");
+        notes.push(Block::Note(phrase!("Some values of the gas are assumed: {} lists them.", command)));
+    }
+    notes
+}
+
+/// The page, with the loads of the masses alone by orders at its end.
+pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &BearingLoads) -> Document {
+    let mut page = Document::new("bearings", phrase!("{}: main bearings", engine.title()));
+    let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
+    if let Some(both) = &loads.bearings {
+        page.push(Block::Answer(words::answer(engine, loads, both)));
+        page.blocks.extend(notes(engine, loads));
+        page.push(tables::bearings(engine, both));
+        section(&mut page, "Through the cycle");
+        bearings_drawn(&mut page, loads, &both[0]);
+    }
+    section(&mut page, "Crankpins");
+    page.push(Block::Paragraph(PINS.into()));
+    page.push(tables::pins(engine, loads));
+    page.push(Block::Pictures(plots::pins(engine, loads)));
+    section(&mut page, "Rods and side forces");
+    page.push(Block::Paragraph(RODS.into()));
+    page.push(tables::rods(engine, loads));
+    if let Some([continuous, _]) = &loads.bearings {
+        section(&mut page, "Order by order");
+        page.push(Block::Paragraph(ORDERS.into()));
+        page.push(tables::orders(continuous));
+        page.push(Block::Paragraph(words::missed(loads, continuous)));
+    }
+    section(&mut page, "The masses alone");
+    page.push(Block::Paragraph(ALONE.into()));
+    page.blocks.extend(by_orders(engine, masses));
+    section(&mut page, "Parts of a load");
+    page.blocks.extend(parts_of_a_load(engine, masses));
+    section(&mut page, "How it was found");
+    page.push(Block::Paragraph(FOUND.into()));
+    section(&mut page, "Assumptions");
+    page.push(Block::List(words::assumptions(engine)));
+    page
+}
+
+fn bearings_drawn(page: &mut Document, loads: &CycleLoads, bearings: &CycleBearings) {
+    for (index, pictures) in plots::bearings(loads, bearings).into_iter().enumerate() {
+        page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
+        page.push(Block::Pictures(pictures.into()));
+    }
+}

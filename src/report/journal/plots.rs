@@ -1,0 +1,114 @@
+//! How do the loads go through the cycle? Components over the crank angle, polar diagrams of bearings and crankpins.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+
+use super::super::torque::names;
+use crate::engine::Engine;
+use crate::journal::{Course, CycleBearing, CycleBearings, CycleLoads};
+use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
+use crate::page::{Picture, phrase};
+
+/// Steps of a revolution: a degree each.
+const STEPS: usize = 360;
+/// Pins of more cylinders than this are not drawn.
+const MOST_PINS: usize = 3;
+
+/// Angles through the cycle, both ends among them.
+fn angles(course: &Course) -> Vec<f64> {
+    let steps = (course.period() / TAU * STEPS as f64).round() as usize;
+    (0..=steps).map(|step| course.period() * step as f64 / steps as f64).collect()
+}
+
+/// Seen from the free end: y upwards in direction 0, x to the right.
+fn tip(force: Complex<f64>) -> (f64, f64) {
+    (-force.im, force.re)
+}
+
+/// Two drawings of each bearing, in the order of the file.
+pub(super) fn bearings(loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Picture; 2]> {
+    let course = &loads.course;
+    let angles = angles(course);
+    let draw = |(index, bearing): (usize, &CycleBearing)| {
+        let parts = |theta: &f64| course.carried_parts(&bearing.carried, *theta);
+        let known: Vec<[Complex<f64>; 2]> = angles.iter().map(parts).collect();
+        let all: Vec<(f64, f64)> = known.iter().map(|[inertia, gas]| tip(inertia + gas)).collect();
+        let inertia: Vec<(f64, f64)> = known.iter().map(|[inertia, _]| tip(*inertia)).collect();
+        [over_crank_angle(index + 1, &angles, &all), polar(index + 1, bearing, all, inertia)]
+    };
+    bearings.bearings.iter().enumerate().map(draw).collect()
+}
+
+fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Picture {
+    let last = angles.last().map_or(360.0, |theta| theta.to_degrees().round());
+    let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
+    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in N"));
+    let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
+        Curve::new(place, name, angles.iter().zip(tips).map(|(theta, tip)| (theta.to_degrees(), value(tip))).collect())
+    };
+    plot.curves = vec![curve(0, "y, along direction 0", |tip| tip.1), curve(1, "x, to the right", |tip| tip.0)];
+    Picture {
+        name: format!("bearing-{number}-cycle"),
+        caption: phrase!(
+            "Bearing {}: components of the force of gas and masses through the cycle, y upwards in direction 0 (solid), x to the right (dashed).",
+            number
+        ),
+        figure: plot.figure(),
+    }
+}
+
+fn polar(number: usize, bearing: &CycleBearing, all: Vec<(f64, f64)>, inertia: Vec<(f64, f64)>) -> Picture {
+    let label = "Force in N; 0° is the reference direction";
+    let curves = vec![Curve::new(0, "with gas", all), Curve::new(1, "without gas", inertia)];
+    let mut polar = Polar::new(format!("Main bearing {number}"), label, curves);
+    polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
+    Picture {
+        name: format!("bearing-{number}-cycle-polar"),
+        caption: phrase!(
+            "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
+            number
+        ),
+        figure: polar.figure(),
+    }
+}
+
+/// Two polar diagrams of a crankpin of each kind, seen from the engine and from the crank.
+pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
+    let course = &loads.course;
+    let angles = angles(course);
+    let draw = |group: &Vec<usize>| {
+        let index = group[0];
+        let name = engine.cylinders()[index].name.as_str();
+        let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
+        let picture = |end: &str, label: &str, tips: Vec<(f64, f64)>| {
+            let mut polar =
+                Polar::new(format!("Crankpin of cylinder {name}"), label, vec![Curve::new(0, "", tips.clone())]);
+            polar.mark_quarters(&tips, STEPS);
+            (format!("pin-{}-{end}", index + 1), polar.figure())
+        };
+        let seen = path(&|theta| course.pin(index, theta));
+        let turning = path(&|theta| course.pin_on_the_crank(index, theta));
+        let (of_engine, from_engine) = picture("engine", "Force in N; 0° is the reference direction", seen);
+        let (of_crank, from_crank) = picture("crank", "Force in N; 0° is outward along the throw", turning);
+        [
+            Picture {
+                name: of_engine,
+                caption: phrase!(
+                    "The load of the crankpin of cylinder {} through the cycle, seen from the engine, direction 0 upwards. Rings mark crank angles of the first revolution.",
+                    names(engine, &[index])
+                ),
+                figure: from_engine,
+            },
+            Picture {
+                name: of_crank,
+                caption: phrase!(
+                    "The same seen from the crank, outward along the throw upwards: where the pin is loaded. So it is for cylinders {}, each when it fires.",
+                    names(engine, group)
+                ),
+                figure: from_crank,
+            },
+        ]
+    };
+    course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
+}

@@ -1,0 +1,111 @@
+//! Which tables tell the complete loads? Bearings, crankpins, rods, orders.
+
+use super::super::table;
+use super::super::torque::angle;
+use crate::engine::Engine;
+use crate::journal::{CycleBearings, CycleLoads};
+use crate::page::{Number, Table, Text, phrase};
+use crate::torque::Extreme;
+
+/// A force in newtons: 0 where nothing loads.
+fn size(value: f64) -> Text {
+    if value == 0.0 { Text::zero() } else { Number::Decimal(value).into() }
+}
+
+/// The largest load of every bearing, with and without gas; the worst is marked.
+pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearings; 2]) -> Table {
+    let mut rows = Table::new([
+        "Bearing".into(),
+        table::position_heading(engine),
+        "Largest load in N".into(),
+        "at θ".into(),
+        "Gas in it in N".into(),
+        "Without gas in N".into(),
+        "Determinate in N".into(),
+    ]);
+    let marked = |bearings: &CycleBearings, index: usize| {
+        let size = size(bearings.bearings[index].peak.value);
+        if bearings.worst == index { phrase!("{}, worst", size) } else { size }
+    };
+    for (index, bearing) in continuous.bearings.iter().enumerate() {
+        rows.push(vec![
+            (index + 1).into(),
+            table::position(engine, &bearing.position),
+            marked(continuous, index),
+            angle(bearing.peak.angle),
+            size(bearing.peak.gas_along()),
+            size(bearing.inertia.value),
+            marked(determinate, index),
+        ]);
+    }
+    rows
+}
+
+fn name(engine: &Engine, index: usize) -> Text {
+    Text::label(engine.cylinders()[index].name.clone())
+}
+
+/// The largest load of every crankpin, with and without gas.
+pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
+    let header = ["Cylinder", "Load of the crankpin in N", "at θ", "Gas in it in N", "Without gas in N"];
+    let mut rows = Table::new(header);
+    for (index, cylinder) in loads.cylinders.iter().enumerate() {
+        let peaks = &cylinder.peaks;
+        rows.push(vec![
+            name(engine, index),
+            size(peaks.pin.value),
+            angle(peaks.pin.angle),
+            size(peaks.pin.gas_along()),
+            size(peaks.pin_of_inertia.value),
+        ]);
+    }
+    rows
+}
+
+/// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston.
+pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
+    let mut rows = Table::new([
+        "Cylinder",
+        "Rod pressed with N",
+        "at θ",
+        "pulled with N",
+        "at θ",
+        "Big end pulls with N",
+        "Side force in N",
+        "at θ",
+    ]);
+    // What never is says nothing of an angle.
+    let pair = |one: Extreme| match one.value > 0.0 {
+        true => [size(one.value), angle(one.angle)],
+        false => [Text::zero(), "–".into()],
+    };
+    for (index, cylinder) in loads.cylinders.iter().enumerate() {
+        let peaks = &cylinder.peaks;
+        let [pressed, stretched] = peaks.rod;
+        let pulled = Extreme { value: -stretched.value, ..stretched };
+        let [left, right] = peaks.side;
+        let side = if left.value >= -right.value { left } else { Extreme { value: -right.value, ..right } };
+        let [big_end, _] = pair(peaks.pull);
+        let cells = [pair(pressed), pair(pulled)].into_iter().flatten().chain([big_end]).chain(pair(side));
+        rows.push([name(engine, index)].into_iter().chain(cells).collect());
+    }
+    rows
+}
+
+/// The largest value of each order of each bearing: a row an order, a column a bearing.
+pub(super) fn orders(bearings: &CycleBearings) -> Table {
+    let heads = (1..=bearings.bearings.len()).map(|number| phrase!("Bearing {} in N", number));
+    let mut table = Table::new([Text::from("Order κ")].into_iter().chain(heads));
+    let row = |name: Text, cells: &mut dyn Iterator<Item = Text>| [name].into_iter().chain(cells).collect();
+    let means = bearings.bearings.iter().map(|bearing| &bearing.series.mean);
+    let mut means = means.map(|mean| if mean.vanishes { Text::zero() } else { size(mean.total().norm()) });
+    table.push(row("mean".into(), &mut means));
+    let count = bearings.bearings.first().map_or(0, |bearing| bearing.series.orders.len());
+    for place in 0..count {
+        let orders = bearings.bearings.iter().map(|bearing| &bearing.series.orders[place]);
+        let name = Text::label(bearings.bearings[0].series.orders[place].order.to_string());
+        let mut cells = orders.map(|order| if order.vanishes() { Text::zero() } else { size(order.largest()) });
+        table.push(row(name, &mut cells));
+    }
+    table
+}

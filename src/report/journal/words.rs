@@ -1,0 +1,135 @@
+//! What is said of the complete loads: first, and at the end?
+
+use super::super::bearings;
+use super::super::torque::{angle, assumptions as of_the_gas, quantity};
+use crate::engine::Engine;
+use crate::journal::{CycleBearings, CycleLoads, CyclePeak};
+use crate::page::{Text, Unit, phrase};
+
+pub(super) fn newtons(value: f64) -> Text {
+    quantity(value, Unit::NEWTON)
+}
+
+/// The lines of the box.
+pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determinate]: &[CycleBearings; 2]) -> Vec<Text> {
+    let mut lines = vec![largest(continuous), others(continuous, determinate)];
+    lines.extend(pins(engine, loads));
+    lines.extend(rods(engine, loads));
+    lines.push(SIGNS.into());
+    lines
+}
+
+const SIGNS: &str = "Largest values are those of the forces themselves, through the whole cycle and with all orders; the load is the force that bearing or pin feels, and what the \
+                     gas has in it is counted along it.";
+
+fn largest(bearings: &CycleBearings) -> Text {
+    let peak = &bearings.bearings[bearings.worst].peak;
+    let (number, size, at) = (bearings.worst + 1, newtons(peak.value), angle(peak.angle));
+    let gas = peak.gas_along();
+    if gas < 0.0 {
+        phrase!(
+            "**Largest load.** Bearing {} feels {} at the crank angle {}, of the masses; the gas has taken {} off.",
+            number,
+            size,
+            at,
+            newtons(-gas)
+        )
+    } else if gas > peak.value {
+        phrase!(
+            "**Largest load.** Bearing {} feels {} at the crank angle {}: {} of the gas, less {} that the masses take off.",
+            number,
+            size,
+            at,
+            newtons(gas),
+            newtons(gas - peak.value)
+        )
+    } else {
+        phrase!(
+            "**Largest load.** Bearing {} feels {} at the crank angle {}: {} of the gas and {} of the masses.",
+            number,
+            size,
+            at,
+            newtons(gas),
+            newtons(peak.value - gas)
+        )
+    }
+}
+
+/// The masses alone, and the other way to share the loads.
+fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Text {
+    let sizes: Vec<f64> = continuous.bearings.iter().map(|bearing| bearing.inertia.value).collect();
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let alone = sizes.iter().position(|size| *size == largest).unwrap_or(0);
+    let other = &determinate.bearings[determinate.worst].peak;
+    phrase!(
+        "**Without gas** the largest is {} on bearing {}. By the determinate approximation bearing {} feels the most, {}.",
+        newtons(largest),
+        alone + 1,
+        determinate.worst + 1,
+        newtons(other.value)
+    )
+}
+
+/// The cylinder that is first in something.
+fn first(loads: &CycleLoads, size: impl Fn(usize) -> f64) -> Option<usize> {
+    let most = (0..loads.cylinders.len()).map(&size).fold(f64::NEG_INFINITY, f64::max);
+    (0..loads.cylinders.len()).find(|&index| size(index) >= most - 1e-9 * most.abs())
+}
+
+fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
+    let index = first(loads, |index| loads.cylinders[index].peaks.pin.value)?;
+    let peak: &CyclePeak = &loads.cylinders[index].peaks.pin;
+    Some(phrase!(
+        "**Crankpins.** The rod of cylinder {} loads its crankpin the most, with {} at the crank angle {}.",
+        Text::label(engine.cylinders()[index].name.clone()),
+        newtons(peak.value),
+        angle(peak.angle)
+    ))
+}
+
+fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
+    let pressed = first(loads, |index| loads.cylinders[index].peaks.rod[0].value)?;
+    let pulled = first(loads, |index| -loads.cylinders[index].peaks.rod[1].value)?;
+    let name = |index: usize| Text::label(engine.cylinders()[index].name.clone());
+    let [most, least] = [loads.cylinders[pressed].peaks.rod[0].value, loads.cylinders[pulled].peaks.rod[1].value];
+    Some(match least < 0.0 {
+        true if pressed == pulled => phrase!(
+            "**Rods.** The rod of cylinder {} is pressed with up to {} and pulled with up to {}.",
+            name(pressed),
+            newtons(most),
+            newtons(-least)
+        ),
+        true => phrase!(
+            "**Rods.** The rod of cylinder {} is pressed with up to {}, that of cylinder {} pulled with up to {}.",
+            name(pressed),
+            newtons(most),
+            name(pulled),
+            newtons(-least)
+        ),
+        false => phrase!(
+            "**Rods.** The rod of cylinder {} is pressed with up to {}; none is pulled.",
+            name(pressed),
+            newtons(most)
+        ),
+    })
+}
+
+/// How well the orders tell the loads.
+pub(super) fn missed(loads: &CycleLoads, bearings: &CycleBearings) -> Text {
+    phrase!(
+        "The orders up to {} miss at most {} of the load of any bearing; the largest loads above are not theirs, but those of the forces themselves.",
+        crate::torque::HIGHEST,
+        newtons(loads.missed(bearings))
+    )
+}
+
+/// What the numbers rest on.
+pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
+    let [shaft, _, rods, determinate] = bearings::ASSUMPTIONS;
+    let mut list: Vec<Text> = vec![shaft.into(), LOADS.into(), rods.into(), determinate.into()];
+    list.extend(of_the_gas(engine));
+    list
+}
+
+const LOADS: &str = "The loads are those of gas and masses: the pressure on the pistons, the reciprocating masses, the side force between piston and cylinder that both \
+                     make, and the masses that turn. No weight, no friction.";

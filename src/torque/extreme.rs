@@ -1,0 +1,83 @@
+//! Where in the cycle is a value largest, and where smallest? On a grid, then by golden sections beside its tops.
+
+use std::f64::consts::TAU;
+
+/// A largest or smallest value, and where it first stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The value.
+    pub value: f64,
+    /// The crank angle θ in degrees, within the cycle.
+    pub angle: f64,
+}
+
+/// Steps of a revolution in which the largest value is looked for: half a degree each.
+const STEPS: usize = 720;
+/// A top of the grid lower than the highest by more than this part of the range is no highest value.
+const NEAR_TOP: f64 = 0.02;
+/// Two tops closer than this part of their size are one, by roundings.
+const EQUAL: f64 = 1e-9;
+/// Sections after which a place is known to some billionths of half a degree.
+const SECTIONS: usize = 40;
+
+/// Angles through a cycle of this length in radians, half a degree apart.
+pub fn angles(period: f64) -> impl Iterator<Item = f64> {
+    let count = (period / TAU * STEPS as f64).round() as usize;
+    let step = period / count as f64;
+    (0..count).map(move |index| index as f64 * step)
+}
+
+/// The largest value in a cycle of a function that is known at rising angles, and has at most one top from one to the next.
+pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
+    let count = values.len().min(grid.len());
+    let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let is_top = |&index: &usize| {
+        let beside = values[(index + count - 1) % count].max(values[(index + 1) % count]);
+        values[index] >= beside && values[index] >= highest - NEAR_TOP * (highest - lowest)
+    };
+    let mut best = Extreme { value: f64::NEG_INFINITY, angle: 0.0 };
+    // Where nothing changes one place is as good as all.
+    let most = if highest > lowest { count } else { 1 };
+    for index in (0..count).filter(is_top).take(most) {
+        let before = if index == 0 { grid[count - 1] - period } else { grid[index - 1] };
+        let after = if index + 1 == count { grid[0] + period } else { grid[index + 1] };
+        // A kink at the place itself has a slope of its own on each side.
+        let sides = [refined(before, grid[index], &value), refined(grid[index], after, &value)];
+        let place =
+            sides.into_iter().fold(grid[index], |best, side| if value(side) > value(best) { side } else { best });
+        let found = value(place);
+        if found > best.value + EQUAL * (highest - lowest) || best.value == f64::NEG_INFINITY {
+            best = Extreme { value: found, angle: place.rem_euclid(period).to_degrees() };
+        }
+    }
+    best
+}
+
+/// The largest and the smallest value of such a function.
+pub fn extremes(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> [Extreme; 2] {
+    let opposite: Vec<f64> = values.iter().map(|value| -value).collect();
+    let lowest = largest(period, grid, &opposite, |theta| -value(theta));
+    [largest(period, grid, values, value), Extreme { value: -lowest.value, ..lowest }]
+}
+
+/// Where a function is largest between two places, by golden sections.
+fn refined(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let places = |low: f64, high: f64| (high - golden * (high - low), low + golden * (high - low));
+    let (mut left, mut right) = places(low, high);
+    let (mut at_left, mut at_right) = (value(left), value(right));
+    for _ in 0..SECTIONS {
+        // One of the two places is one of the next two as well.
+        if at_left < at_right {
+            (low, left, at_left) = (left, right, at_right);
+            right = places(low, high).1;
+            at_right = value(right);
+        } else {
+            (high, right, at_right) = (right, left, at_left);
+            left = places(low, high).0;
+            at_left = value(left);
+        }
+    }
+    (low + high) / 2.0
+}
