@@ -7,6 +7,7 @@ use serde::Deserialize;
 use super::answer::Answer;
 use super::check::{Check, CheckTable, Firing, Part, Values};
 use super::compare;
+use super::flywheel::{FlywheelTable, Flywheels};
 use super::grammar::parse_statement;
 use super::provenance::{Keys, Provenance};
 use super::statement::Statement;
@@ -47,6 +48,8 @@ pub struct Studied {
     pub in_line: Option<(Untrusted, SweptEngine)>,
     /// End view times length in cubes of the crank radius: of the engine in line, where there is one, and of each point.
     pub volumes: Vec<Option<f64>>,
+    /// Its engines with gas, and their flywheels.
+    pub flywheels: Option<Flywheels>,
 }
 
 /// A statement, and what was checked for it.
@@ -100,6 +103,8 @@ pub enum Found {
     Counterweight(Option<Form>),
     /// The largest volume of the family as a part of that of the engine in line.
     Volume(f64),
+    /// Where on the grid the flywheel, or an order of the torque, is as claimed.
+    Grid(Vec<BigRational>),
 }
 
 #[derive(Deserialize)]
@@ -120,6 +125,7 @@ struct FamilyTable {
     rotating: Option<Text>,
     in_line: Option<Text>,
     sweep: Text,
+    flywheel: Option<FlywheelTable>,
 }
 
 #[derive(Deserialize)]
@@ -177,6 +183,11 @@ pub fn study(
             rotating: table.rotating.as_ref().map(|file| run(&read_file(&file.get_ref().0)?)).transpose()?,
             in_line: in_line.map(|(_, title, point)| (title, point)),
             volumes,
+            flywheels: table
+                .flywheel
+                .as_ref()
+                .map(|flywheel| flywheel.flywheels(name, &parameter[0], read_file))
+                .transpose()?,
         });
         texts.push(text);
     }
@@ -219,11 +230,15 @@ fn volume(layout: &Engine) -> Option<f64> {
     Some(sweep::section(layout, &geometry)? * sweep::envelope(layout, &geometry)?.length?)
 }
 
-fn known(template: &Template, values: &[(&Key, &str)]) -> Result<Engine, String> {
+pub(super) fn known(template: &Template, values: &[(&Key, &str)]) -> Result<Engine, String> {
     match template.layout(values).map_err(|error| error.to_string())? {
         Layout::Known(layout, _) => Ok(*layout),
         Layout::Open(_) => Err("an engine with unknowns has no single answer".to_owned()),
     }
+}
+
+fn flywheels(family: &Studied) -> Result<&Flywheels, String> {
+    family.flywheels.as_ref().ok_or_else(|| format!("`{}` has no [family.flywheel]", family.name))
 }
 
 /// Where a part of a quantity of the family vanishes.
@@ -281,6 +296,15 @@ fn checked(
             let part = part.ok_or_else(|| format!("`{engine}` has no volumes"))?;
             let claim = format!("every volume is below {limit} times that in line");
             (claim, below.is_some_and(|below| part < below), Found::Volume(part))
+        }
+        Check::Flywheel { how, at } => {
+            let found = flywheels(of_family()?)?.weigh(how);
+            (format!("{} {}", how.in_words(), at.in_words()), at.are(&found, true), Found::Grid(found))
+        }
+        Check::TorqueVanishes { order, at } => {
+            let found = flywheels(of_family()?)?.vanishing(order);
+            let claim = format!("order {order} of the gas torque vanishes {}", at.in_words());
+            (claim, at.are(&found, true), Found::Grid(found))
         }
         Check::Fires { how, at } => {
             let (difference, found) = fires(&of_family()?.sweep, how).ok_or("the cycle is not given")?;

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use super::integers::IntegerEngine;
-use crate::engine::{Cycle, Engine};
+use crate::engine::{Cycle, Engine, Firing};
 
 /// The longest and the shortest interval between firings, in turns of the crank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,23 +49,45 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
         Some(known) => known.top_dead_centres(),
         None => top_dead_centres(engine)?,
     };
+    let (_, (longest, shortest)) = most_even(&whole, length, cycle)?;
+    let turns = |each: i64| BigRational::new(each.into(), length.into());
+    Some(Evenness { longest: turns(longest), shortest: turns(shortest), of_the_file: false })
+}
+
+/// When the cylinders fire by the file; without it in the most even order that the throws allow.
+pub fn most_even_firing(engine: &Engine, cycle: Option<Cycle>) -> Option<Firing> {
+    if let Some(firing) = engine.firing() {
+        return Some(firing.clone());
+    }
+    let cycle = cycle?;
+    let (whole, length) = top_dead_centres(engine)?;
+    let (firings, _) = most_even(&whole, length, cycle)?;
+    let angles: Vec<BigRational> = firings.into_iter().map(|at| BigRational::new(at.into(), length.into())).collect();
+    Firing::from_angles(&angles, cycle, engine.cylinders()).ok()
+}
+
+/// Where each cylinder fires, and the longest and the shortest interval, of the most even choice of dead centres.
+fn most_even(whole: &[i64], length: i64, cycle: Cycle) -> Option<(Vec<i64>, (i64, i64))> {
     let (revolutions, choices) = match cycle {
         Cycle::TwoStroke => (1, 1),
         Cycle::FourStroke if whole.len() <= MOST_CYLINDERS => (2, 1_usize << (whole.len() - 1)),
         Cycle::FourStroke => return None,
     };
+    // The first cylinder fires at 0; the others in this revolution or in the next.
+    let firings = |choice: usize| {
+        let at = move |(index, centre): (usize, &i64)| centre + if choice << 1 >> index & 1 == 1 { length } else { 0 };
+        whole.iter().enumerate().map(at).collect::<Vec<i64>>()
+    };
     let intervals = |choice: usize| {
-        // The first cylinder fires at 0; the others in this revolution or in the next.
-        let at = |(index, centre): (usize, &i64)| centre + if choice << 1 >> index & 1 == 1 { length } else { 0 };
-        let mut firings: Vec<i64> = whole.iter().enumerate().map(at).collect();
+        let mut firings = firings(choice);
         firings.sort_unstable();
         let last = firings[0] + revolutions * length - firings[firings.len() - 1];
         let between = firings.windows(2).map(|pair| pair[1] - pair[0]);
         between.fold((last, last), |(longest, shortest), gap| (longest.max(gap), shortest.min(gap)))
     };
-    let best = (0..choices).map(intervals).min_by_key(|(longest, shortest)| (longest - shortest, *longest))?;
-    let turns = |each: i64| BigRational::new(each.into(), length.into());
-    Some(Evenness { longest: turns(best.0), shortest: turns(best.1), of_the_file: false })
+    let all = (0..choices).map(|choice| (choice, intervals(choice)));
+    let (choice, ends) = all.min_by_key(|(_, (longest, shortest))| (longest - shortest, *longest))?;
+    Some((firings(choice), ends))
 }
 
 /// Top dead centres after that of the first cylinder over their common denominator, which is a turn.

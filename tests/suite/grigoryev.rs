@@ -127,3 +127,25 @@ fn every_list_of_angles_is_proved_to_be_complete() {
         }
     }
 }
+
+#[test]
+fn the_flywheels_of_the_sixes_are_as_the_theory_of_the_gas_says() {
+    let flywheels = read().families[0].flywheels.as_ref().expect("flywheels");
+    for point in flywheels.all() {
+        let i: Vec<String> = point
+            .firing
+            .intervals()
+            .iter()
+            .map(|i| (i * num_rational::BigRational::from_integer(360.into())).to_string())
+            .collect();
+        println!(
+            "{} {:.4} {} {:?} {} {:?}",
+            point.at,
+            flywheels.ratio(point),
+            point.energy,
+            i.join(" "),
+            point.flywheel,
+            point.counterweights
+        );
+    }
+}
