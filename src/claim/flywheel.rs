@@ -13,7 +13,7 @@ use crate::exact::PhasorSum;
 use crate::file::written::Text;
 use crate::file::{Template, units};
 use crate::order;
-use crate::sweep::{self, Parameter};
+use crate::sweep::{self, Amplitude, Parameter};
 use crate::torque::{self, TorqueOrder};
 
 /// Engines with gas, and what evens them out.
@@ -34,7 +34,7 @@ pub struct Flywheels {
 pub struct Evened {
     /// The value of the family's parameter.
     pub at: BigRational,
-    /// When its cylinders fire: by its file, or in the most even order that its throws allow.
+    /// When its cylinders fire: by its file, or in the most even order that its throws allow, of several in that with the least ΔW.
     pub firing: Firing,
     /// The orders of its torque, with their exact firing stars.
     pub orders: Vec<TorqueOrder>,
@@ -49,7 +49,7 @@ pub struct Evened {
     /// Mass of the flywheel in kilograms.
     pub flywheel: f64,
     /// Mass of two counterweights in the planes of the outermost throws, in kilograms; none where one plane would have to hold a couple.
-    pub counterweights: Option<f64>,
+    pub counterweights: Option<Amplitude>,
 }
 
 #[derive(Deserialize)]
@@ -102,18 +102,28 @@ fn radius(text: &Text) -> Result<BigRational, String> {
     }
 }
 
+/// The engine with the least ΔW of those that fire most evenly.
 fn evened(at: BigRational, template: &Template, engine: Engine, radii: [&BigRational; 2]) -> Result<Evened, String> {
-    let firing =
-        sweep::most_even_firing(&engine, template.cycle()).ok_or("the cycle of a flywheel's engine is not given")?;
-    let mut draft = engine.into_draft();
-    draft.firing = Some(firing.clone());
-    let engine = draft.build().map_err(|error| error.to_string())?;
-    let torque = torque::torque(&engine).map_err(|lack| lack.to_string())?;
+    let mut best: Option<Evened> = None;
+    for firing in sweep::most_even_firings(&engine, template.cycle()) {
+        let mut draft = engine.clone().into_draft();
+        draft.firing = Some(firing.clone());
+        let fired = draft.build().map_err(|error| error.to_string())?;
+        let fired = with_flywheel(at.clone(), firing, &fired, radii)?;
+        if best.as_ref().is_none_or(|best| fired.energy < best.energy * (1.0 - EQUAL)) {
+            best = Some(fired);
+        }
+    }
+    best.ok_or_else(|| "the cycle of an engine with a flywheel is not given".to_owned())
+}
+
+fn with_flywheel(at: BigRational, firing: Firing, engine: &Engine, radii: [&BigRational; 2]) -> Result<Evened, String> {
+    let torque = torque::torque(engine).map_err(|lack| lack.to_string())?;
     let (Some(evenness), Some(speed)) = (torque.evenness, engine.dimensions().speed.clone()) else {
         return Err("a flywheel needs an engine with a speed above 0".to_owned());
     };
     let [ring, centre] = radii.map(|radius| radius.to_f64().unwrap_or(f64::NAN));
-    let unit = (order::unit_mass(&engine) * order::unit_radius(&engine)).to_f64().unwrap_or(f64::NAN);
+    let unit = (order::unit_mass(engine) * order::unit_radius(engine)).to_f64().unwrap_or(f64::NAN);
     let needed = evenness.needed;
     Ok(Evened {
         at,
@@ -124,7 +134,8 @@ fn evened(at: BigRational, template: &Template, engine: Engine, radii: [&BigRati
         speed,
         inertia: needed.inertia,
         flywheel: needed.inertia / (ring * ring),
-        counterweights: sweep::counterweight(&engine).map(|larger| 2.0 * larger.value * unit / centre),
+        counterweights: sweep::counterweight(engine)
+            .map(|larger| Amplitude { value: 2.0 * larger.value * unit / centre, ..larger }),
     })
 }
 
@@ -139,7 +150,7 @@ impl Evened {
 
     /// Flywheel and counterweights together, in kilograms.
     pub fn mass(&self) -> Option<f64> {
-        Some(self.flywheel + self.counterweights?)
+        Some(self.flywheel + self.counterweights?.value)
     }
 }
 

@@ -17,7 +17,7 @@ mod zeros;
 
 pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope, section};
-pub use evenness::{Evenness, evenness, most_even_firing};
+pub use evenness::{Evenness, evenness, most_even_firings};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
 pub use run::{Sweep, sweep};

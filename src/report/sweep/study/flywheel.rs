@@ -6,6 +6,7 @@ use crate::claim::{Evened, Flywheels, Studied};
 use crate::engine::{CycleOrder, Firing};
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
 use crate::page::{Block, Number, Picture, Table, Text, Unit, number, phrase};
+use crate::sweep::Amplitude;
 
 const STARS: &str = "Firing stars by order of the torque: the exact length of $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, $\\varphi_j$ the crank angle at which cylinder j \
     fires. Where it is **0**, proved, the order vanishes for every pressure that the cylinders share.";
@@ -81,13 +82,17 @@ fn masses(label: &str, flywheels: &Flywheels) -> Table {
     let mut table = Table::new([
         Text::label(label),
         "ΔW in J".into(),
-        "ΔW over that of even firing".into(),
+        "ΔW over that in line".into(),
         "J in kg·m²".into(),
         "Flywheel in kg".into(),
         "Counterweights in kg".into(),
         "Together in kg".into(),
     ]);
-    let optional = |mass: Option<f64>| mass.map_or_else(|| "–".into(), decimal);
+    let weights = |point: &Evened| match point.counterweights {
+        Some(Amplitude { vanishes: true, .. }) => Text::zero(),
+        Some(Amplitude { value, vanishes: false }) => decimal(value),
+        None => "–".into(),
+    };
     for point in flywheels.all() {
         table.push(vec![
             value(point),
@@ -95,8 +100,8 @@ fn masses(label: &str, flywheels: &Flywheels) -> Table {
             decimal(flywheels.ratio(point)),
             decimal(point.inertia),
             decimal(point.flywheel),
-            optional(point.counterweights),
-            optional(point.mass()),
+            weights(point),
+            point.mass().map_or_else(|| "–".into(), decimal),
         ]);
     }
     table
@@ -116,7 +121,7 @@ pub(super) fn picture(family: &Studied) -> Option<Picture> {
     let mut plot = Plot::new(title, x, Axis::amplitude("Mass in kg"));
     let kinds: [(&str, fn(&Evened) -> Option<f64>); 3] = [
         ("flywheel", |point| Some(point.flywheel)),
-        ("counterweights", |point| point.counterweights),
+        ("counterweights", |point| Some(point.counterweights?.value)),
         ("together", Evened::mass),
     ];
     for (name, mass) in kinds {

@@ -25,7 +25,7 @@ const ASSUMED: [&str; 6] = [
     "The volume is the area of the end view, banks and crankcase together, times the length.",
     "The paper's mass adds flywheel and counterweights to a main part that follows the size by a formula that it does not give: the plots show the volume, and the \
      flywheel and the counterweights in kilograms where a family has gas, each by itself.",
-    "A flywheel of a family is found for the most even order that its throws allow, at a constant load. It has all the inertia that turns, in a ring; crankshaft \
+    "A flywheel of a family is found for the most even order that its throws allow, of several equally even ones for that with the least ΔW, at a constant load. It has all the inertia that turns, in a ring; crankshaft \
      and clutch would make it lighter by the same at each engine.",
 ];
 
