@@ -9,6 +9,7 @@ mod evenness;
 mod guide;
 mod missing;
 mod order;
+mod peak;
 
 pub use class::Class;
 pub use course::{Course, Extreme};
@@ -16,6 +17,7 @@ pub use evenness::{Evenness, evenness};
 pub use guide::{GuideMoments, guide_moments};
 pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
+pub use peak::{Peak, PeakMethod};
 
 use crate::engine::Engine;
 use crate::gas::{CylinderGas, Warning};

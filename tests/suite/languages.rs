@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use crankstar::accuracy::Timing;
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
-use crankstar::report::{self, Compared};
+use crankstar::report::{self, AccuracyCase, Compared};
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
@@ -95,6 +96,16 @@ fn pages_of_the_torque_have_german_for_every_phrase() {
         if let Ok(torque) = torque(&engine) {
             assert_known(&[report::torque_answer(&engine, &torque), report::torque_page(&engine, &torque)]);
         }
+    }
+}
+
+#[test]
+fn the_accuracy_of_the_torque_has_german_for_every_phrase() {
+    let single = format!("speed = 3000\n{}", crate::gas::SPARK);
+    let engine = file::parse("layout.toml", &single).expect("it reads");
+    for timing in [Timing::Off, Timing::On] {
+        let cases = [AccuracyCase::of(&engine, &[], timing).expect("a torque")];
+        assert_known(&[report::accuracy_page(&engine, &cases), report::accuracy_answer(&engine, &cases)]);
     }
 }
 
