@@ -7,6 +7,7 @@
 mod absolute;
 mod answer;
 mod check;
+mod checked;
 mod compare;
 mod condition;
 mod every;

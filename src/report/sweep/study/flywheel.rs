@@ -69,7 +69,8 @@ fn stars(label: &str, flywheels: &Flywheels, shown: &[CycleOrder]) -> Table {
 /// The shortest run of intervals that repeats through the cycle.
 fn intervals(firing: &Firing) -> Text {
     let all = firing.intervals();
-    let repeats = |length: &usize| all.len() % length == 0 && all.chunks(*length).all(|run| run == &all[..*length]);
+    let repeats =
+        |length: &usize| all.len().is_multiple_of(*length) && all.chunks(*length).all(|run| run == &all[..*length]);
     let length = (1..=all.len()).find(repeats).unwrap_or(all.len());
     Text::joined(all[..length].iter().map(|each| number::turns(each).into()), ", ")
 }
@@ -111,15 +112,17 @@ fn decimal(value: f64) -> Text {
     Number::Decimal(value).into()
 }
 
+/// One of the masses of an engine.
+type Mass = fn(&Evened) -> Option<f64>;
+
 /// The drawing of a family's flywheels; none where the study does not ask for them.
 pub(super) fn picture(family: &Studied) -> Option<Picture> {
     let flywheels = family.flywheels.as_ref()?;
     let parameter = &family.sweep.parameters[0];
     let x = Axis::angle(axis(parameter, true), 0.0, float(&parameter.range.last()), 30);
-    let title =
-        format!("{}: what evens its torque and its moment", family.sweep.title.escaped(crate::text::Format::Plain));
+    let title = format!("{}: flywheel, counterweights", family.sweep.title.escaped(crate::text::Format::Plain));
     let mut plot = Plot::new(title, x, Axis::amplitude("Mass in kg"));
-    let kinds: [(&str, fn(&Evened) -> Option<f64>); 3] = [
+    let kinds: [(&str, Mass); 3] = [
         ("flywheel", |point| Some(point.flywheel)),
         ("counterweights", |point| Some(point.counterweights?.value)),
         ("together", Evened::mass),
