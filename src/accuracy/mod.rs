@@ -35,7 +35,7 @@ use num_traits::Zero;
 pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};
-pub use timing::Timing;
+pub use timing::{Timing, measured};
 
 use crate::engine::{BuildError, Engine, Mechanism, Rod};
 

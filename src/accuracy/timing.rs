@@ -21,7 +21,7 @@ pub enum Timing {
 }
 
 /// The result, and the median time where it is wanted.
-pub(super) fn measured<T>(timing: Timing, run: impl Fn() -> T) -> (T, Option<Duration>) {
+pub fn measured<T>(timing: Timing, run: impl Fn() -> T) -> (T, Option<Duration>) {
     if timing == Timing::Off {
         return (run(), None);
     }

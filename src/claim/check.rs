@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use serde::Deserialize;
 
+use crate::engine::CycleOrder;
 use crate::file::parse_number;
 use crate::file::written::Text;
 use crate::proof::Quantity;
@@ -34,6 +35,10 @@ pub(super) struct CheckTable {
     counterweight: Option<Text>,
     /// The factor that no volume of the family reaches, of that of the engine in line.
     volume_below: Option<Text>,
+    /// Where on the grid the flywheel is the `lightest`, the `heaviest`, or `lighter` than one step before.
+    flywheel: Option<Text>,
+    /// The order of the gas torque that vanishes at the values named of the grid, for every pressure that the cylinders share.
+    torque_vanishes: Option<Text>,
 }
 
 /// What a check claims: one of these, so that no key is read as another.
@@ -50,6 +55,10 @@ pub(super) enum Check {
     Counterweight(String),
     /// The factor that no volume of the family reaches, of that of the engine in line.
     VolumeBelow(String),
+    /// Where on the grid the flywheel weighs so much.
+    Flywheel { how: Weighs, at: Values },
+    /// Where on the grid this order of the gas torque vanishes.
+    TorqueVanishes { order: CycleOrder, at: Values },
 }
 
 /// A part of a force or moment, as it was written.
@@ -74,6 +83,14 @@ pub(super) enum Firing {
     LeastUneven,
     MostUneven,
     MoreEvenThanBefore,
+}
+
+/// What is said of the flywheel.
+#[derive(Clone, Copy)]
+pub(super) enum Weighs {
+    Least,
+    Most,
+    LessThanBefore,
 }
 
 impl Values {
@@ -115,6 +132,25 @@ impl Firing {
     }
 }
 
+impl Weighs {
+    fn read(word: &str) -> Result<Self, String> {
+        match word {
+            "lightest" => Ok(Weighs::Least),
+            "heaviest" => Ok(Weighs::Most),
+            "lighter" => Ok(Weighs::LessThanBefore),
+            _ => Err(format!("cannot read the flywheel `{word}`; lightest, heaviest or lighter")),
+        }
+    }
+
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Weighs::Least => "the flywheel is the lightest of the grid",
+            Weighs::Most => "the flywheel is the heaviest of the grid",
+            Weighs::LessThanBefore => "the flywheel is lighter than one step before",
+        }
+    }
+}
+
 impl CheckTable {
     /// The one thing that the check claims.
     pub fn read(&self) -> Result<Check, String> {
@@ -131,27 +167,40 @@ impl CheckTable {
             (None, None) => None,
             (Some(_), Some(_)) => return Err(format!("a check of `{engine}` with both met_at and only_at")),
         };
-        let text = |text: &Option<Text>| text.as_ref().map(|text| text.get_ref().0.clone());
         let needed = || format!("a check of `{engine}` that needs met_at or only_at");
         let without = |at: Option<Values>, check: Check| match at {
             None => Ok(check),
             Some(_) => Err(format!("a check of `{engine}` that is not about values has neither met_at nor only_at")),
         };
-        let claims =
-            [&self.says, &self.vanishes, &self.constant, &self.firing, &self.counterweight, &self.volume_below];
-        match claims.map(text) {
-            [Some(says), None, None, None, None, None] => without(at, Check::Says(says)),
-            [None, Some(words), None, None, None, None] => Ok(Check::Vanishes { part: Part::read(words)?, at }),
-            [None, None, Some(words), None, None, None] => {
+        let claims = [
+            ("says", &self.says),
+            ("vanishes", &self.vanishes),
+            ("constant", &self.constant),
+            ("firing", &self.firing),
+            ("counterweight", &self.counterweight),
+            ("volume_below", &self.volume_below),
+            ("flywheel", &self.flywheel),
+            ("torque_vanishes", &self.torque_vanishes),
+        ];
+        let mut claims = claims.into_iter().filter_map(|(key, words)| Some((key, words.as_ref()?.get_ref().0.clone())));
+        let (Some((key, words)), None) = (claims.next(), claims.next()) else {
+            return Err(format!("a check of `{engine}` that says nothing, or two things"));
+        };
+        match key {
+            "says" => without(at, Check::Says(words)),
+            "vanishes" => Ok(Check::Vanishes { part: Part::read(words)?, at }),
+            "constant" => {
                 let part = Part::read(words).and_then(Part::whole)?;
                 Ok(Check::Constant { part, at: at.ok_or_else(needed)? })
             }
-            [None, None, None, Some(word), None, None] => {
-                Ok(Check::Fires { how: Firing::read(&word)?, at: at.ok_or_else(needed)? })
+            "firing" => Ok(Check::Fires { how: Firing::read(&words)?, at: at.ok_or_else(needed)? }),
+            "counterweight" => without(at, Check::Counterweight(words)),
+            "volume_below" => without(at, Check::VolumeBelow(words)),
+            "flywheel" => Ok(Check::Flywheel { how: Weighs::read(&words)?, at: at.ok_or_else(needed)? }),
+            _ => {
+                let order = words.parse::<CycleOrder>().map_err(|error| error.to_string())?;
+                Ok(Check::TorqueVanishes { order, at: at.ok_or_else(needed)? })
             }
-            [None, None, None, None, Some(expected), None] => without(at, Check::Counterweight(expected)),
-            [None, None, None, None, None, Some(limit)] => without(at, Check::VolumeBelow(limit)),
-            _ => Err(format!("a check of `{engine}` that says nothing, or two things")),
         }
     }
 }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use super::integers::IntegerEngine;
-use crate::engine::{Cycle, Engine};
+use crate::engine::{Cycle, Engine, Firing};
 
 /// The longest and the shortest interval between firings, in turns of the crank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,23 +49,72 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
         Some(known) => known.top_dead_centres(),
         None => top_dead_centres(engine)?,
     };
-    let (revolutions, choices) = match cycle {
-        Cycle::TwoStroke => (1, 1),
-        Cycle::FourStroke if whole.len() <= MOST_CYLINDERS => (2, 1_usize << (whole.len() - 1)),
-        Cycle::FourStroke => return None,
+    let (longest, shortest) = Choices::new(&whole, length, cycle)?.most_even()?;
+    let turns = |each: i64| BigRational::new(each.into(), length.into());
+    Some(Evenness { longest: turns(longest), shortest: turns(shortest), of_the_file: false })
+}
+
+/// When the cylinders fire by the file; without it each of the equally even orders of which [`evenness`] tells the intervals.
+pub fn most_even_firings(engine: &Engine, cycle: Option<Cycle>) -> Vec<Firing> {
+    if let Some(firing) = engine.firing() {
+        return vec![firing.clone()];
+    }
+    let firings = || {
+        let cycle = cycle?;
+        let (whole, length) = top_dead_centres(engine)?;
+        let choices = Choices::new(&whole, length, cycle)?;
+        let best = choices.most_even()?;
+        let even = (0..choices.count).filter(|&choice| choices.intervals(choice) == best);
+        let angle = |at: i64| BigRational::new(at.into(), length.into());
+        let firing = |choice: usize| {
+            let angles: Vec<BigRational> = choices.firings(choice).map(angle).collect();
+            Firing::from_angles(&angles, cycle, engine.cylinders()).ok()
+        };
+        Some(even.filter_map(firing).collect())
     };
-    let intervals = |choice: usize| {
-        // The first cylinder fires at 0; the others in this revolution or in the next.
-        let at = |(index, centre): (usize, &i64)| centre + if choice << 1 >> index & 1 == 1 { length } else { 0 };
-        let mut firings: Vec<i64> = whole.iter().enumerate().map(at).collect();
+    firings().unwrap_or_default()
+}
+
+/// At which of its top dead centres each cylinder fires: all that a cycle allows.
+struct Choices<'a> {
+    whole: &'a [i64],
+    length: i64,
+    revolutions: i64,
+    count: usize,
+}
+
+impl<'a> Choices<'a> {
+    fn new(whole: &'a [i64], length: i64, cycle: Cycle) -> Option<Self> {
+        let (revolutions, count) = match cycle {
+            Cycle::TwoStroke => (1, 1),
+            Cycle::FourStroke if whole.len() <= MOST_CYLINDERS => (2, 1_usize << (whole.len() - 1)),
+            Cycle::FourStroke => return None,
+        };
+        Some(Choices { whole, length, revolutions, count })
+    }
+
+    /// Where each cylinder fires: the first at 0, the others in this revolution or in the next.
+    fn firings(&self, choice: usize) -> impl Iterator<Item = i64> {
+        let at =
+            move |(index, centre): (usize, &i64)| centre + if choice << 1 >> index & 1 == 1 { self.length } else { 0 };
+        self.whole.iter().enumerate().map(at)
+    }
+
+    /// The longest and the shortest interval.
+    fn intervals(&self, choice: usize) -> (i64, i64) {
+        let mut firings: Vec<i64> = self.firings(choice).collect();
         firings.sort_unstable();
-        let last = firings[0] + revolutions * length - firings[firings.len() - 1];
+        let last = firings[0] + self.revolutions * self.length - firings[firings.len() - 1];
         let between = firings.windows(2).map(|pair| pair[1] - pair[0]);
         between.fold((last, last), |(longest, shortest), gap| (longest.max(gap), shortest.min(gap)))
-    };
-    let best = (0..choices).map(intervals).min_by_key(|(longest, shortest)| (longest - shortest, *longest))?;
-    let turns = |each: i64| BigRational::new(each.into(), length.into());
-    Some(Evenness { longest: turns(best.0), shortest: turns(best.1), of_the_file: false })
+    }
+
+    /// Those of the choice with the least difference, and of those the shortest longest one.
+    fn most_even(&self) -> Option<(i64, i64)> {
+        (0..self.count)
+            .map(|choice| self.intervals(choice))
+            .min_by_key(|(longest, shortest)| (longest - shortest, *longest))
+    }
 }
 
 /// Top dead centres after that of the first cylinder over their common denominator, which is a turn.

@@ -18,7 +18,7 @@ mod zeros;
 
 pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope, section};
-pub use evenness::{Evenness, evenness};
+pub use evenness::{Evenness, evenness, most_even_firings};
 pub use firing::{FiringSweep, FiringZeros, StarLength, firing_stars};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};

@@ -10,6 +10,7 @@ mod extreme;
 mod guide;
 mod missing;
 mod order;
+mod peak;
 
 pub use class::{Class, Inertia, classes, warnings};
 pub use course::Course;
@@ -18,6 +19,7 @@ pub use extreme::{Extreme, angles, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
 pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
+pub use peak::{Peak, PeakMethod};
 
 use crate::engine::Engine;
 use crate::gas::{CylinderGas, Warning};

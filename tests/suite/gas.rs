@@ -14,7 +14,7 @@ pub const SPARK: &str = "cycle = 'four-stroke'\nfiring_order = '1'\n[mechanism]\
     process = 'spark-ignition'\ncompression_ratio = 10\nheat = '1100 J'\n";
 
 /// A single of its diesel.
-const DIESEL: &str = "cycle = 'four-stroke'\n[mechanism]\nstroke = '110 mm'\nrod_length = '180 mm'\n[inline]\nthrows = [0]\n\
+pub const DIESEL: &str = "cycle = 'four-stroke'\n[mechanism]\nstroke = '110 mm'\nrod_length = '180 mm'\n[inline]\nthrows = [0]\n\
     [gas]\nbore = '100 mm'\ncrankcase = '1 bar'\nprocess = 'diesel'\ncompression_ratio = 17\nheat = '2900 J'\n";
 
 pub fn engine(text: &str) -> Engine {

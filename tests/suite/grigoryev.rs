@@ -2,12 +2,19 @@
 //!
 //! `CRANKSTAR_RENEW=1 cargo test --test suite grigoryev` writes them anew.
 
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::{env, fs};
 
+use num_rational::BigRational;
+
 use crankstar::claim::{Found, Provenance, Quote, Study, study};
+use crankstar::numbers;
+use crankstar::page::Language;
 use crankstar::{page, report};
+
+use crate::support::german::has_words;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/grigoryev")
@@ -56,6 +63,7 @@ fn exactly_these_checks_fail_and_each_is_corrected_in_its_conclusion() {
     let right = [
         ("six", "moment 2 is of constant length nowhere"),
         ("six", "the firing is more even than one step before at 20°"),
+        ("six", "the flywheel is lighter than one step before at 20°"),
     ];
     assert_eq!(failing, right);
     let words = ["less evenly", "second resultant"];
@@ -112,6 +120,10 @@ fn a_check_says_one_thing_and_what_it_says_is_read_as_nothing_else() {
         ("constant = \"force 2 along\"\nonly_at = []", "part"),
         ("says = \"fires evenly\"\nvanishes = \"force 2\"", "two things"),
         ("says = \"fires evenly\"\nonly_at = [90]", "only_at"),
+        ("flywheel = \"light\"\nonly_at = [90]", "light"),
+        ("flywheel = \"lightest\"", "only_at"),
+        ("flywheel = \"lightest\"\nonly_at = [90]", "[family.flywheel]"),
+        ("torque_vanishes = \"1.25\"\nonly_at = [90]", "1.25"),
         ("", "nothing"),
     ] {
         let message = one_check(wrong).map(|_| ()).expect_err(wrong);
@@ -126,4 +138,63 @@ fn every_list_of_angles_is_proved_to_be_complete() {
             assert!(*everywhere || *complete, "{}", check.claim.written());
         }
     }
+}
+
+/// The angle by which the second bank of the six fires after the first, modulo 240°.
+fn second_bank(angle: i64) -> i64 {
+    if angle < 60 { angle + 120 } else { angle }
+}
+
+#[test]
+fn the_torque_of_the_sixes_is_as_uneven_as_the_theory_of_the_gas_says() {
+    let flywheels = read().families[0].flywheels.as_ref().expect("flywheels");
+    let at = |angle: u32| {
+        flywheels.points.iter().find(|point| point.at == BigRational::from_integer(angle.into())).expect("a point")
+    };
+    for (angle, ratio) in [(10, 1.32), (20, 1.68), (60, 3.17), (90, 2.06), (110, 1.32), (120, 1.0), (180, 3.17)] {
+        let found = flywheels.ratio(at(angle));
+        assert!((found - ratio).abs() < 5e-3, "{found} at {angle}°");
+    }
+    // J = ΔW/(δ ω²) in a ring of 120 mm, and for 180° the mass of the counterweights of 10°.
+    for point in flywheels.all() {
+        let omega = 2000.0 / 60.0 * TAU;
+        let flywheel = point.energy * 50.0 / (omega * omega) / (0.12 * 0.12);
+        assert!((point.flywheel - flywheel).abs() < 1e-9 * flywheel, "{}", point.at);
+    }
+    let in_line = flywheels.in_line.as_ref().expect("the engine in line");
+    assert!(in_line.counterweights.expect("two planes").vanishes);
+    // √3 m r a in planes 2a apart, m the 0.5 kg of a piston and the 0.4 kg of a pin.
+    let counterweights = 2.0 * 3.0_f64.sqrt() / 2.0 * (0.5 + 0.4) * 0.043 / 0.05;
+    for point in &flywheels.points {
+        assert!((point.counterweights.expect("two planes").value - counterweights).abs() < 1e-9, "{}", point.at);
+    }
+}
+
+#[test]
+fn the_firing_stars_of_the_sixes_are_those_of_two_banks() {
+    let flywheels = read().families[0].flywheels.as_ref().expect("flywheels");
+    for point in &flywheels.points {
+        let behind = second_bank(point.at.to_integer().try_into().expect("small"));
+        for order in &point.orders {
+            let halves = i64::from(order.order.halves());
+            // S = 3 (1 + e^{−iκγ'}) where κ is a multiple of 1½, else 0; κγ' in half degrees.
+            let (length, vanishes) = match halves % 3 {
+                0 => {
+                    (6.0 * (halves as f64 * behind as f64 / 4.0).to_radians().cos().abs(), halves * behind % 720 == 360)
+                }
+                _ => (0.0, true),
+            };
+            assert_eq!(order.vanishes, vanishes, "order {} at {}°", order.order, point.at);
+            let star = numbers::evaluate(point.star(order.order).expect("one class")).norm();
+            assert!((star - length).abs() < 1e-12, "order {} at {}°", order.order, point.at);
+        }
+    }
+}
+
+#[test]
+fn the_page_has_german_for_every_phrase() {
+    let page = report::study_page(read());
+    let phrases = page.phrases().into_iter();
+    let missing: Vec<_> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
 }

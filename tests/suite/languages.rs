@@ -4,13 +4,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use crankstar::accuracy::Timing;
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
-use crankstar::report::{self, Compared};
+use crankstar::report::{self, AccuracyCase, Compared};
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
@@ -132,6 +133,16 @@ fn pages_of_the_complete_loads_have_german_for_every_phrase() {
                 assert!(english != german || !english.contains(" in "), "{english}");
             }
         }
+    }
+}
+
+#[test]
+fn the_accuracy_of_the_torque_has_german_for_every_phrase() {
+    let single = format!("speed = 3000\n{}", crate::gas::SPARK);
+    let engine = file::parse("layout.toml", &single).expect("it reads");
+    for timing in [Timing::Off, Timing::On] {
+        let cases = [AccuracyCase::of(&engine, &[], timing).expect("a torque")];
+        assert_known(&[report::accuracy_page(&engine, &cases), report::accuracy_answer(&engine, &cases)]);
     }
 }
 

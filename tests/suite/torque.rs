@@ -1,11 +1,12 @@
 //! Does the torque of whole engines agree with the theory's numbers, and with a model that knows bodies and forces alone?
 
+use crankstar::engine::CycleOrder;
 use crankstar::engine::Engine;
 use crankstar::gas::CylinderGas;
 use crankstar::page::{self, Format, Options};
-use crankstar::torque::{EngineTorque, NoTorque, guide_moments, torque};
+use crankstar::torque::{EngineTorque, NoTorque, Peak, PeakMethod, guide_moments, torque};
 
-use crate::gas::{SPARK, engine};
+use crate::gas::{DIESEL, SPARK, engine};
 use crate::support::dice::Dice;
 use crate::support::program::{call, scratch};
 
@@ -86,6 +87,41 @@ fn a_v6_of_three_throws_is_as_uneven_as_the_theory_says() {
     let even = energy(120);
     for (angle, ratio) in [(10, 1.32), (20, 1.68), (60, 3.17), (90, 2.06), (110, 1.32), (180, 3.17)] {
         assert_near(energy(angle) / even, ratio, 5e-3);
+    }
+}
+
+#[test]
+fn the_peak_by_orders_is_off_by_what_the_theory_says_and_by_no_more_than_is_guaranteed() {
+    let spark = [(3, 0.31), (6, 0.10), (12, 1.0e-2), (24, 6.6e-4), (48, 3.4e-4)];
+    let diesel = [(3, 0.34), (6, 0.080), (12, 5.9e-3), (24, 1.5e-3), (48, 2.9e-4)];
+    for (text, errors) in [(SPARK, spark), (DIESEL, diesel)] {
+        let torque = torque_of(&text.replace("reciprocating_mass = '0.5 kg'\n", ""));
+        let peak = Peak::new(&torque);
+        for (order, error) in errors {
+            let method = PeakMethod::Orders(CycleOrder::of_halves(2 * order).expect("an order"));
+            assert!(peak.methods().contains(&method));
+            let found = peak.farthest(method).expect("orders") / torque.highest.value;
+            assert!((found - error).abs() < 0.06 * error, "order {order}: {found} is not {error}");
+        }
+    }
+    for text in [four(3000), four(6000), format!("speed = 4000\n{SPARK}")] {
+        let torque = torque_of(&text);
+        let peak = Peak::new(&torque);
+        let mut guaranteed = f64::INFINITY;
+        for method in peak.methods() {
+            let error = (peak.value(method) - torque.highest.value).abs();
+            if let (Some(bound), Some(farthest)) = (peak.bound(method), peak.farthest(method)) {
+                assert!(
+                    error <= farthest && farthest <= bound && bound <= guaranteed,
+                    "{method:?}: {error} of {bound}"
+                );
+                guaranteed = bound;
+            }
+        }
+        assert_near(peak.value(PeakMethod::TimeLaw), torque.highest.value, 1e-9);
+        // Half a step from the peak the torque is lower by a part that shrinks with the square of the step.
+        let samples = [36, 3600].map(|steps| peak.error(peak.value(PeakMethod::Samples(steps))));
+        assert!(samples[1] < 1e-3 * samples[0].max(1e-3), "{samples:?}");
     }
 }
 

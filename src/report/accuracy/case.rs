@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::engine_torque::{self, PeakRow};
 use crate::accuracy::{self, Study};
 use crate::engine::Engine;
 use crate::loads;
@@ -15,6 +16,8 @@ pub struct AccuracyCase {
     pub ratio: Option<BigRational>,
     /// Its loads.
     pub studies: Vec<Study>,
+    /// The largest torque of gas and inertia by several methods; none without gas.
+    pub(super) engine_torque: Option<Vec<PeakRow>>,
 }
 
 impl AccuracyCase {
@@ -27,7 +30,8 @@ impl AccuracyCase {
         let mut rods = engine.rods().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
-        Ok(AccuracyCase { ratio, studies: studies.collect::<Result<_, _>>()? })
+        let studies = studies.collect::<Result<_, _>>()?;
+        Ok(AccuracyCase { ratio, studies, engine_torque: engine_torque::rows(engine, timing) })
     }
 
     /// `λ = 0.3`.

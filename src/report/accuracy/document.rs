@@ -3,10 +3,12 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
+use super::engine_torque::PeakRow;
 use super::{AccuracyCase, methods};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
 use crate::proof::Quantity;
+use crate::torque::PeakMethod;
 
 /// The methods and their errors as data.
 #[derive(Clone, Debug, Serialize)]
@@ -19,6 +21,22 @@ pub struct AccuracyDocument {
 struct Case {
     rod_ratio: Option<String>,
     loads: Vec<Load>,
+    /// The largest torque of gas and inertia in newton-metres.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    engine_torque: Vec<TorqueEntry>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct TorqueEntry {
+    method: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setting: Option<f64>,
+    value: f64,
+    error: f64,
+    /// The largest error anywhere in the cycle, which the bound is about.
+    farthest: Option<f64>,
+    bound: Option<f64>,
+    seconds: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -57,8 +75,27 @@ pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDoc
     let case = |case: &AccuracyCase| Case {
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(engine, study)).collect(),
+        engine_torque: case.engine_torque.iter().flatten().map(torque_entry).collect(),
     };
     AccuracyDocument { title: engine.title().written().to_owned(), cases: cases.iter().map(case).collect() }
+}
+
+fn torque_entry(row: &PeakRow) -> TorqueEntry {
+    let (method, setting) = match row.method {
+        PeakMethod::Orders(order) => ("orders of the gas", Some(f64::from(order.halves()) / 2.0)),
+        PeakMethod::Samples(steps) => ("time law", Some(f64::from(steps))),
+        PeakMethod::TimeLaw => ("time law, refined", None),
+    };
+    let seconds = row.time.map(|time| time.as_secs_f64());
+    TorqueEntry {
+        method,
+        setting,
+        value: row.value,
+        error: row.error,
+        farthest: row.farthest,
+        bound: row.bound,
+        seconds,
+    }
 }
 
 /// The name of a load in the document.

@@ -2,6 +2,7 @@
 
 mod case;
 mod document;
+mod engine_torque;
 mod methods;
 mod page;
 mod plots;

@@ -1,6 +1,7 @@
 //! What stands on the page of what accuracy costs, on the terminal, and in a report?
 
-use super::{AccuracyCase, plots, tables, words};
+use super::engine_torque::PeakRow;
+use super::{AccuracyCase, engine_torque, plots, tables, words};
 use crate::accuracy::Study;
 use crate::engine::Engine;
 use crate::page::{Block, Document, Text, phrase};
@@ -8,6 +9,22 @@ use crate::page::{Block, Document, Text, phrase};
 fn studies(cases: &[AccuracyCase]) -> impl Iterator<Item = (usize, &AccuracyCase, &Study)> {
     let numbered = cases.iter().enumerate();
     numbered.flat_map(|(number, case)| case.studies.iter().map(move |study| (number + 1, case, study)))
+}
+
+/// The engine torque of each case that has gas.
+fn of_gas(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[PeakRow])> {
+    cases.iter().filter_map(|case| Some((case.label(), case.engine_torque.as_deref()?)))
+}
+
+/// The blocks on the engine torque of the cases that have gas.
+fn gas_blocks(cases: &[AccuracyCase]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for (label, rows) in of_gas(cases) {
+        blocks.push(Block::Heading(1, phrase!("Largest torque, gas and inertia, {}", label)));
+        blocks.push(engine_torque::table(rows).into());
+        blocks.push(Block::Note(engine_torque::HOW.into()));
+    }
+    blocks
 }
 
 /// The short answer: a table a load and rod ratio.
@@ -21,13 +38,19 @@ pub fn accuracy_answer(engine: &Engine, cases: &[AccuracyCase]) -> Document {
         }
     }
     answer.push(Block::Paragraph(tables::FRONT.into()));
+    for (label, rows) in of_gas(cases) {
+        answer.push(Block::Paragraph(engine_torque::answer(label, rows)));
+        answer.push(engine_torque::table(rows));
+    }
     answer
 }
 
 /// The page of one engine with errors and times, and a plot a load and rod ratio; made for this machine at this hour.
 pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
     let mut page = Document::new("accuracy", phrase!("{}: what accuracy costs", engine.title()));
-    page.push(Block::Answer(studies(cases).map(|(_, case, study)| words::answer(engine, case, study)).collect()));
+    let of_loads = studies(cases).map(|(_, case, study)| words::answer(engine, case, study));
+    let of_torque = of_gas(cases).map(|(label, rows)| engine_torque::answer(label, rows));
+    page.push(Block::Answer(of_loads.chain(of_torque).collect()));
     for (number, case, study) in studies(cases).filter(|(_, _, study)| !study.rows.is_empty()) {
         page.push(Block::Heading(1, words::heading(case, study)));
         page.push(plots::cost(number, case, study));
@@ -35,6 +58,7 @@ pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
         page.push(Block::Note(tables::FRONT.into()));
         page.blocks.extend(words::sure_digits(study).map(Block::Paragraph));
     }
+    page.blocks.extend(gas_blocks(cases));
     page.push(Block::Heading(1, "How the methods work".into()));
     page.push(Block::List(words::METHODS.into_iter().chain([words::TIMES]).map(Text::from).collect()));
     page
@@ -45,5 +69,10 @@ pub fn accuracy_section(cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "What accuracy costs".into())];
     blocks.extend(tables::errors(cases));
     blocks.push(Block::List(words::METHODS.map(Text::from).into()));
+    for (label, rows) in of_gas(cases) {
+        blocks.push(Block::Paragraph(engine_torque::answer(label, rows)));
+        blocks.push(engine_torque::table(rows).into());
+        blocks.push(Block::Note(engine_torque::HOW.into()));
+    }
     blocks
 }

@@ -43,10 +43,12 @@ fn table(checks: &[&Checked]) -> Table {
 fn answer(check: &Checked) -> Text {
     match &check.found {
         Found::Claim(pair) => phrase!("**{}**", claim_status(&pair.1)),
-        Found::Values { .. } | Found::Firing { .. } | Found::Counterweight(_) | Found::Volume(_) => match check.holds {
-            true => "**true**".into(),
-            false => "**false**".into(),
-        },
+        Found::Values { .. } | Found::Firing { .. } | Found::Counterweight(_) | Found::Volume(_) | Found::Grid(_) => {
+            match check.holds {
+                true => "**true**".into(),
+                false => "**false**".into(),
+            }
+        }
     }
 }
 
@@ -61,8 +63,8 @@ pub(super) fn found(found: &Found) -> Text {
             (false, true) => phrase!("At {}, and proved: nowhere else in the range.", degrees(at)),
             (false, false) => phrase!("At {}, and perhaps elsewhere.", degrees(at)),
         },
-        Found::Firing { at, .. } if at.is_empty() => "Nowhere on the grid.".into(),
-        Found::Firing { difference: None, at } => phrase!("At {}.", degrees(at)),
+        Found::Firing { at, .. } | Found::Grid(at) if at.is_empty() => "Nowhere on the grid.".into(),
+        Found::Firing { difference: None, at } | Found::Grid(at) => phrase!("At {}.", degrees(at)),
         Found::Firing { difference: Some(difference), at } => phrase!(
             "At {}: the longest and the shortest interval differ by {}.",
             degrees(at),

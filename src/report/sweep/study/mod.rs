@@ -1,6 +1,7 @@
 //! How is a study shown? A page of its statements with what was found, its families in curves and tables.
 
 mod checks;
+mod flywheel;
 mod page;
 mod plots;
 

@@ -7,7 +7,7 @@ use super::super::amounts::counted;
 use super::super::assumptions::assumptions;
 use super::super::csv::sweep_csv;
 use super::super::tables;
-use super::{checks, plots};
+use super::{checks, flywheel, plots};
 use crate::claim::{Checked, Studied, Study};
 use crate::page::{Block, Document, File, Fold, Text, phrase};
 use crate::sweep::{Geometry, Sweep, SweptEngine};
@@ -17,14 +17,16 @@ const PARTS: &str = "Along is vertical, across horizontal; largest and smallest 
     direct and reverse are the vectors that turn with the crank and against it.";
 const WORDS: &str = "The statements are in the words of this page; a source's own words stand in quotation marks. What stands in bold below a statement is a \
     conclusion from the answers in its tables.";
-const ASSUMED: [&str; 5] = [
+const ASSUMED: [&str; 6] = [
     "Amplitudes are zero to peak; those of order k are multiples of $m r \\omega^2 c_k$, and moments of that times the spacing $a$.",
     "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the \
      larger one is told, as its mass-radius in multiples of $m r$. The masses of the rods at the crankpin are not in it.",
     "The firing intervals are those of the most even order that the throws allow, in line those of the firing order.",
     "The volume is the area of the end view, banks and crankcase together, times the length.",
-    "The paper's mass adds flywheel and counterweights to a main part that follows the size. The flywheel needs the gas \
-     torque, which is not modelled here: the plots show the volume, the counterweights and the firing that it rests on, each by itself.",
+    "The paper's mass adds flywheel and counterweights to a main part that follows the size by a formula that it does not give: the plots show the volume, and the \
+     flywheel and the counterweights in kilograms where a family has gas, each by itself.",
+    "A flywheel of a family is found for the most even order that its throws allow, of several equally even ones for that with the least ΔW, at a constant load. It has all the inertia that turns, in a ring; crankshaft \
+     and clutch would make it lighter by the same at each engine.",
 ];
 
 /// The page of a study, which leads to its [`study_tables`].
@@ -86,6 +88,7 @@ fn of_family(family: &Studied) -> Vec<Block> {
         blocks.push(tables::zeros(parameter, sets).into());
         blocks.push(Block::Note(PARTS.into()));
     }
+    blocks.extend(flywheel::blocks(family));
     blocks.push(Block::Paragraph(phrase!("All values: {}.", Text::link(Text::label(csv.clone()), csv))));
     let points = tables::points(&counted(&whole)).into_iter();
     let points =

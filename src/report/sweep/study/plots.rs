@@ -6,6 +6,7 @@ use num_rational::BigRational;
 
 use super::super::plots::{Amplitude, amplitudes};
 use super::super::words::{axis, exact, float, quantity_name};
+use super::flywheel;
 use crate::claim::Studied;
 use crate::loads::Arm;
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
@@ -36,6 +37,7 @@ pub(super) fn pictures(family: &Studied, whole: &Sweep) -> Vec<Picture> {
         drawn.push(picture("size", size(family, whole), SIZE));
         drawn.push(picture("mass", mass(family, whole), MASS));
     }
+    drawn.extend(flywheel::picture(family));
     drawn
 }
 

@@ -1,0 +1,103 @@
+//! What does an order of the gas torque more, or a sample more, cost and buy? Methods for the largest torque of an engine with gas.
+
+use std::time::Duration;
+
+use super::methods::{self, Significant};
+use crate::accuracy::{Timing, measured};
+use crate::engine::Engine;
+use crate::page::{Piece, Table, Text, Unit, phrase};
+use crate::torque::{self, Peak, PeakMethod};
+
+pub(super) const HOW: &str = "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are left out, \
+    exact stars times harmonics to order 48, and bounds those above by the total variation of the torque's slope. The inertia stays in its closed form. What \
+    a wrong pressure adds is in neither.";
+
+/// Digits of a torque in the table.
+const DIGITS: usize = 6;
+
+/// What one method finds.
+#[derive(Clone, Debug)]
+pub(super) struct PeakRow {
+    pub method: PeakMethod,
+    /// In newton-metres.
+    pub value: f64,
+    /// As a part of the peak of the time law.
+    pub error: f64,
+    /// The largest distance anywhere in the cycle, as a part of that; none for samples.
+    pub farthest: Option<f64>,
+    /// Guaranteed, as a part of that; none for samples.
+    pub bound: Option<f64>,
+    pub time: Option<Duration>,
+}
+
+/// The largest torque by all methods; none where the layout has no gas, or not all that its torque needs.
+pub(super) fn rows(engine: &Engine, timing: Timing) -> Option<Vec<PeakRow>> {
+    engine.gas()?;
+    let torque = torque::torque(engine).ok()?;
+    let peak = Peak::new(&torque);
+    let row = |method: PeakMethod| {
+        let (value, time) = measured(timing, || peak.value(method));
+        let part = |torques: Option<f64>| torques.map(|value| value / torque.highest.value.abs());
+        let (farthest, bound) = (part(peak.farthest(method)), part(peak.bound(method)));
+        PeakRow { method, value, error: peak.error(value), farthest, bound, time }
+    };
+    Some(peak.methods().into_iter().map(row).collect())
+}
+
+fn name(method: PeakMethod) -> Text {
+    match method {
+        PeakMethod::Orders(order) => phrase!("orders of the gas up to {}", Text::label(order.to_string())),
+        PeakMethod::Samples(steps) => phrase!("time law, {} angles a revolution", steps),
+        PeakMethod::TimeLaw => "time law, its largest value refined".into(),
+    }
+}
+
+/// A row a method, with times where they were measured.
+pub(super) fn table(rows: &[PeakRow]) -> Table {
+    let timed = rows.iter().any(|row| row.time.is_some());
+    let columns = ["Method", "Largest torque in N·m", "Error", "Anywhere", "Guaranteed"]
+        .into_iter()
+        .chain(timed.then_some("Time"));
+    let mut table = Table::new(columns);
+    for row in rows {
+        let error = match row.method {
+            PeakMethod::TimeLaw => Text::default(),
+            PeakMethod::Orders(_) | PeakMethod::Samples(_) if row.error < ROUNDING => {
+                phrase!("below {}", methods::power_of_ten(-9))
+            }
+            PeakMethod::Orders(_) | PeakMethod::Samples(_) => methods::power(row.error).into(),
+        };
+        let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
+        let (farthest, bound) = (part(row.farthest), part(row.bound));
+        let cells = [name(row.method), format!("{:.DIGITS$}", Significant(row.value)).into(), error, farthest, bound];
+        let time = timed.then(|| row.time.map_or_else(Text::default, |time| methods::time(time).into()));
+        table.push(cells.into_iter().chain(time).collect());
+    }
+    table
+}
+
+/// Errors below this are those of the search for the peak.
+const ROUNDING: f64 = 1e-9;
+
+/// The largest torque, and how many orders have it.
+pub(super) fn answer(label: Text, rows: &[PeakRow]) -> Text {
+    let within = |row: &&PeakRow| match row.method {
+        PeakMethod::Orders(_) => row.error <= methods::USUAL,
+        PeakMethod::Samples(_) | PeakMethod::TimeLaw => false,
+    };
+    let peak = rows.last().map_or(f64::NAN, |row| row.value);
+    let peak = Piece::Quantity(peak, Unit::NEWTON_METRE);
+    match rows.iter().find(within).map(|row| row.method) {
+        Some(PeakMethod::Orders(order)) => phrase!(
+            "Largest torque, gas and inertia, {}: {}. The orders of the gas up to {} have it within 0.1 %.",
+            label,
+            peak,
+            Text::label(order.to_string())
+        ),
+        Some(PeakMethod::Samples(_) | PeakMethod::TimeLaw) | None => phrase!(
+            "Largest torque, gas and inertia, {}: {}. The orders of the gas compared here do not have it within 0.1 %.",
+            label,
+            peak
+        ),
+    }
+}

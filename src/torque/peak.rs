@@ -1,0 +1,115 @@
+//! What is the largest torque by the first orders of the gas, or at so many angles, and how far off is that?
+//!
+//! The torque has kinks where a valve opens or the burning ends, so that its orders fall as 1/κ² and the error of a peak as 1/κ: the peak
+//! is shown by the time law, in which the inertia is closed and needs no orders at all.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+
+use super::{EngineTorque, TorqueOrder, orders};
+use crate::engine::CycleOrder;
+
+/// A way to find the largest torque.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PeakMethod {
+    /// The orders of the gas up to this one, with the inertia in its closed form.
+    Orders(CycleOrder),
+    /// The time law at so many equal steps of a revolution.
+    Samples(u32),
+    /// The time law, its largest sample refined: the reference of the others.
+    TimeLaw,
+}
+
+/// Every order that is left up to this one is compared: 6.
+const EACH: u32 = 12;
+/// Above it the orders up to these, in halves: 8, 12, 24, 48.
+const MORE: [u32; 4] = [16, 24, 48, 96];
+/// Steps of a revolution.
+const STEPS: [u32; 4] = [36, 72, 360, 3600];
+
+/// The largest torque by several methods.
+#[derive(Clone, Debug)]
+pub struct Peak<'a> {
+    torque: &'a EngineTorque,
+    orders: Vec<TorqueOrder>,
+    /// All orders above those together are at most this, in newton-metres.
+    rest: f64,
+}
+
+impl<'a> Peak<'a> {
+    /// Finds the orders of the gas as far as they are compared.
+    pub fn new(torque: &'a EngineTorque) -> Self {
+        let mut classes = torque.classes.clone();
+        for class in &mut classes {
+            let revolutions = class.gas.revolutions() as usize;
+            class.harmonics = class.gas.harmonics(MORE[MORE.len() - 1] as usize * revolutions / 2);
+        }
+        let rest = classes.iter().map(|class| class.harmonics.rest() * class.cylinders.len() as f64).sum();
+        Peak { torque, orders: orders(&classes), rest }
+    }
+
+    /// The methods that are compared: every order that is left up to 6, some higher ones, and samples.
+    pub fn methods(&self) -> Vec<PeakMethod> {
+        let left = self.orders.iter().filter(|order| !order.vanishes && order.order.halves() <= EACH);
+        let left = left.map(|order| order.order).chain(MORE.into_iter().filter_map(CycleOrder::of_halves));
+        let samples = STEPS.into_iter().map(PeakMethod::Samples);
+        left.map(PeakMethod::Orders).chain(samples).chain([PeakMethod::TimeLaw]).collect()
+    }
+
+    /// The largest torque by a method, in newton-metres.
+    pub fn value(&self, method: PeakMethod) -> f64 {
+        let course = &self.torque.course;
+        match method {
+            PeakMethod::Orders(highest) => {
+                let kept = self.kept(highest);
+                course.extremes(|theta| self.torque.mean + series(&kept, theta) + course.inertia(theta))[0].value
+            }
+            PeakMethod::Samples(steps) => {
+                let revolutions = (course.period() / TAU).round() as u32;
+                let at = |place: u32| course.total(TAU * f64::from(place) / f64::from(steps));
+                (0..steps * revolutions).map(at).fold(f64::NEG_INFINITY, f64::max)
+            }
+            PeakMethod::TimeLaw => course.extremes(|theta| course.total(theta))[0].value,
+        }
+    }
+
+    /// The largest distance of the torque by these orders from the time law anywhere in the cycle, in newton-metres; none for samples.
+    pub fn farthest(&self, method: PeakMethod) -> Option<f64> {
+        let course = &self.torque.course;
+        match method {
+            PeakMethod::Orders(highest) => {
+                let kept = self.kept(highest);
+                let off = |theta: f64| (course.gas(theta) - self.torque.mean - series(&kept, theta)).abs();
+                Some(course.extremes(off)[0].value)
+            }
+            PeakMethod::Samples(_) | PeakMethod::TimeLaw => None,
+        }
+    }
+
+    /// The torque by these orders is nowhere further off, in newton-metres, roundings apart; none for samples.
+    pub fn bound(&self, method: PeakMethod) -> Option<f64> {
+        match method {
+            PeakMethod::Orders(highest) => {
+                let left_out = self.orders.iter().filter(|order| order.order > highest);
+                Some(left_out.map(|order| order.gas.norm()).sum::<f64>() + self.rest)
+            }
+            PeakMethod::Samples(_) | PeakMethod::TimeLaw => None,
+        }
+    }
+
+    /// By which part of the peak of the time law a value differs from it.
+    pub fn error(&self, value: f64) -> f64 {
+        let peak = self.torque.highest.value;
+        (value - peak).abs() / peak.abs()
+    }
+
+    fn kept(&self, highest: CycleOrder) -> Vec<(f64, Complex<f64>)> {
+        let kept = self.orders.iter().filter(|order| order.order <= highest && !order.vanishes);
+        kept.map(|order| (f64::from(order.order.halves()) / 2.0, order.gas)).collect()
+    }
+}
+
+fn series(orders: &[(f64, Complex<f64>)], theta: f64) -> f64 {
+    orders.iter().map(|(kappa, vector)| (vector * Complex::cis(kappa * theta)).re).sum()
+}
