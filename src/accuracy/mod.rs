@@ -15,6 +15,7 @@
 //! assert!(0.02 < second_order.error && second_order.error < second_order.bound.unwrap());
 //! ```
 
+mod bearing;
 mod bodies;
 mod branch;
 mod fixed;
@@ -32,6 +33,7 @@ mod timing;
 use num_rational::BigRational;
 use num_traits::Zero;
 
+pub use bearing::{BearingMethod, BearingRow, bearings};
 pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Row, Study, study};

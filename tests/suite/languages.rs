@@ -137,8 +137,8 @@ fn pages_of_the_complete_loads_have_german_for_every_phrase() {
 }
 
 #[test]
-fn the_accuracy_of_the_torque_has_german_for_every_phrase() {
-    let single = format!("speed = 3000\n{}", crate::gas::SPARK);
+fn the_accuracy_of_torque_and_bearings_has_german_for_every_phrase() {
+    let single = format!("speed = 3000\nbearings = ['0.05 m', '-0.05 m']\n{}", crate::gas::SPARK);
     let engine = file::parse("layout.toml", &single).expect("it reads");
     for timing in [Timing::Off, Timing::On] {
         let cases = [AccuracyCase::of(&engine, &[], timing).expect("a torque")];

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::engine_torque::{self, PeakRow};
-use crate::accuracy::{self, Study};
+use crate::accuracy::{self, BearingRow, Study};
 use crate::engine::Engine;
 use crate::loads;
 use crate::page::{Number, Text, phrase};
@@ -16,6 +16,8 @@ pub struct AccuracyCase {
     pub ratio: Option<BigRational>,
     /// Its loads.
     pub studies: Vec<Study>,
+    /// The largest bearing load of inertia by several methods; none without main bearings.
+    pub(super) bearings: Option<Vec<BearingRow>>,
     /// The largest torque of gas and inertia by several methods; none without gas.
     pub(super) engine_torque: Option<Vec<PeakRow>>,
 }
@@ -31,7 +33,8 @@ impl AccuracyCase {
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
         let studies = studies.collect::<Result<_, _>>()?;
-        Ok(AccuracyCase { ratio, studies, engine_torque: engine_torque::rows(engine, timing) })
+        let bearings = accuracy::bearings(engine, timing)?;
+        Ok(AccuracyCase { ratio, studies, bearings, engine_torque: engine_torque::rows(engine, timing) })
     }
 
     /// `λ = 0.3`.

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::engine_torque::PeakRow;
 use super::{AccuracyCase, methods};
-use crate::accuracy::{Method, Row, Study};
+use crate::accuracy::{BearingMethod, BearingRow, Method, Row, Study};
 use crate::engine::Engine;
 use crate::proof::Quantity;
 use crate::torque::PeakMethod;
@@ -21,19 +21,23 @@ pub struct AccuracyDocument {
 struct Case {
     rod_ratio: Option<String>,
     loads: Vec<Load>,
+    /// The largest bearing load of inertia, in the unit of the force.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bearings: Vec<FurtherEntry>,
     /// The largest torque of gas and inertia in newton-metres.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    engine_torque: Vec<TorqueEntry>,
+    engine_torque: Vec<FurtherEntry>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct TorqueEntry {
+struct FurtherEntry {
     method: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     setting: Option<f64>,
     value: f64,
     error: f64,
-    /// The largest error anywhere in the cycle, which the bound is about.
+    /// The largest error anywhere in the cycle, which the bound of the torque is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
     farthest: Option<f64>,
     bound: Option<f64>,
     seconds: Option<f64>,
@@ -75,19 +79,31 @@ pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDoc
     let case = |case: &AccuracyCase| Case {
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(engine, study)).collect(),
+        bearings: case.bearings.iter().flatten().map(|row| bearing_entry(engine, row)).collect(),
         engine_torque: case.engine_torque.iter().flatten().map(torque_entry).collect(),
     };
     AccuracyDocument { title: engine.title().written().to_owned(), cases: cases.iter().map(case).collect() }
 }
 
-fn torque_entry(row: &PeakRow) -> TorqueEntry {
+fn bearing_entry(engine: &Engine, row: &BearingRow) -> FurtherEntry {
+    let (_, multiple) = methods::unit(engine, Quantity::Force);
+    let (method, setting) = match row.method {
+        BearingMethod::Orders(order) => ("orders", Some(f64::from(order))),
+        BearingMethod::Angles(steps) => ("closed form", Some(f64::from(steps))),
+        BearingMethod::ClosedForm => ("closed form, refined", None),
+    };
+    let (value, seconds) = (row.value * multiple, row.time.map(|time| time.as_secs_f64()));
+    FurtherEntry { method, setting, value, error: row.error, farthest: None, bound: row.bound, seconds }
+}
+
+fn torque_entry(row: &PeakRow) -> FurtherEntry {
     let (method, setting) = match row.method {
         PeakMethod::Orders(order) => ("orders of the gas", Some(f64::from(order.halves()) / 2.0)),
         PeakMethod::Samples(steps) => ("time law", Some(f64::from(steps))),
         PeakMethod::TimeLaw => ("time law, refined", None),
     };
     let seconds = row.time.map(|time| time.as_secs_f64());
-    TorqueEntry {
+    FurtherEntry {
         method,
         setting,
         value: row.value,

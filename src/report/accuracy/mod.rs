@@ -1,5 +1,6 @@
 //! How is what accuracy costs shown? Each load by all methods: tables, plots, a section of a report, pages, a JSON document.
 
+mod bearings;
 mod case;
 mod document;
 mod engine_torque;

@@ -1,8 +1,8 @@
 //! What stands on the page of what accuracy costs, on the terminal, and in a report?
 
 use super::engine_torque::PeakRow;
-use super::{AccuracyCase, engine_torque, plots, tables, words};
-use crate::accuracy::Study;
+use super::{AccuracyCase, bearings, engine_torque, plots, tables, words};
+use crate::accuracy::{BearingRow, Study};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Text, phrase};
 
@@ -11,14 +11,24 @@ fn studies(cases: &[AccuracyCase]) -> impl Iterator<Item = (usize, &AccuracyCase
     numbered.flat_map(|(number, case)| case.studies.iter().map(move |study| (number + 1, case, study)))
 }
 
+/// The bearing loads of each case that has main bearings.
+fn of_bearings(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[BearingRow])> {
+    cases.iter().filter_map(|case| Some((case.label(), case.bearings.as_deref()?)))
+}
+
 /// The engine torque of each case that has gas.
 fn of_gas(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[PeakRow])> {
     cases.iter().filter_map(|case| Some((case.label(), case.engine_torque.as_deref()?)))
 }
 
-/// The blocks on the engine torque of the cases that have gas.
-fn gas_blocks(cases: &[AccuracyCase]) -> Vec<Block> {
+/// The blocks on bearings and engine torque, of the cases that have them.
+fn further(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = Vec::new();
+    for (label, rows) in of_bearings(cases) {
+        blocks.push(Block::Heading(1, phrase!("Largest bearing load of inertia, {}", label)));
+        blocks.push(bearings::table(engine, rows).into());
+        blocks.push(Block::Note(bearings::HOW.into()));
+    }
     for (label, rows) in of_gas(cases) {
         blocks.push(Block::Heading(1, phrase!("Largest torque, gas and inertia, {}", label)));
         blocks.push(engine_torque::table(rows).into());
@@ -38,6 +48,10 @@ pub fn accuracy_answer(engine: &Engine, cases: &[AccuracyCase]) -> Document {
         }
     }
     answer.push(Block::Paragraph(tables::FRONT.into()));
+    for (label, rows) in of_bearings(cases) {
+        answer.push(Block::Paragraph(bearings::answer(engine, label, rows)));
+        answer.push(bearings::table(engine, rows));
+    }
     for (label, rows) in of_gas(cases) {
         answer.push(Block::Paragraph(engine_torque::answer(label, rows)));
         answer.push(engine_torque::table(rows));
@@ -50,7 +64,8 @@ pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
     let mut page = Document::new("accuracy", phrase!("{}: what accuracy costs", engine.title()));
     let of_loads = studies(cases).map(|(_, case, study)| words::answer(engine, case, study));
     let of_torque = of_gas(cases).map(|(label, rows)| engine_torque::answer(label, rows));
-    page.push(Block::Answer(of_loads.chain(of_torque).collect()));
+    let of_bearings = of_bearings(cases).map(|(label, rows)| bearings::answer(engine, label, rows));
+    page.push(Block::Answer(of_loads.chain(of_bearings).chain(of_torque).collect()));
     for (number, case, study) in studies(cases).filter(|(_, _, study)| !study.rows.is_empty()) {
         page.push(Block::Heading(1, words::heading(case, study)));
         page.push(plots::cost(number, case, study));
@@ -58,17 +73,22 @@ pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
         page.push(Block::Note(tables::FRONT.into()));
         page.blocks.extend(words::sure_digits(study).map(Block::Paragraph));
     }
-    page.blocks.extend(gas_blocks(cases));
+    page.blocks.extend(further(engine, cases));
     page.push(Block::Heading(1, "How the methods work".into()));
     page.push(Block::List(words::METHODS.into_iter().chain([words::TIMES]).map(Text::from).collect()));
     page
 }
 
 /// The section of a report on the errors of the methods; no times, so that it is the same on every machine.
-pub fn accuracy_section(cases: &[AccuracyCase]) -> Vec<Block> {
+pub fn accuracy_section(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "What accuracy costs".into())];
     blocks.extend(tables::errors(cases));
     blocks.push(Block::List(words::METHODS.map(Text::from).into()));
+    for (label, rows) in of_bearings(cases) {
+        blocks.push(Block::Paragraph(bearings::answer(engine, label, rows)));
+        blocks.push(bearings::table(engine, rows).into());
+        blocks.push(Block::Note(bearings::HOW.into()));
+    }
     for (label, rows) in of_gas(cases) {
         blocks.push(Block::Paragraph(engine_torque::answer(label, rows)));
         blocks.push(engine_torque::table(rows).into());

@@ -1,0 +1,172 @@
+//! What is the largest load of a main bearing by the first orders of inertia, or at so many angles, and how far off is that?
+//!
+//! The closed form is the load of each crankpin, `F_in (1 − i tan β) e^{iα}`, shared among the bearings by the exact parts of the beam.
+
+use std::f64::consts::TAU;
+use std::time::Duration;
+
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::bodies::phases;
+use super::timing::{Timing, measured};
+use crate::engine::Engine;
+use crate::loads::{self, BearingLoads, Missing};
+use crate::motion::SliderCrank;
+use crate::numbers;
+use crate::order::{self, TurningMass, turning_masses};
+
+/// A way to find the largest bearing load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BearingMethod {
+    /// The orders up to this one.
+    Orders(u32),
+    /// The closed form at so many equal steps of a revolution.
+    Angles(u32),
+    /// The closed form, its largest value refined: the reference of the others.
+    ClosedForm,
+}
+
+/// What a method finds.
+#[derive(Clone, Debug)]
+pub struct BearingRow {
+    /// Which method.
+    pub method: BearingMethod,
+    /// The largest load, in multiples of m r ω².
+    pub value: f64,
+    /// It is off by this part of the largest load by the closed form.
+    pub error: f64,
+    /// Guaranteed: no bearing load by these orders is further off, roundings apart. None for the closed form.
+    pub bound: Option<f64>,
+    /// Median time of one evaluation, all numbers of the engine at hand; none where it was not asked for.
+    pub time: Option<Duration>,
+}
+
+/// Orders that are kept: one more each up to 4, then some higher ones.
+const ORDERS: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 24];
+/// Steps of a revolution.
+const STEPS: [u32; 3] = [36, 360, 3600];
+/// Golden sections of the step beside the largest of the finest angles.
+const SECTIONS: usize = 60;
+
+/// The largest load of all main bearings of a continuous beam, by all methods; none where the engine has no main bearings, or
+/// nothing moves.
+///
+/// # Errors
+/// What the engine lacks for numbers.
+pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<BearingRow>>, Missing> {
+    if engine.bearings().is_empty() || engine.mechanisms().is_empty() {
+        return Ok(None);
+    }
+    if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
+        return Err(Missing::BalancerShafts);
+    }
+    let by_orders =
+        |highest: u32| loads::bearing_loads(engine, &(1..=highest).collect::<Vec<u32>>(), loads::Method::Continuous);
+    let closed = Closed::new(engine, &by_orders(1)?);
+    let (peak, time) = measured(timing, || closed.peak());
+    if peak <= 0.0 {
+        return Ok(None);
+    }
+    let row = |method, (value, time): (f64, Option<Duration>), bound: Option<f64>| {
+        let error = (value - peak).abs() / peak;
+        BearingRow { method, value, error, bound: bound.map(|bound| bound / peak), time }
+    };
+    let mut rows = Vec::new();
+    for highest in ORDERS {
+        let loads = by_orders(highest)?;
+        let bound = loads::left_out_of_bearings(engine, &loads)?.map_or(0.0, |bound| bound.most);
+        let largest = || loads.bearings.iter().map(|bearing| bearing.waveform.peak().value).fold(0.0, f64::max);
+        rows.push(row(BearingMethod::Orders(highest), measured(timing, largest), Some(bound)));
+    }
+    for steps in STEPS {
+        rows.push(row(BearingMethod::Angles(steps), measured(timing, || closed.largest(steps).0), None));
+    }
+    rows.push(row(BearingMethod::ClosedForm, (peak, time), None));
+    Ok(Some(rows))
+}
+
+/// The loads of the bearings without any series.
+struct Closed {
+    pistons: Vec<Piston>,
+    /// By bearing: what turns with the crank, at crank angle 0.
+    rotating: Vec<Complex<f64>>,
+}
+
+struct Piston {
+    crank: SliderCrank,
+    ratio: f64,
+    offset: f64,
+    phase: f64,
+    /// By bearing: its part of the load, along the cylinder.
+    parts: Vec<Complex<f64>>,
+}
+
+fn float(number: &BigRational) -> f64 {
+    number.to_f64().unwrap_or(f64::NAN)
+}
+
+impl Closed {
+    fn new(engine: &Engine, loads: &BearingLoads) -> Self {
+        let shared = |position: &BigRational, load: Complex<f64>| -> Vec<Complex<f64>> {
+            let parts = loads.parts.get(position);
+            (0..loads.bearings.len()).map(|index| load * parts.map_or(0.0, |parts| float(&parts[index]))).collect()
+        };
+        let pistons = engine.moved().zip(phases(engine)).map(|((cylinder, mechanism), phase)| {
+            let crank = order::crank(mechanism);
+            let load = numbers::direction(&cylinder.bank) * float(&order::mass_radius(engine, cylinder));
+            Piston {
+                ratio: float(crank.ratio()),
+                offset: float(crank.offset()),
+                phase: float(phase.turns()) * TAU,
+                parts: shared(&cylinder.position, load),
+                crank,
+            }
+        });
+        let mut rotating = vec![Complex::new(0.0, 0.0); loads.bearings.len()];
+        for mass in turning_masses(engine) {
+            let load = numbers::direction(&mass.angle) * float(&mass.mass_radius);
+            rotating.iter_mut().zip(shared(&mass.position, load)).for_each(|(sum, part)| *sum += part);
+        }
+        Closed { pistons: pistons.collect(), rotating }
+    }
+
+    /// The load of the bearing that feels most at a crank angle.
+    fn at(&self, theta: f64) -> f64 {
+        let mut sums: Vec<Complex<f64>> = self.rotating.iter().map(|mass| mass * Complex::cis(theta)).collect();
+        for piston in &self.pistons {
+            let psi = theta + piston.phase;
+            let slant = piston.ratio * psi.sin() - piston.offset;
+            let slope = slant / ((1.0 - slant) * (1.0 + slant)).sqrt();
+            let push = Complex::new(1.0, -slope) * -piston.crank.acceleration(psi);
+            sums.iter_mut().zip(&piston.parts).for_each(|(sum, part)| *sum += part * push);
+        }
+        sums.iter().map(|sum| sum.norm()).fold(0.0, f64::max)
+    }
+
+    /// The largest load at so many angles, and where it stands.
+    fn largest(&self, steps: u32) -> (f64, f64) {
+        let angles = (0..steps).map(|place| TAU * f64::from(place) / f64::from(steps));
+        angles
+            .map(|theta| (self.at(theta), theta))
+            .fold((0.0, 0.0), |best, one| if one.0 > best.0 { one } else { best })
+    }
+
+    /// The largest load, by golden sections beside the largest of the finest angles.
+    fn peak(&self) -> f64 {
+        let steps = STEPS[STEPS.len() - 1];
+        let (value, theta) = self.largest(steps);
+        let step = TAU / f64::from(steps);
+        let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
+        let (mut low, mut high) = (theta - step, theta + step);
+        for _ in 0..SECTIONS {
+            let (left, right) = (high - golden * (high - low), low + golden * (high - low));
+            match self.at(left) < self.at(right) {
+                true => low = left,
+                false => high = right,
+            }
+        }
+        value.max(self.at((low + high) / 2.0))
+    }
+}

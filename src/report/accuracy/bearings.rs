@@ -1,0 +1,68 @@
+//! What does an order of the inertia more cost and buy for the largest bearing load? Methods beside each other.
+
+use super::methods::{self, Significant};
+use crate::accuracy::{BearingMethod, BearingRow};
+use crate::engine::Engine;
+use crate::page::{Piece, Table, Text, phrase};
+use crate::proof::Quantity;
+
+pub(super) const HOW: &str = "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
+    against the closed form; what is guaranteed bounds all orders that are left out, whichever bearing they load.";
+
+/// Digits of a load in the table.
+const DIGITS: usize = 6;
+/// Errors below this are those of the search for the peak.
+const ROUNDING: f64 = 1e-9;
+
+fn name(method: BearingMethod) -> Text {
+    match method {
+        BearingMethod::Orders(order) => phrase!("orders up to {}", order),
+        BearingMethod::Angles(steps) => phrase!("closed form, {} angles", steps),
+        BearingMethod::ClosedForm => "closed form, its largest value refined".into(),
+    }
+}
+
+/// A row a method, with times where they were measured.
+pub(super) fn table(engine: &Engine, rows: &[BearingRow]) -> Table {
+    let (unit, factor) = methods::page_unit(engine, Quantity::Force);
+    let timed = rows.iter().any(|row| row.time.is_some());
+    let columns = ["Method".into(), phrase!("Peak in {}", unit.name), "Error".into(), "Guaranteed".into()];
+    let mut table = Table::new(columns.into_iter().chain(timed.then_some(Text::from("Time"))));
+    for row in rows {
+        let error = match row.method {
+            BearingMethod::ClosedForm => Text::default(),
+            BearingMethod::Orders(_) | BearingMethod::Angles(_) if row.error < ROUNDING => {
+                phrase!("below {}", methods::power_of_ten(-9))
+            }
+            BearingMethod::Orders(_) | BearingMethod::Angles(_) => methods::power(row.error).into(),
+        };
+        let bound = row.bound.map_or_else(Text::default, |bound| methods::power(bound).into());
+        let cells = [name(row.method), format!("{:.DIGITS$}", Significant(row.value * factor)).into(), error, bound];
+        let time = timed.then(|| row.time.map_or_else(Text::default, |time| methods::time(time).into()));
+        table.push(cells.into_iter().chain(time).collect());
+    }
+    table
+}
+
+/// The largest load, and the orders that have it.
+pub(super) fn answer(engine: &Engine, label: Text, rows: &[BearingRow]) -> Text {
+    let (unit, factor) = methods::page_unit(engine, Quantity::Force);
+    let peak = Piece::Quantity(rows.last().map_or(f64::NAN, |row| row.value) * factor, unit);
+    let guaranteed = rows.iter().find_map(|row| match row.method {
+        BearingMethod::Orders(order) => row.bound.filter(|bound| *bound <= methods::USUAL).map(|_| order),
+        BearingMethod::Angles(_) | BearingMethod::ClosedForm => None,
+    });
+    match guaranteed {
+        Some(order) => phrase!(
+            "Largest bearing load of inertia, {}: {}. Orders up to {} have it within 0.1 %, guaranteed.",
+            label,
+            peak,
+            order
+        ),
+        None => phrase!(
+            "Largest bearing load of inertia, {}: {}. The orders compared here do not have it within 0.1 %.",
+            label,
+            peak
+        ),
+    }
+}
