@@ -20,9 +20,9 @@ use crate::order::{self, Contribution, OrderSum};
 /// How a load is shared among the bearings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// One continuous beam of constant EI: [`Beam::influence`].
+    /// One continuous beam of constant EI: [`crate::beam::Beam::influence`].
     Continuous,
-    /// Each span a beam of its own, which is statically determinate: [`Beam::determinate`].
+    /// Each span a beam of its own, which is statically determinate: [`crate::beam::Beam::determinate`].
     Determinate,
 }
 
