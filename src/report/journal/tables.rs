@@ -72,7 +72,6 @@ pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
         "at θ",
         "Big end pulls with N",
         "Side force in N",
-        "at θ",
     ]);
     // What never is says nothing of an angle.
     let pair = |one: Extreme| match one.value > 0.0 {
@@ -84,9 +83,9 @@ pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
         let [pressed, stretched] = peaks.rod;
         let pulled = Extreme { value: -stretched.value, ..stretched };
         let [left, right] = peaks.side;
-        let side = if left.value >= -right.value { left } else { Extreme { value: -right.value, ..right } };
+        let side = size(left.value.max(-right.value));
         let [big_end, _] = pair(peaks.pull);
-        let cells = [pair(pressed), pair(pulled)].into_iter().flatten().chain([big_end]).chain(pair(side));
+        let cells = [pair(pressed), pair(pulled)].into_iter().flatten().chain([big_end, side]);
         rows.push([name(engine, index)].into_iter().chain(cells).collect());
     }
     rows
