@@ -6,9 +6,13 @@
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
+use num_rational::BigRational;
 
+use super::class::Class;
+use super::order::star;
 use super::{EngineTorque, TorqueOrder, orders};
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, HIGHEST_ORDER};
+use crate::numbers;
 
 /// A way to find the largest torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +49,7 @@ impl<'a> Peak<'a> {
             let revolutions = class.gas.revolutions() as usize;
             class.harmonics = class.gas.harmonics(MORE[MORE.len() - 1] as usize * revolutions / 2);
         }
-        let rest = classes.iter().map(|class| class.harmonics.rest() * class.cylinders.len() as f64).sum();
+        let rest = classes.iter().map(rest).sum();
         Peak { torque, orders: orders(&classes), rest }
     }
 
@@ -108,6 +112,23 @@ impl<'a> Peak<'a> {
         let kept = self.orders.iter().filter(|order| order.order <= highest && !order.vanishes);
         kept.map(|order| (f64::from(order.order.halves()) / 2.0, order.gas)).collect()
     }
+}
+
+/// What the orders of a class above those that were computed add at most: each bounded times its star, then all cylinders alike.
+fn rest(class: &Class) -> f64 {
+    let revolutions = class.harmonics.revolutions;
+    let halves = 2 / revolutions;
+    let computed = u32::try_from(class.harmonics.torque.len()).unwrap_or(u32::MAX);
+    let last = 2 * HIGHEST_ORDER / halves;
+    let bound = |index: u32| class.harmonics.bound(f64::from(index) / f64::from(revolutions));
+    let one = BigRational::from_integer(1.into());
+    let star = |index: u32| match CycleOrder::of_halves(index * halves) {
+        Some(order) => numbers::evaluate(&star(class, order, |_| one.clone())).norm(),
+        None => class.cylinders.len() as f64,
+    };
+    // Σ 1/n² over n > N is below 1/N.
+    let above = bound(last) * f64::from(last) * class.cylinders.len() as f64;
+    (computed..=last).map(|index| bound(index) * star(index)).sum::<f64>() + above
 }
 
 fn series(orders: &[(f64, Complex<f64>)], theta: f64) -> f64 {

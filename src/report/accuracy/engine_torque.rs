@@ -9,7 +9,7 @@ use crate::page::{Piece, Table, Text, Unit, phrase};
 use crate::torque::{self, Peak, PeakMethod};
 
 pub(super) const HOW: &str = "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are left out, \
-    exact stars times harmonics to order 48, and bounds those above by the total variation of the torque's slope. The inertia stays in its closed form. What \
+    exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. What \
     a wrong pressure adds is in neither.";
 
 /// Digits of a torque in the table.
