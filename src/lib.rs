@@ -33,7 +33,8 @@
 //! claim
 //! journal
 //! accuracy  remedy  optimise  sweep  search  torque  torsion
-//! loads  family  firing
+//! loads  family
+//! firing
 //! verdict
 //! order  numbers  gas
 //! file

@@ -69,7 +69,7 @@ pub fn open_study<'a>(
     orders: &[CycleOrder],
     mode: &ModeShape,
 ) -> Result<OpenFiringStudy<'a>, Failure> {
-    OpenFiringStudy::new(family, orders, mode.deflections()?).map_err(Failure::new)
+    OpenFiringStudy::new(family, orders, mode.read()?).map_err(Failure::new)
 }
 
 impl ModeShape {

@@ -10,7 +10,8 @@ use num_rational::BigRational;
 
 use super::component::values_of_multiples;
 use super::{OpenSum, When, sum_of};
-use crate::engine::{Cycle, CycleOrder, Family, FiringSpan, Linear, NoSpans};
+use crate::engine::{CycleOrder, Family, FiringSpan, Linear, NoSpans};
+use crate::firing::{NoStar, Weights, are_orders_of};
 
 /// One order of the gas torque.
 #[derive(Clone, Debug)]
@@ -36,15 +37,8 @@ pub struct SpanStar {
 pub enum NoOpenStar {
     /// Rods that differ: each kind has a star of its own.
     RodsDiffer,
-    /// A half order of an engine that fires once per revolution.
-    HalfOrder(CycleOrder),
-    /// The mode shape has another number of values than the engine has cylinders.
-    ModeShape {
-        /// How many values it has.
-        values: usize,
-        /// How many cylinders there are.
-        cylinders: usize,
-    },
+    /// No engine of the family has them.
+    NoStar(NoStar),
 }
 
 impl fmt::Display for NoOpenStar {
@@ -54,19 +48,20 @@ impl fmt::Display for NoOpenStar {
                 "the rods differ and an angle or a length is open: each kind of rod has a firing star of its own; give all cylinders \
                  one rod, or the unknowns values below [values]",
             ),
-            NoOpenStar::HalfOrder(order) => {
-                write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")
-            }
-            NoOpenStar::ModeShape { values, cylinders } => {
-                write!(f, "the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")
-            }
+            NoOpenStar::NoStar(why) => why.fmt(f),
         }
     }
 }
 
 impl std::error::Error for NoOpenStar {}
 
-/// Judges the firing stars of these orders; `shape` are the deflections of a mode of torsional vibration, one per cylinder.
+impl From<NoStar> for NoOpenStar {
+    fn from(why: NoStar) -> Self {
+        NoOpenStar::NoStar(why)
+    }
+}
+
+/// Judges the firing stars of these orders.
 ///
 /// Half orders are judged where the open angle lies in the range, in turns, with its ends where `with_ends` says so.
 ///
@@ -75,26 +70,17 @@ impl std::error::Error for NoOpenStar {}
 pub fn firing_stars(
     family: &Family,
     orders: &[CycleOrder],
-    shape: Option<&[BigRational]>,
+    weights: &Weights,
     range: [&BigRational; 2],
     with_ends: bool,
 ) -> Result<Vec<OpenStar>, NoOpenStar> {
     if family.mechanisms().len() > 1 {
         return Err(NoOpenStar::RodsDiffer);
     }
-    let cylinders = family.cylinders().len();
-    if let Some(shape) = shape.filter(|shape| shape.len() != cylinders) {
-        return Err(NoOpenStar::ModeShape { values: shape.len(), cylinders });
-    }
-    if let Some(order) = orders.iter().find(|order| family.cycle() == Some(Cycle::TwoStroke) && !order.is_whole()) {
-        return Err(NoOpenStar::HalfOrder(*order));
-    }
-    let weight = |(place, radius): (usize, &BigRational)| match shape {
-        Some(shape) => radius * &shape[place],
-        None => radius.clone(),
-    };
+    weights.fit(family.cylinders().len())?;
+    family.cycle().map_or(Ok(()), |cycle| are_orders_of(cycle, orders))?;
     let radii = family.cylinders().iter().map(|cylinder| &cylinder.crank_radius);
-    let weights: Vec<BigRational> = radii.enumerate().map(weight).collect();
+    let weights: Vec<BigRational> = radii.enumerate().map(|(index, radius)| radius * weights.of(index)).collect();
     let star = |&order: &CycleOrder| {
         let spans = match order.is_whole() {
             true => Ok(vec![FiringSpan { within: None, angles: family.dead_centres() }]),

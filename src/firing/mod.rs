@@ -37,6 +37,27 @@ impl Weights {
             Weights::ModeShape(shape) => shape[cylinder].clone(),
         }
     }
+
+    /// Whether it is a mode of torsional vibration.
+    pub fn is_mode_shape(&self) -> bool {
+        match self {
+            Weights::Rigid => false,
+            Weights::ModeShape(_) => true,
+        }
+    }
+
+    /// Whether there is one for each of so many cylinders.
+    ///
+    /// # Errors
+    /// [`NoStar::ModeShape`].
+    pub fn fit(&self, cylinders: usize) -> Result<(), NoStar> {
+        match self {
+            Weights::ModeShape(shape) if shape.len() != cylinders => {
+                Err(NoStar::ModeShape { values: shape.len(), cylinders })
+            }
+            Weights::Rigid | Weights::ModeShape(_) => Ok(()),
+        }
+    }
 }
 
 /// Why there is no firing star.
@@ -82,22 +103,25 @@ pub fn firing_of(engine: &Engine) -> Result<&Firing, NoStar> {
     engine.firing().ok_or(NoStar::NoFiring)
 }
 
+/// Whether what repeats once per cycle has these orders.
+///
+/// # Errors
+/// [`NoStar::HalfOrder`].
+pub fn are_orders_of(cycle: Cycle, orders: &[CycleOrder]) -> Result<(), NoStar> {
+    match orders.iter().find(|order| !order.exists_in(cycle)) {
+        None => Ok(()),
+        Some(order) => Err(NoStar::HalfOrder(*order)),
+    }
+}
+
 /// Judges the firing stars of these orders, as they stand.
 ///
 /// # Errors
 /// See [`NoStar`].
 pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -> Result<Vec<StarOrder>, NoStar> {
     let firing = firing_of(engine)?;
-    let cylinders = engine.cylinders().len();
-    match weights {
-        Weights::ModeShape(shape) if shape.len() != cylinders => {
-            return Err(NoStar::ModeShape { values: shape.len(), cylinders });
-        }
-        Weights::Rigid | Weights::ModeShape(_) => {}
-    }
-    if let Some(order) = orders.iter().find(|order| !order.exists_in(firing.cycle)) {
-        return Err(NoStar::HalfOrder(*order));
-    }
+    weights.fit(engine.cylinders().len())?;
+    are_orders_of(firing.cycle, orders)?;
     Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
 }
 
@@ -113,11 +137,11 @@ pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
     Some(star::sums(engine, &firing, order, &Weights::Rigid).into_iter().map(|(_, sum)| sum).collect())
 }
 
-/// The orders that are judged where none are asked for: up to the first at which all cylinders of an even order would add up,
-/// and at least up to 4.
-pub fn usual_orders(engine: &Engine, cycle: Cycle) -> Vec<CycleOrder> {
-    let step = cycle.lowest_order().halves();
-    let cylinders = u32::try_from(engine.cylinders().len()).unwrap_or(u32::MAX);
+/// The orders that are judged of so many cylinders where none are asked for, multiples of the lowest: up to the first at which all
+/// cylinders of an even order would add up, and at least up to 4.
+pub fn usual_orders(cylinders: usize, lowest: CycleOrder) -> Vec<CycleOrder> {
+    let step = lowest.halves();
+    let cylinders = u32::try_from(cylinders).unwrap_or(u32::MAX);
     let last = cylinders.saturating_mul(step).clamp(8, 2 * HIGHEST_ORDER);
     (1..=last / step).filter_map(|index| CycleOrder::of_halves(index * step)).collect()
 }

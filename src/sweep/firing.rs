@@ -10,11 +10,11 @@ use super::parameter::Parameter;
 use super::run::{Reader, Sweep};
 use super::swept_engine::{Amplitude, SURELY_NOT_ZERO, float};
 use super::{SweepError, zeros};
-use crate::engine::{Cycle, CycleOrder, Engine, NoSpans};
+use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
 use crate::family::{self, OpenStar};
 use crate::file::Template;
-use crate::firing;
+use crate::firing::{self, Weights};
 
 /// The length of a firing star in crank radii; none where the cylinders cannot fire so, or are of several classes.
 pub type StarLength = Option<Amplitude>;
@@ -52,15 +52,12 @@ pub struct FiringZeros {
 /// # Errors
 /// A half order of a two-stroke engine, or of a file that does not say when the cylinders fire.
 pub fn firing_stars(template: &Template, sweep: &Sweep, orders: &[CycleOrder]) -> Result<FiringSweep, SweepError> {
-    let half = orders.iter().find(|order| !order.is_whole());
-    match (half, template.cycle()) {
-        (Some(order), Some(Cycle::TwoStroke)) => {
-            return Err(SweepError::new(firing::NoStar::HalfOrder(*order).to_string()));
-        }
-        (Some(_), _) if !template.has("firing_order") && !template.has("firing_angles") => {
-            return Err(SweepError::new(NoSpans::NotSaid.to_string()));
-        }
-        _ => {}
+    let cycle = template.cycle();
+    let known = cycle.map_or(Ok(()), |cycle| firing::are_orders_of(cycle, orders));
+    known.map_err(|why| SweepError::new(why.to_string()))?;
+    let has_half = orders.iter().any(|order| !order.is_whole());
+    if has_half && !template.has("firing_order") && !template.has("firing_angles") {
+        return Err(SweepError::new(NoSpans::NotSaid.to_string()));
     }
     let reader = Reader::new(template, &sweep.parameters);
     let lengths = |values: &[BigRational]| -> Result<Vec<StarLength>, SweepError> {
@@ -112,7 +109,7 @@ fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> O
     let unknown = open.open_angles().into_iter().next()?;
     let ends = [parameter.range.value(0), parameter.range.last()].map(|end| end * &per_unit);
     let range = [ends.iter().min()?, ends.iter().max()?];
-    let stars = family::firing_stars(&open, orders, None, range, true).ok()?;
+    let stars = family::firing_stars(&open, orders, &Weights::Rigid, range, true).ok()?;
     let zeros = |star: &OpenStar| {
         let none = FiringZeros { order: star.order, fires: true, everywhere: false, at: Vec::new(), complete: true };
         let in_units = |values: Vec<BigRational>| values.into_iter().map(|value| value / &per_unit).collect();

@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 use super::{Mode, Shaft, modes};
 use crate::engine::{CycleOrder, Engine, Torsion};
-use crate::firing::{NoStar, firing_of};
+use crate::firing::{NoStar, are_orders_of, firing_of};
 use crate::numbers;
 
 /// A speed at which an order has a natural frequency.
@@ -41,9 +41,7 @@ pub fn critical_speeds(
     orders: &[CycleOrder],
 ) -> Result<Vec<CriticalSpeeds>, NoStar> {
     let firing = firing_of(engine)?;
-    if let Some(order) = orders.iter().find(|order| !order.exists_in(firing.cycle)) {
-        return Err(NoStar::HalfOrder(*order));
-    }
+    are_orders_of(firing.cycle, orders)?;
     let radius = |cylinder: usize| decimal(&engine.cylinders()[cylinder].crank_radius);
     let of_mode = |mode: Mode| {
         let deflections: Vec<f64> =

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use crankstar::engine::{CycleOrder, DELTA, Engine, Family, NoSpans, PHI};
 use crankstar::family::{self, NoOpenStar, OpenStar};
 use crankstar::file::{self, Layout};
+use crankstar::firing::{NoStar, Weights};
 use crankstar::page::{self, Format, Language, Options};
 use crankstar::report::{self, OpenFiringStudy};
 use num_complex::Complex;
@@ -44,7 +45,7 @@ fn orders(halves: impl IntoIterator<Item = u32>) -> Vec<CycleOrder> {
 }
 
 fn judged(family: &Family, orders: &[CycleOrder]) -> Vec<OpenStar> {
-    family::firing_stars(family, orders, None, [&fraction(0, 1), &fraction(1, 1)], false).expect("stars")
+    family::firing_stars(family, orders, &Weights::Rigid, [&fraction(0, 1), &fraction(1, 1)], false).expect("stars")
 }
 
 fn degrees(star: &OpenStar, unknown: &str) -> Vec<String> {
@@ -140,7 +141,7 @@ fn half_orders_of_a_six_in_v_have_the_zeros_of_the_paper() {
 fn a_range_that_turns_further_has_its_zeros_too() {
     let family = open(V2);
     let (low, high) = (fraction(-1, 1), fraction(5, 1));
-    let stars = family::firing_stars(&family, &orders([1, 3]), None, [&low, &high], true).expect("stars");
+    let stars = family::firing_stars(&family, &orders([1, 3]), &Weights::Rigid, [&low, &high], true).expect("stars");
     for star in stars {
         let kappa = star.order.exact();
         let zeros = (-64..64).map(|m| (fraction(1, 2) + fraction(m, 1)) / &kappa - fraction(1, 1));
@@ -156,7 +157,7 @@ fn half_orders_need_to_know_in_which_revolution_a_cylinder_fires() {
     let stars = judged(&family, &orders([1, 2]));
     assert_eq!(stars[0].spans.as_ref().err(), Some(&NoSpans::NotSaid));
     assert!(stars[1].always());
-    let page = report::open_firing_answer(&OpenFiringStudy::new(&family, &[], None).expect("stars"));
+    let page = report::open_firing_answer(&OpenFiringStudy::new(&family, &[], Weights::Rigid).expect("stars"));
     let text = page::write(&page, Format::GITHUB, &Options::default()).remove(0).text;
     assert!(text.contains("Half orders need to know in which revolution each cylinder fires"), "{text}");
     assert!(text.contains("| 3 | 0 at φ = 60°, 180°, 300° | 6 \\|cos(3φ/2)\\| |"), "{text}");
@@ -168,8 +169,8 @@ fn half_orders_need_to_know_in_which_revolution_a_cylinder_fires() {
     assert!(stars[2].spans.is_ok());
     let two_stroke = open(FOUR_BANKS);
     let ends = [&fraction(0, 1), &fraction(1, 1)];
-    let refused = family::firing_stars(&two_stroke, &orders([1]), None, ends, false);
-    assert!(matches!(refused, Err(NoOpenStar::HalfOrder(_))));
+    let refused = family::firing_stars(&two_stroke, &orders([1]), &Weights::Rigid, ends, false);
+    assert!(matches!(refused, Err(NoOpenStar::NoStar(NoStar::HalfOrder(_)))));
 }
 
 #[test]
@@ -208,9 +209,9 @@ fn answers_and_pages_have_german_for_every_phrase() {
     for text in texts {
         let family = open(text);
         let shape = family.cylinders().iter().map(|_| fraction(1, 1)).collect();
-        for shape in [None, Some(shape)] {
+        for weights in [Weights::Rigid, Weights::ModeShape(shape)] {
             let asked = if text == FOUR_BANKS { orders([2, 4]) } else { orders([1, 2, 3, 6]) };
-            let study = OpenFiringStudy::new(&family, &asked, shape).expect("stars");
+            let study = OpenFiringStudy::new(&family, &asked, weights).expect("stars");
             for page in [report::open_firing_answer(&study), report::open_firing_page(&study)] {
                 let phrases = page.phrases().into_iter().filter(|words| has_words(words));
                 let unknown: Vec<&str> = phrases.filter(|words| !Language::De.knows(words)).collect();
@@ -228,7 +229,7 @@ fn answers_and_pages_have_german_for_every_phrase() {
 fn lengths_of_two_equal_parts_are_told_in_one_cosine() {
     let told = |layout: &str| {
         let family = open(layout);
-        let study = OpenFiringStudy::new(&family, &orders([1, 2, 3, 6]), None).expect("stars");
+        let study = OpenFiringStudy::new(&family, &orders([1, 2, 3, 6]), Weights::Rigid).expect("stars");
         let page = report::open_firing_answer(&study);
         page::write(&page, Format::PLAIN, &Options::default()).remove(0).text
     };

@@ -7,14 +7,15 @@ use std::path::{Path, PathBuf};
 use crate::support::imports;
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
-const STOREYS: [&[&str]; 13] = [
+const STOREYS: [&[&str]; 14] = [
     &["proof", "motion", "beam", "text"],
     &["exact"],
     &["engine"],
     &["file"],
     &["order", "numbers", "gas"],
     &["verdict"],
-    &["loads", "family", "firing"],
+    &["firing"],
+    &["loads", "family"],
     &["accuracy", "remedy", "optimise", "sweep", "search", "torque", "torsion"],
     &["journal"],
     &["claim"],

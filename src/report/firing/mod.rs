@@ -40,7 +40,7 @@ impl<'a> FiringStudy<'a> {
     pub fn new(engine: &'a Engine, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoStar> {
         let cycle = firing::firing_of(engine)?.cycle;
         let orders: BTreeSet<CycleOrder> = match orders {
-            [] => firing::usual_orders(engine, cycle).into_iter().collect(),
+            [] => firing::usual_orders(engine.cylinders().len(), cycle.lowest_order()).into_iter().collect(),
             asked => asked.iter().copied().collect(),
         };
         let orders: Vec<CycleOrder> = orders.into_iter().collect();

@@ -34,7 +34,7 @@ fn answer(study: &FiringStudy<'_>) -> Vec<Text> {
     let mut lines: Vec<Text> = words::evenness(study.engine).into_iter().collect();
     match &study.pattern {
         Ok(pattern) => {
-            let whose = match (study.has_mode_shape(), study.is_of_one_class()) {
+            let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {
                 (true, _) => "**Work of the gas on this mode, for every pressure law that all cylinders share.** {}",
                 (false, true) => {
                     "**Gas torque of a rigid crankshaft, for every pressure law that all cylinders share.** {}"
@@ -95,7 +95,7 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
 /// All that stands below the answer.
 fn section(study: &FiringStudy<'_>) -> Vec<Block> {
     let heading = |words: &'static str| Block::Heading(1, words.into());
-    let (meaning, formula) = match study.has_mode_shape() {
+    let (meaning, formula) = match study.weights.is_mode_shape() {
         true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
         false => (MEANING, STAR),
     };
@@ -112,7 +112,7 @@ fn section(study: &FiringStudy<'_>) -> Vec<Block> {
         summary: "Firing stars: the certificates".into(),
         blocks: vec![Block::List(certificates)],
     }));
-    blocks.extend([heading("Assumptions"), Block::List(assumed(study.has_mode_shape()))]);
+    blocks.extend([heading("Assumptions"), Block::List(assumed(study.weights.is_mode_shape()))]);
     blocks
 }
 

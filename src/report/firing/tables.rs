@@ -34,7 +34,7 @@ fn row(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Vec<Tex
 /// One row per firing: cylinder, crank angle, interval to the next; the deflection where there is a mode shape.
 pub(super) fn firings(study: &FiringStudy<'_>) -> Table {
     let mut header = vec!["Cylinder", "Fires at", "Next firing after"];
-    header.extend(study.has_mode_shape().then_some("Deflection Δ"));
+    header.extend(study.weights.is_mode_shape().then_some("Deflection Δ"));
     let mut table = Table::new(header);
     let Some(firing) = study.engine.firing() else { return table };
     let degrees = |turns: &num_rational::BigRational| -> Text {
@@ -43,7 +43,7 @@ pub(super) fn firings(study: &FiringStudy<'_>) -> Table {
     for (shot, interval) in firing.shots.iter().zip(firing.intervals()) {
         let name = study.engine.cylinders()[shot.cylinder].name.clone();
         let mut cells = vec![name.into(), degrees(&shot.angle), degrees(&interval)];
-        cells.extend(study.has_mode_shape().then(|| Number::exact(&study.weights.of(shot.cylinder)).into()));
+        cells.extend(study.weights.is_mode_shape().then(|| Number::exact(&study.weights.of(shot.cylinder)).into()));
         table.push(cells);
     }
     table

@@ -2,7 +2,6 @@
 
 use super::super::residual;
 use super::super::typeset::{self, Amount};
-use super::FiringStudy;
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{FiringPattern, FiringStar, NoPattern, StarOrder};
 use crate::page::{Text, phrase};
@@ -187,14 +186,4 @@ pub(super) fn why(pattern: &FiringPattern) -> Text {
 /// `1, 3, 5`.
 pub(super) fn names_of(engine: &Engine, star: &FiringStar) -> String {
     star.sources.iter().map(|source| source.name(engine)).collect::<Vec<_>>().join(", ")
-}
-
-impl FiringStudy<'_> {
-    /// Whether the stars are weighed by a mode shape.
-    pub(super) fn has_mode_shape(&self) -> bool {
-        match self.weights {
-            crate::firing::Weights::Rigid => false,
-            crate::firing::Weights::ModeShape(_) => true,
-        }
-    }
 }

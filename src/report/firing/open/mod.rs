@@ -9,8 +9,9 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use crate::engine::{Cycle, CycleOrder, Family, HIGHEST_ORDER, NoSpans, OpenFiring};
+use crate::engine::{Cycle, CycleOrder, Family, NoSpans, OpenFiring};
 use crate::family::{self, NoOpenStar, OpenStar};
+use crate::firing::{self, Weights};
 
 pub use page::{open_firing_answer, open_firing_page};
 
@@ -19,8 +20,8 @@ pub use page::{open_firing_answer, open_firing_page};
 pub struct OpenFiringStudy<'a> {
     /// The family.
     pub family: &'a Family,
-    /// The deflections of a mode of torsional vibration that the vectors are weighed by, one per cylinder.
-    pub shape: Option<Vec<BigRational>>,
+    /// What the vectors are weighed by.
+    pub weights: Weights,
     /// The orders, rising, each once; half orders for an open angle in (0°, 360°).
     pub orders: Vec<OpenStar>,
 }
@@ -31,15 +32,15 @@ impl<'a> OpenFiringStudy<'a> {
     ///
     /// # Errors
     /// Where the family has no firing stars.
-    pub fn new(family: &'a Family, orders: &[CycleOrder], shape: Option<Vec<BigRational>>) -> Result<Self, NoOpenStar> {
+    pub fn new(family: &'a Family, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoOpenStar> {
         let orders: BTreeSet<CycleOrder> = match orders {
             [] => usual_orders(family).into_iter().collect(),
             asked => asked.iter().copied().collect(),
         };
         let orders: Vec<CycleOrder> = orders.into_iter().collect();
         let (none, turn) = (BigRational::zero(), BigRational::one());
-        let orders = family::firing_stars(family, &orders, shape.as_deref(), [&none, &turn], false)?;
-        Ok(OpenFiringStudy { family, shape, orders })
+        let orders = family::firing_stars(family, &orders, &weights, [&none, &turn], false)?;
+        Ok(OpenFiringStudy { family, weights, orders })
     }
 
     /// The one open angle; none where two are open, or lengths alone.
@@ -66,11 +67,9 @@ impl<'a> OpenFiringStudy<'a> {
 
 /// As those of an engine, half orders where it is known when the cylinders fire.
 fn usual_orders(family: &Family) -> Vec<CycleOrder> {
-    let step = match (family.cycle(), family.open_firing()) {
-        (Some(cycle), Some(_)) => cycle.lowest_order().halves(),
-        _ => 2,
+    let lowest = match (family.cycle(), family.open_firing()) {
+        (Some(cycle), Some(_)) => cycle.lowest_order(),
+        _ => Cycle::TwoStroke.lowest_order(),
     };
-    let cylinders = u32::try_from(family.cylinders().len()).unwrap_or(u32::MAX);
-    let last = cylinders.saturating_mul(step).clamp(8, 2 * HIGHEST_ORDER);
-    (1..=last / step).filter_map(|index| CycleOrder::of_halves(index * step)).collect()
+    firing::usual_orders(family.cylinders().len(), lowest)
 }

@@ -32,9 +32,9 @@ pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
     page.push(orders(study));
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(picture::lengths(study).map(Block::from));
-    let (meaning, formula) = match &study.shape {
-        Some(_) => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
-        None => (MEANING, STAR),
+    let (meaning, formula) = match study.weights.is_mode_shape() {
+        true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
+        false => (MEANING, STAR),
     };
     page.blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
     page.push(heading("When the cylinders fire"));
@@ -43,7 +43,7 @@ pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
     page.push(heading("Proofs"));
     page.push(Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
     page.push(heading("Assumptions"));
-    page.push(Block::List(assumed(study.shape.is_some())));
+    page.push(Block::List(assumed(study.weights.is_mode_shape())));
     page
 }
 
