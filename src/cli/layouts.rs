@@ -48,7 +48,8 @@ pub fn read_text(path: &Path) -> Result<String, Failure> {
     let file = shown(path);
     let metadata = path.metadata().map_err(|error| not_found(&file, &error))?;
     if !metadata.is_file() {
-        return Err(Failure::new(format!("`{file}` is not a file; a TOML text is expected")));
+        let expected = near(&file).unwrap_or_else(|| "a TOML text is expected".to_owned());
+        return Err(Failure::new(format!("`{file}` is not a file; {expected}")));
     }
     if metadata.len() > LARGEST_FILE {
         return Err(Failure::new(format!("`{file}` is larger than 4 MiB, which no such file is")));
@@ -65,16 +66,15 @@ fn not_found(layout: &str, error: &std::io::Error) -> Failure {
     if looks_like_path || error.kind() != std::io::ErrorKind::NotFound {
         return Failure::new(format!("cannot read `{layout}`: {error}"));
     }
-    let family = |name: &str| name.split('-').next().unwrap_or(name).to_ascii_lowercase();
-    let near: Vec<&str> = file::catalogue()
-        .unwrap_or_default()
-        .iter()
-        .map(|(entry, _)| entry.name)
-        .filter(|name| family(name) == family(layout))
-        .collect();
-    let hint = match near.as_slice() {
-        [] => "`crankstar list` shows the names".to_owned(),
-        near => format!("there are {}", near.join(", ")),
-    };
+    let hint = near(layout).unwrap_or_else(|| "`crankstar list` shows the names".to_owned());
     Failure::new(format!("`{layout}` is neither an engine of the catalogue nor a file; {hint}"))
+}
+
+/// The engines of the catalogue whose names begin alike; none where no name does.
+fn near(layout: &str) -> Option<String> {
+    let family = |name: &str| name.split('-').next().unwrap_or(name).to_ascii_lowercase();
+    let catalogue = file::catalogue().unwrap_or_default();
+    let near: Vec<&str> =
+        catalogue.iter().map(|(entry, _)| entry.name).filter(|name| family(name) == family(layout)).collect();
+    (!near.is_empty()).then(|| format!("the catalogue has {}", near.join(", ")))
 }

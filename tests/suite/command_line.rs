@@ -261,6 +261,15 @@ fn wrong_input_ends_with_status_one_and_says_what_would_be_right() {
 }
 
 #[test]
+fn a_folder_named_like_a_family_of_engines_does_not_hide_which_engines_there_are() {
+    let folder = scratch("folder-of-a-report");
+    fs::create_dir(folder.join("V8")).expect("a folder");
+    let output = Command::new(env!("CARGO_BIN_EXE_crankstar")).args(["classify", "V8"]).current_dir(folder).output();
+    let said = String::from_utf8(output.expect("it runs").stderr).expect("text");
+    assert!(said.contains("`V8` is not a file; the catalogue has V8-crossplane, V8-flatplane"), "{said}");
+}
+
+#[test]
 fn a_reader_that_stops_reading_is_no_failure() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_crankstar"))
         .args(["classify", "radial-18", "--json", "--orders", "1,2,4,6,8,10,12,14,16,18"])
