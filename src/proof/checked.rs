@@ -69,18 +69,29 @@ impl Checked {
         }
     }
 
+    /// Of sums alone, and nothing said yet of what they are about.
+    fn of_sums(counts: Counts) -> Self {
+        Checked {
+            masses: Vec::new(),
+            orders: Vec::new(),
+            quantities: Vec::new(),
+            counts,
+            wholes: 0,
+            open_wholes: 0,
+            shapes: 0,
+            theorems: 0,
+            not_covered: Vec::new(),
+        }
+    }
+
     pub(super) fn family(document: &OpenDocument, all_solved: bool, counts: Counts) -> Self {
         let open = (!all_solved).then_some(NOT_SOLVED);
         Checked {
             masses: vec![document.masses],
             orders: exact(&document.orders),
             quantities: document.quantities.clone(),
-            counts,
-            wholes: 0,
-            open_wholes: 0,
-            shapes: 0,
-            theorems: 0,
             not_covered: [COEFFICIENTS, SAME_RODS].into_iter().chain(open).collect(),
+            ..Checked::of_sums(counts)
         }
     }
 
@@ -90,12 +101,8 @@ impl Checked {
             masses: vec![document.masses],
             orders: exact(&document.orders),
             quantities: document.quantities.clone(),
-            counts,
-            wholes: 0,
-            open_wholes: 0,
-            shapes: 0,
-            theorems: 0,
             not_covered: [WEIGHTS].into_iter().chain(unknown).collect(),
+            ..Checked::of_sums(counts)
         }
     }
 
@@ -104,15 +111,10 @@ impl Checked {
         let unknown = (!rods_known).then_some(EQUAL_RODS_OF_FIRING);
         let rigid = (!document.has_mode_shape()).then_some(TWIST);
         Checked {
-            masses: Vec::new(),
             orders: document.orders.clone(),
-            quantities: Vec::new(),
-            counts,
-            wholes: 0,
-            open_wholes: 0,
-            shapes: 0,
             theorems: usize::from(document.pattern.is_some()),
             not_covered: [ONE_LAW].into_iter().chain(rigid).chain(unknown).collect(),
+            ..Checked::of_sums(counts)
         }
     }
 

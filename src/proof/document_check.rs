@@ -9,7 +9,7 @@ use super::reading::Format;
 use super::rod::Motion;
 use super::shape::check_shape;
 use super::theorem::check_theorem;
-use super::verdict::{About, check_verdict};
+use super::verdict::About;
 use super::whole_sum::check_whole;
 
 /// Checks that a document holds: that the verdicts asked for are all there and no other, that their terms are those of
@@ -92,7 +92,7 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
                         let found = verdict.subject().place();
                         return Err(Fault::new(place, format!("here stands a verdict on {found}")));
                     }
-                    let sum = check_verdict(verdict, &terms, audit).map_err(|reason| Fault { place, reason })?;
+                    let sum = verdict.said().check(&terms, audit).map_err(|reason| Fault { place, reason })?;
                     of_group.push((sum, verdict.vanishes));
                 }
                 sums.push(JudgedGroup { coefficient: group.coefficient, is_zero: group.is_zero, sums: of_group });

@@ -6,15 +6,14 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::audit::{Audit, Fault, Reason, steps_of};
+use super::audit::{Audit, Fault, steps_of};
 use super::check::certify;
 use super::checked::Checked;
-use super::collected::{collect, collected};
-use super::decimals::check_decimals;
+use super::collected::collect;
 use super::engine::{RodStatement, check_names, rods};
 use super::firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim};
 use super::reading::Format;
-use super::verdict::{Vector, check_terms};
+use super::verdict::{SaidSum, Vector};
 
 /// Checks that a document of firing stars holds: that the stars asked for are all there and no other, that each vector is that of
 /// its cylinder, that the cylinders can fire when they are said to, and that each certificate proves what it claims.
@@ -138,20 +137,13 @@ fn check_verdicts(document: &FiringDocument, classes: &[Vec<&FiringCylinder>], a
             if verdict.order != *order || verdict.of != of {
                 return Err(Fault::new(place, "another verdict stands here"));
             }
-            check_verdict(verdict, &vectors(class, order), audit).map_err(|reason| Fault { place, reason })?;
+            verdict.said().check(&vectors(class, order), audit).map_err(|reason| Fault { place, reason })?;
         }
     }
     match found.next() {
         None => Ok(()),
         Some((index, _)) => Err(Fault::new(format!("verdicts[{index}]"), "this verdict was not asked for")),
     }
-}
-
-fn check_verdict(verdict: &FiringClaim, right: &[(String, Vector)], audit: &Audit) -> Result<(), Reason> {
-    check_terms(&verdict.terms, right)?;
-    let sum = collected(&verdict.terms, audit)?;
-    certify(&sum, verdict.vanishes, &verdict.certificate, audit)?;
-    check_decimals(&sum, verdict.vanishes, verdict.modulus, verdict.angle_deg, audit)
 }
 
 /// Every firing angle times the lowest order times the period is whole, so the stars repeat; all of one period are there.
@@ -191,6 +183,13 @@ fn check_pattern(
     match found.next() {
         None => Ok(()),
         Some((index, _)) => Err(Fault::new(format!("pattern.verdicts[{index}]"), "it is beyond the period")),
+    }
+}
+
+impl FiringClaim {
+    fn said(&self) -> SaidSum<'_> {
+        let FiringClaim { terms, vanishes, modulus, angle_deg, certificate, .. } = self;
+        SaidSum { terms, vanishes: *vanishes, modulus: *modulus, angle_deg: *angle_deg, certificate }
     }
 }
 

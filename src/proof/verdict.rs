@@ -68,6 +68,11 @@ impl About {
 }
 
 impl VerdictClaim {
+    pub(super) fn said(&self) -> SaidSum<'_> {
+        let VerdictClaim { terms, vanishes, modulus, angle_deg, certificate, .. } = self;
+        SaidSum { terms, vanishes: *vanishes, modulus: *modulus, angle_deg: *angle_deg, certificate }
+    }
+
     pub(super) fn subject(&self) -> About {
         About { quantity: self.quantity, order: self.order, sense: self.sense, of: self.of.clone() }
     }
@@ -84,21 +89,27 @@ pub(super) fn phase(throw: &BigRational, bank: &BigRational, order: u32, sense: 
     }
 }
 
-/// Checks one verdict against the terms that it has to have, by the names of their sources; returns its sum, collected.
-pub(super) fn check_verdict(
-    verdict: &VerdictClaim,
-    right: &[(String, Vector)],
-    audit: &Audit,
-) -> Result<Collected, Reason> {
-    check_terms(&verdict.terms, right)?;
-    let sum = collected(&verdict.terms, audit)?;
-    certify(&sum, verdict.vanishes, &verdict.certificate, audit)?;
-    check_decimals(&sum, verdict.vanishes, verdict.modulus, verdict.angle_deg, audit)?;
-    Ok(sum)
+/// What is said of one sum, of whatever order.
+pub(super) struct SaidSum<'a> {
+    pub terms: &'a [Vector],
+    pub vanishes: bool,
+    pub modulus: Decimal,
+    pub angle_deg: Option<Decimal>,
+    pub certificate: &'a Certificate,
 }
 
-/// Whether the terms are these, by the names of their sources.
-pub(super) fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reason> {
+impl SaidSum<'_> {
+    /// Checks it against the terms that it has to have, by the names of their sources; returns the sum, collected.
+    pub fn check(&self, right: &[(String, Vector)], audit: &Audit) -> Result<Collected, Reason> {
+        check_terms(self.terms, right)?;
+        let sum = collected(self.terms, audit)?;
+        certify(&sum, self.vanishes, self.certificate, audit)?;
+        check_decimals(&sum, self.vanishes, self.modulus, self.angle_deg, audit)?;
+        Ok(sum)
+    }
+}
+
+fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reason> {
     if terms.len() != right.len() {
         return Err(format!("{} terms for {} sources", terms.len(), right.len()).into());
     }

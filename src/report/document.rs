@@ -1,6 +1,5 @@
 //! What does `classify --json` hold? Every verdict with its terms and its certificate.
 
-use num_complex::Complex;
 use num_traits::ToPrimitive;
 
 use crate::engine::{self, Engine, Mechanism, Rod};
@@ -11,7 +10,7 @@ use crate::proof::{
     self, Coefficient, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim,
     TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
-use crate::verdict::{self, Class, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
+use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
 /// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order stand in it where they
 /// are given.
@@ -66,8 +65,13 @@ fn cylinder(engine: &Engine, cylinder: &engine::Cylinder) -> Cylinder {
         position: cylinder.position.clone(),
         reciprocating_mass: order::mass_radius(engine, cylinder) / &cylinder.crank_radius,
         crank_radius: cylinder.crank_radius.clone(),
-        rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
+        rod: rod_statement(cylinder),
     }
+}
+
+/// What is known of the rod of a cylinder, as data.
+pub(super) fn rod_statement(cylinder: &engine::Cylinder) -> RodStatement {
+    cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod)))
 }
 
 /// A rod as data.
@@ -110,19 +114,29 @@ fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<Ve
 }
 
 fn verdict_claim(engine: &Engine, verdict: &Verdict, is_part: bool) -> VerdictClaim {
-    let vanishes = verdict.vanishes();
-    let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&verdict.sum) };
+    let (modulus, angle_deg) = decimals(verdict.into());
     let names = || verdict.sources.iter().map(|source| source.name(engine)).collect();
     VerdictClaim {
         quantity: verdict.quantity,
         order: verdict.order,
         sense: verdict.sense,
         of: if is_part { names() } else { Vec::new() },
-        vanishes,
+        vanishes: verdict.vanishes(),
         terms: vectors(verdict.sum.terms()),
-        modulus: sum.norm(),
-        angle_deg: (!vanishes).then(|| numbers::degrees(sum)),
+        modulus,
+        angle_deg,
         certificate: verdict.certificate.clone(),
+    }
+}
+
+/// The length of a star, and its direction in degrees where it has one.
+pub(super) fn decimals(star: JudgedStar<'_>) -> (f64, Option<f64>) {
+    match star.vanishes() {
+        true => (0.0, None),
+        false => {
+            let sum = numbers::evaluate(star.sum);
+            (sum.norm(), Some(numbers::degrees(sum)))
+        }
     }
 }
 

@@ -203,6 +203,6 @@ fn a_long_period_is_said_and_the_orders_are_judged_all_the_same() {
     let engine = file::parse("two.toml", layout).expect("it reads");
     let order = CycleOrder::of_halves(1).expect("an order");
     let study = FiringStudy::new(&engine, &[order], Weights::Rigid).expect("stars");
-    assert!(study.pattern.is_err());
+    assert!(study.pattern().is_err());
     assert_travels(&firing_document(&study, true));
 }
