@@ -154,10 +154,8 @@ fn firing_orders(problem: &Problem, star: &FoundStar) -> Vec<Vec<usize>> {
 /// The phase-vector sum of an even firing order.
 fn sum(firing_order: &[usize], cycle: Cycle, shape: &[BigRational], order: CycleOrder) -> PhasorSum {
     let shots = firing::even(firing_order, cycle).shots.into_iter();
-    let term = |(cylinder, angle): (usize, BigRational)| Term {
-        angle: -&order.times(&angle),
-        weight: shape[cylinder].clone(),
-    };
+    let term =
+        |(cylinder, angle): (usize, BigRational)| Term { angle: order.phase(&angle), weight: shape[cylinder].clone() };
     PhasorSum::new(shots.map(|shot| term((shot.cylinder, shot.angle))).collect())
 }
 

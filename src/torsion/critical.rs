@@ -42,13 +42,13 @@ pub fn critical_speeds(
 ) -> Result<Vec<CriticalSpeeds>, NoStar> {
     let firing = firing_of(engine)?;
     are_orders_of(firing.cycle, orders)?;
-    let radius = |cylinder: usize| decimal(&engine.cylinders()[cylinder].crank_radius);
+    let radius = |cylinder: usize| numbers::float(&engine.cylinders()[cylinder].crank_radius);
     let of_mode = |mode: Mode| {
         let deflections: Vec<f64> =
             engine.cylinders().iter().map(|cylinder| mode.shape[torsion.pins[cylinder.pin]]).collect();
         let star = |order: CycleOrder| -> Complex<f64> {
             let vector = |shot: &crate::engine::Shot| {
-                let direction = numbers::direction(&-&order.times(&shot.angle));
+                let direction = numbers::direction(&order.phase(&shot.angle));
                 direction * deflections[shot.cylinder] * radius(shot.cylinder)
             };
             firing.shots.iter().map(vector).sum()
@@ -63,8 +63,4 @@ pub fn critical_speeds(
         CriticalSpeeds { orders, longest, deflections, mode }
     };
     Ok(modes(&Shaft::new(torsion)).into_iter().map(of_mode).collect())
-}
-
-fn decimal(value: &num_rational::BigRational) -> f64 {
-    num_traits::ToPrimitive::to_f64(value).unwrap_or(f64::MAX)
 }

@@ -8,9 +8,9 @@ mod forced;
 mod holzer;
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::engine::Torsion;
+use crate::numbers;
 pub use critical::{Critical, CriticalSpeeds, critical_speeds};
 pub use forced::{Excitation, forced_twist};
 pub use holzer::{Mode, modes};
@@ -27,7 +27,7 @@ pub struct Shaft {
 impl Shaft {
     /// The shaft of an engine, in decimals.
     pub fn new(torsion: &Torsion) -> Self {
-        let decimals = |values: &[BigRational]| values.iter().map(|value| value.to_f64().unwrap_or(f64::MAX)).collect();
+        let decimals = |values: &[BigRational]| values.iter().map(numbers::float).collect();
         Shaft { inertias: decimals(&torsion.inertias), stiffnesses: decimals(&torsion.stiffnesses) }
     }
 }

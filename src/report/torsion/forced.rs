@@ -4,10 +4,11 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use crate::engine::{CycleOrder, Engine, Torsion};
+use super::TorsionStudy;
+use crate::engine::CycleOrder;
 use crate::numbers;
 use crate::torque;
-use crate::torsion::{CriticalSpeeds, Excitation, Shaft, forced_twist};
+use crate::torsion::{Excitation, Shaft, forced_twist};
 
 /// Nearer to a natural frequency than this part of it, an undamped shaft says nothing of a real one.
 const NEAR: f64 = 0.05;
@@ -29,9 +30,10 @@ pub struct Forced {
     pub behind: usize,
 }
 
-/// The orders of the study; none where the layout lacks what the torque needs.
-pub(super) fn forced(engine: &Engine, torsion: &Torsion, modes: &[CriticalSpeeds], speed: f64) -> Vec<Forced> {
-    let Ok(torque) = torque::torque(engine) else { return Vec::new() };
+/// The orders of a study at a speed; none where the layout lacks what the torque needs.
+pub(super) fn forced(study: &TorsionStudy<'_>, speed: f64) -> Vec<Forced> {
+    let TorsionStudy { engine, torsion, modes, .. } = study;
+    let Ok(classes) = torque::classes(engine) else { return Vec::new() };
     if speed <= 0.0 {
         return Vec::new();
     }
@@ -39,11 +41,11 @@ pub(super) fn forced(engine: &Engine, torsion: &Torsion, modes: &[CriticalSpeeds
     let of_order = |order: CycleOrder| {
         let hertz = f64::from(order.halves()) / 2.0 * speed / 60.0;
         let mut torques = vec![Complex::default(); shaft.inertias.len()];
-        for class in &torque.classes {
+        for class in &classes {
             let one = class.torque_of_one(order);
             for (&cylinder, fires) in class.cylinders.iter().zip(&class.fires) {
                 torques[torsion.pins[engine.cylinders()[cylinder].pin]] +=
-                    one * numbers::direction(&-&order.times(fires));
+                    one * numbers::direction(&order.phase(fires));
             }
         }
         let twist = forced_twist(&shaft, &Excitation { omega: TAU * hertz, torques });

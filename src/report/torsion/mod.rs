@@ -15,7 +15,6 @@ use crate::firing::{self, NoStar};
 use crate::torsion::{Critical, CriticalSpeeds, critical_speeds};
 
 pub use document::{TorsionDocument, torsion_document};
-pub use forced::Forced;
 pub(super) use page::torsion_section;
 pub use page::{torsion_answer, torsion_page};
 
@@ -35,8 +34,6 @@ pub struct TorsionStudy<'a> {
     pub modes: Vec<CriticalSpeeds>,
     /// The speed of the layout in revolutions a minute, where it has one.
     pub speed: Option<f64>,
-    /// How far each order twists the shaft at that speed, where the layout has the gas too.
-    pub forced: Vec<Forced>,
 }
 
 /// Why there is no study.
@@ -84,8 +81,7 @@ impl<'a> TorsionStudy<'a> {
         };
         let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
         let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
-        let forced = speed.map_or_else(Vec::new, |speed| forced::forced(engine, torsion, &modes, speed));
-        Ok(TorsionStudy { engine, torsion, modes, speed, forced })
+        Ok(TorsionStudy { engine, torsion, modes, speed })
     }
 
     /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above

@@ -1,6 +1,6 @@
 //! What stands on the page of a shaft that twists, and on the terminal?
 
-use super::{TorsionStudy, plots, tables, words};
+use super::{TorsionStudy, forced, plots, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 
@@ -29,7 +29,7 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
                 Block::Pictures(pictures(&study)),
                 tables::critical(&study).into(),
             ];
-            blocks.extend(forced(&study));
+            blocks.extend(forced_twist(&study));
             blocks.extend([
                 Block::Paragraph(words::FOUND.into()),
                 Block::Folded(Fold {
@@ -43,14 +43,15 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
 }
 
 /// How far the orders twist the shaft, where the layout has the gas.
-fn forced(study: &TorsionStudy<'_>) -> Vec<Block> {
-    match study.speed {
-        Some(speed) if !study.forced.is_empty() => vec![
+fn forced_twist(study: &TorsionStudy<'_>) -> Vec<Block> {
+    let Some(speed) = study.speed else { return Vec::new() };
+    match forced::forced(study, speed).as_slice() {
+        [] => Vec::new(),
+        orders => vec![
             Block::Heading(2, "Forced twist".into()),
             Block::Paragraph(words::forced(speed)),
-            tables::forced(study).into(),
+            tables::forced(orders).into(),
         ],
-        _ => Vec::new(),
     }
 }
 
@@ -71,7 +72,7 @@ pub fn torsion_page(study: &TorsionStudy<'_>) -> Document {
         "Where each order meets the first modes, and its star as a part of the longest that the mode can have:".into(),
     ));
     page.push(tables::critical(study));
-    page.blocks.extend(forced(study));
+    page.blocks.extend(forced_twist(study));
     section(&mut page, "The shaft");
     page.push(tables::discs(study));
     section(&mut page, "How it is found");

@@ -2,6 +2,7 @@
 
 use super::super::typeset;
 use super::TorsionStudy;
+use super::forced::Forced;
 use super::words::part;
 use crate::page::{Number, Table, Text, phrase};
 
@@ -47,7 +48,7 @@ pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
 }
 
 /// One row per order: how far it twists the shaft at the speed of the layout.
-pub(super) fn forced(study: &TorsionStudy<'_>) -> Table {
+pub(super) fn forced(orders: &[Forced]) -> Table {
     let mut table = Table::new([
         "Order κ",
         "Frequency (Hz)",
@@ -55,7 +56,7 @@ pub(super) fn forced(study: &TorsionStudy<'_>) -> Table {
         "Torque in the shaft (N·m)",
         "Behind disc",
     ]);
-    for forced in &study.forced {
+    for forced in orders {
         let mut cells: Vec<Text> = vec![forced.order.to_string().into(), Number::Decimal(forced.hertz).into()];
         cells.extend(match forced.near {
             Some(mode) => [phrase!("near mode {}", mode), "–".into(), "–".into()],
