@@ -7,7 +7,7 @@ use super::grammar::ClaimError;
 use super::statement::{GasTorque, Statement};
 use crate::engine::{CycleOrder, Engine};
 use crate::file::parse_number;
-use crate::firing::{self, FiringPattern, StarOrder, Weights};
+use crate::firing::{self, StarOrder, Weights};
 
 const RIGHT: &str = "such as \"the half order vanishes\", \"order 3/2 of the gas torque does not vanish\" or \"order 3/2 is the \
                      strongest minor order in the mode 6, 5, 4, 3, 2, 1\"";
@@ -75,9 +75,9 @@ pub(super) fn answer(engine: &Engine, orders: &[CycleOrder], says: GasTorque, we
                 Answer::nothing("the rods differ, so that no order of the gas torque is a single star")
             }
             Ok(pattern) => {
-                let strongest = below_the_middle(&pattern);
-                let claimed: BTreeSet<u32> = orders.iter().map(|order| folded(&pattern, *order)).collect();
-                let found: BTreeSet<u32> = strongest.iter().map(|order| order.order.halves()).collect();
+                let strongest: Vec<StarOrder> = pattern.strongest_minor().into_iter().cloned().collect();
+                let claimed: BTreeSet<CycleOrder> = orders.iter().map(|order| pattern.folded(*order)).collect();
+                let found: BTreeSet<CycleOrder> = strongest.iter().map(|order| order.order).collect();
                 answered(!found.is_empty() && claimed == found, &strongest, pattern.orders.iter())
             }
         },
@@ -91,17 +91,4 @@ fn answered<'a>(holds: bool, found: &[StarOrder], evidence: impl Iterator<Item =
         finding: Finding::FiringStars(found.to_vec()),
         evidence: stars.map(|(order, star)| Evidence::FiringStar(order, star.clone())).collect(),
     }
-}
-
-/// The strongest minor orders up to the middle of a period; above it they are mirror images.
-fn below_the_middle(pattern: &FiringPattern) -> Vec<StarOrder> {
-    let all = pattern.strongest_minor().into_iter();
-    all.filter(|order| 2 * order.order.halves() <= pattern.repeats_after().halves()).cloned().collect()
-}
-
-/// The order up to the middle of the first period whose star is the same or its mirror image, in halves.
-fn folded(pattern: &FiringPattern, order: CycleOrder) -> u32 {
-    let period = pattern.repeats_after().halves();
-    let within = order.halves() % period;
-    within.min(period - within)
 }

@@ -49,6 +49,11 @@ impl CycleOrder {
         self.halves.is_multiple_of(cycle.lowest_order().halves)
     }
 
+    /// Where the vector of a cylinder that fires at a crank angle of the cycle, in turns, stands in the firing star: `−κφ`.
+    pub fn phase(self, fires: &BigRational) -> Turn {
+        -&self.times(fires)
+    }
+
     /// `κ` times a crank angle of the cycle, in turns.
     pub fn times(self, angle: &BigRational) -> Turn {
         Turn::new(self.exact() * angle)

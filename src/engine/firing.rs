@@ -130,6 +130,7 @@ fn top_dead_centre(cylinders: &[Cylinder], to: usize, from: usize) -> BigRationa
     (&cylinders[to].top_dead_centre() - &cylinders[from].top_dead_centre()).turns().clone()
 }
 
-fn degrees(turns: &BigRational) -> BigRational {
+/// Turns in degrees, not reduced.
+pub(super) fn degrees(turns: &BigRational) -> BigRational {
     turns * BigRational::from_integer(360.into())
 }

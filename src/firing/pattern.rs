@@ -59,6 +59,19 @@ impl FiringPattern {
         self.orders.last().map_or_else(|| self.cycle.lowest_order(), |last| last.order)
     }
 
+    /// The orders of the first period up to its middle, and the last: the stars between are mirror images of these.
+    pub fn half(&self) -> impl Iterator<Item = &StarOrder> {
+        let repeats = self.repeats_after().halves();
+        self.orders.iter().filter(move |order| 2 * order.order.halves() <= repeats || order.order.halves() == repeats)
+    }
+
+    /// The order of [`FiringPattern::half`] whose star is that of this order, or its mirror image.
+    pub fn folded(&self, order: CycleOrder) -> CycleOrder {
+        let repeats = self.repeats_after();
+        let within = order.halves() % repeats.halves();
+        CycleOrder::of_halves(within.min(repeats.halves() - within)).unwrap_or(repeats)
+    }
+
     /// The orders of the first period that do not vanish.
     pub fn left(&self) -> impl Iterator<Item = &StarOrder> {
         self.orders.iter().filter(|order| !order.vanishes())

@@ -88,7 +88,7 @@ pub(super) fn sums(
     weights: &Weights,
 ) -> Vec<(Vec<usize>, PhasorSum)> {
     let term = |&cylinder: &usize| Term {
-        angle: -&order.times(angle_of(firing, cylinder)),
+        angle: order.phase(angle_of(firing, cylinder)),
         weight: &engine.cylinders()[cylinder].crank_radius * weights.of(cylinder),
     };
     let sum = |cylinders: Vec<usize>| {

@@ -30,10 +30,10 @@ pub fn by_length(a: &PhasorSum, b: &PhasorSum) -> Ordering {
 }
 
 impl FiringPattern {
-    /// The minor orders of the first period with the longest star, rising; none where no minor order is left, or where the
-    /// cylinders are of several classes, whose stars have no common measure.
+    /// The minor orders with the longest star, rising, of those that have no mirror image below ([`FiringPattern::half`]); none where
+    /// no minor order is left, or where the cylinders are of several classes, whose stars have no common measure.
     pub fn strongest_minor(&self) -> Vec<&StarOrder> {
-        let minor = self.left().filter(|order| !order.is_major());
+        let minor = self.half().filter(|order| !order.vanishes() && !order.is_major());
         let stars: Option<Vec<(&StarOrder, &FiringStar)>> = minor.map(|order| Some((order, order.only()?))).collect();
         let mut strongest: Vec<(&StarOrder, &FiringStar)> = Vec::new();
         for (order, star) in stars.unwrap_or_default() {

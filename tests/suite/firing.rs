@@ -168,6 +168,19 @@ fn a_node_in_the_middle_of_a_six_doubles_the_minor_orders_and_takes_away_the_maj
     assert_lengths("I6", &engine, &delta, &right);
 }
 
+/// In a shape of mixed signs the vectors of the last order of a period are alike in direction, not in sense: it is a minor order.
+#[test]
+fn the_strongest_minor_order_may_be_the_last_of_a_period() {
+    let engine = file::find("I6").expect("known").engine().expect("reads");
+    let pattern = pattern(&engine, &shape(&["5", "3", "1", "-1", "1", "6"])).expect("a pattern");
+    let strongest: Vec<CycleOrder> = pattern.strongest_minor().iter().map(|star| star.order).collect();
+    let lengths = |order: CycleOrder| length(&engine, &order.to_string(), &shape(&["5", "3", "1", "-1", "1", "6"])).0;
+    let minor = pattern.left().filter(|order| !order.is_major());
+    let longest = minor.map(|order| lengths(order.order)).fold(0.0, f64::max);
+    assert_eq!(strongest, [pattern.repeats_after()]);
+    assert!((lengths(strongest[0]) - longest).abs() < 1e-9);
+}
+
 /// `theory-gas`, section 3: a linear shape cannot tell the two orders apart, the real first mode can.
 #[test]
 fn two_firing_orders_of_a_cross_plane_eight_differ_in_its_real_mode_alone() {

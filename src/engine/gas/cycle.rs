@@ -5,7 +5,7 @@ use num_traits::{Signed, Zero};
 
 use super::mistake::{At, GasMistake};
 use super::setting::{Setting, above_zero, is_exponent};
-use crate::engine::firing::Cycle;
+use crate::engine::firing::{Cycle, degrees};
 
 /// How the charge is lit: what is assumed of its burning depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,8 +182,4 @@ impl IdealCycle {
             Heat::PeakPressure(_) | Heat::MeanPressure(_) => false,
         }
     }
-}
-
-fn degrees(turns: &BigRational) -> BigRational {
-    turns * BigRational::from_integer(360.into())
 }

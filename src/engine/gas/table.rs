@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::mistake::{At, GasMistake};
-use crate::engine::firing::Cycle;
+use crate::engine::firing::{Cycle, degrees};
 
 /// More rows than this are refused: every twentieth of a degree of two revolutions has one.
 pub const MOST_ROWS: usize = 14_401;
@@ -106,8 +106,4 @@ fn check(rows: &[(BigRational, BigRational)], cycle: Cycle) -> Result<(), GasMis
         return Err(GasMistake::new(message, right, At::All));
     }
     Ok(())
-}
-
-fn degrees(turns: &BigRational) -> BigRational {
-    turns * BigRational::from_integer(360.into())
 }

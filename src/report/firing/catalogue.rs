@@ -6,7 +6,7 @@ use super::words;
 use super::{FiringStudy, page};
 use crate::engine::{Cycle, Engine, Firing};
 use crate::file::Entry;
-use crate::firing::{FiringPattern, NoStar, StarOrder, Weights};
+use crate::firing::{NoStar, Weights};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 
 /// What the page is about.
@@ -91,9 +91,8 @@ pub fn firing_catalogue_page(engines: &[(Entry, Engine)], cycle: Cycle) -> Docum
 
 /// What holds of all of them: counted, not supposed.
 fn found(studies: &[(Entry, FiringStudy<'_>)]) -> Vec<Text> {
-    let leaves_minor = |study: &FiringStudy<'_>| {
-        study.pattern.as_ref().is_ok_and(|pattern| pattern.left().any(|order| !order.is_major()))
-    };
+    let leaves_minor =
+        |study: &FiringStudy<'_>| study.pattern().is_ok_and(|pattern| pattern.left().any(|order| !order.is_major()));
     let is_even = |study: &FiringStudy<'_>| study.engine.firing().is_some_and(Firing::is_even);
     let count = |holds: &dyn Fn(&FiringStudy<'_>) -> bool| studies.iter().filter(|(_, study)| holds(study)).count();
     let even = count(&is_even);
@@ -114,7 +113,7 @@ fn table(studies: &[(Entry, FiringStudy<'_>)]) -> Table {
     let mut table =
         Table::new(["Engine", "Firing intervals", "Orders left of the gas torque", "Strongest minor order"]);
     for (entry, study) in studies {
-        let (statement, strongest) = match &study.pattern {
+        let (statement, strongest) = match study.pattern() {
             Ok(pattern) => {
                 (words::left_in_short(pattern), words::strongest_in_short(pattern).unwrap_or_else(|| "none".into()))
             }
@@ -130,19 +129,16 @@ fn table(studies: &[(Entry, FiringStudy<'_>)]) -> Table {
 fn intervals(engine: &Engine) -> Text {
     let Some(firing) = engine.firing() else { return "–".into() };
     let all = firing.intervals();
-    let degrees = |turns: &num_rational::BigRational| {
-        typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into())))
-    };
     match (all.as_slice(), firing.is_even()) {
-        ([first, ..], true) => phrase!("{} × {}", all.len(), degrees(first)),
-        _ => all.iter().map(degrees).collect::<Vec<_>>().join(", ").into(),
+        ([first, ..], true) => phrase!("{} × {}", all.len(), typeset::turns(first)),
+        _ => all.iter().map(typeset::turns).collect::<Vec<_>>().join(", ").into(),
     }
 }
 
 /// The stars of one period, up to its middle: the others are their mirror images.
 fn proof(entry: Entry, study: &FiringStudy<'_>) -> Option<Block> {
-    let pattern = study.pattern.as_ref().ok()?;
-    let lines = half(pattern).flat_map(|order| order.stars.iter().map(move |star| (order, star)));
+    let pattern = study.pattern().ok()?;
+    let lines = pattern.half().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
     let mut blocks = vec![Block::Paragraph(words::why(pattern))];
     let (argued, certified): (Vec<Text>, Vec<Text>) = lines
         .map(|(order, star)| {
@@ -152,10 +148,4 @@ fn proof(entry: Entry, study: &FiringStudy<'_>) -> Option<Block> {
         .unzip();
     blocks.extend([Block::List(argued), Block::List(certified)]);
     Some(Block::Folded(Fold { summary: phrase!("{}: {}", Text::label(entry.name), study.engine.title()), blocks }))
-}
-
-/// The orders of a period up to its middle, and the last.
-fn half(pattern: &FiringPattern) -> impl Iterator<Item = &StarOrder> {
-    let repeats = pattern.repeats_after().halves();
-    pattern.orders.iter().filter(move |order| 2 * order.order.halves() <= repeats || order.order.halves() == repeats)
 }

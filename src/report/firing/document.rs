@@ -1,16 +1,12 @@
 //! What does `classify --firing --json` hold? Every star with its terms and its certificate.
 
-use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::super::document::{rod_claim, vectors};
+use super::super::document::{decimals, rod_statement, vectors};
 use super::FiringStudy;
 use crate::engine::{Cycle, Engine, Shot};
 use crate::firing::{FiringPattern, FiringStar, NoStar, StarOrder, Weights};
-use crate::numbers;
-use crate::proof::{
-    CycleClaim, FiringClaim, FiringCylinder, FiringDocument, Format, PatternClaim, PatternVerdict, RodStatement,
-};
+use crate::proof::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, Format, PatternClaim, PatternVerdict};
 
 /// The engine of a document of firing stars, as this layout has it, weighed as there.
 ///
@@ -22,7 +18,7 @@ pub fn firing_engine(engine: &Engine, own: &FiringDocument) -> Result<FiringDocu
         true => Weights::ModeShape(deflections),
         false => Weights::Rigid,
     };
-    Ok(firing_document(&FiringStudy::new(engine, &[], weights)?, false))
+    Ok(firing_document(&FiringStudy::of_engine(engine, weights)?, false))
 }
 
 /// The stars as data: what `verify` reads. The stars of one period stand in it where they are asked for and can be had.
@@ -38,13 +34,13 @@ pub fn firing_document(study: &FiringStudy<'_>, with_pattern: bool) -> FiringDoc
             firing_angle: angle.clone(),
             crank_radius: cylinder.crank_radius.clone(),
             deflection: study.weights.of(*index),
-            rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
+            rod: rod_statement(cylinder),
         };
         (*index, claim)
     };
     let mut cylinders: Vec<(usize, FiringCylinder)> = firing.shots.iter().map(cylinder).collect();
     cylinders.sort_by_key(|(index, _)| *index);
-    let pattern = study.pattern.as_ref().ok().filter(|_| with_pattern);
+    let pattern = with_pattern.then(|| study.pattern().ok()).flatten();
     FiringDocument {
         format: Format::Firing,
         title: engine.title().written().to_owned(),
@@ -64,16 +60,15 @@ pub fn firing_document(study: &FiringStudy<'_>, with_pattern: bool) -> FiringDoc
 }
 
 fn claim(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> FiringClaim {
-    let vanishes = star.vanishes();
-    let sum = if vanishes { Complex::new(0.0, 0.0) } else { numbers::evaluate(&star.sum) };
+    let (modulus, angle_deg) = decimals(star.into());
     let names = || star.sources.iter().map(|source| source.name(study.engine)).collect();
     FiringClaim {
         order: order.order.exact(),
         of: if order.stars.len() > 1 { names() } else { Vec::new() },
-        vanishes,
+        vanishes: star.vanishes(),
         terms: vectors(star.sum.terms()),
-        modulus: sum.norm(),
-        angle_deg: (!vanishes).then(|| numbers::degrees(sum)),
+        modulus,
+        angle_deg,
         certificate: star.certificate.clone(),
     }
 }

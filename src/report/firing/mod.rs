@@ -7,6 +7,7 @@ mod page;
 mod tables;
 mod words;
 
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 use crate::engine::{CycleOrder, Engine};
@@ -28,12 +29,11 @@ pub struct FiringStudy<'a> {
     pub weights: Weights,
     /// The orders that were asked for, rising, each once.
     pub orders: Vec<StarOrder>,
-    /// The stars of one period.
-    pub pattern: Result<FiringPattern, NoPattern>,
+    pattern: OnceCell<Result<FiringPattern, NoPattern>>,
 }
 
 impl<'a> FiringStudy<'a> {
-    /// Judges these orders, the usual ones where there are none, and one period of all.
+    /// Judges these orders, the usual ones where there are none.
     ///
     /// # Errors
     /// Where the engine has no firing stars.
@@ -45,8 +45,24 @@ impl<'a> FiringStudy<'a> {
         };
         let orders: Vec<CycleOrder> = orders.into_iter().collect();
         let orders = firing::firing_stars(engine, &orders, &weights)?;
-        let pattern = firing::pattern(engine, &weights);
-        Ok(FiringStudy { engine, weights, orders, pattern })
+        Ok(FiringStudy { engine, weights, orders, pattern: OnceCell::new() })
+    }
+
+    /// No order judged yet.
+    ///
+    /// # Errors
+    /// Where the engine has no firing stars.
+    fn of_engine(engine: &'a Engine, weights: Weights) -> Result<Self, NoStar> {
+        firing::firing_of(engine)?;
+        Ok(FiringStudy { engine, weights, orders: Vec::new(), pattern: OnceCell::new() })
+    }
+
+    /// The stars of one period, judged when they are first asked for.
+    ///
+    /// # Errors
+    /// Where there is no pattern, or too long a one.
+    pub fn pattern(&self) -> Result<&FiringPattern, &NoPattern> {
+        self.pattern.get_or_init(|| firing::pattern(self.engine, &self.weights)).as_ref()
     }
 
     /// Whether all cylinders make the same torque from the same pressure.

@@ -32,7 +32,7 @@ const ASSUMED_RIGID: &str =
 /// What shakes the crankshaft: how evenly it fires, which orders vanish, which is the strongest.
 fn answer(study: &FiringStudy<'_>) -> Vec<Text> {
     let mut lines: Vec<Text> = words::evenness(study.engine).into_iter().collect();
-    match &study.pattern {
+    match study.pattern() {
         Ok(pattern) => {
             let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {
                 (true, _) => "**Work of the gas on this mode, for every pressure law that all cylinders share.** {}",
@@ -103,7 +103,7 @@ fn section(study: &FiringStudy<'_>) -> Vec<Block> {
     blocks.push(tables::orders(study).into());
     blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
     blocks.extend([heading("When the cylinders fire"), tables::firings(study).into()]);
-    if let Ok(pattern) = &study.pattern {
+    if let Ok(pattern) = study.pattern() {
         blocks.extend([heading("Every order"), Block::Paragraph(words::why(pattern))]);
     }
     blocks.extend([heading("Proofs"), Block::List(each(study, argued))]);

@@ -1,5 +1,7 @@
 //! Which tables tell of firing stars? What each order leaves, and when the cylinders fire.
 
+use num_rational::BigRational;
+
 use super::super::{residual, typeset};
 use super::FiringStudy;
 use super::words::names_of;
@@ -37,9 +39,7 @@ pub(super) fn firings(study: &FiringStudy<'_>) -> Table {
     header.extend(study.weights.is_mode_shape().then_some("Deflection Δ"));
     let mut table = Table::new(header);
     let Some(firing) = study.engine.firing() else { return table };
-    let degrees = |turns: &num_rational::BigRational| -> Text {
-        typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into()))).into()
-    };
+    let degrees = |turns: &BigRational| Text::from(typeset::turns(turns));
     for (shot, interval) in firing.shots.iter().zip(firing.intervals()) {
         let name = study.engine.cylinders()[shot.cylinder].name.clone();
         let mut cells = vec![name.into(), degrees(&shot.angle), degrees(&interval)];

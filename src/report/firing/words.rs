@@ -1,5 +1,7 @@
 //! In which sentences is it said which orders of the gas torque vanish?
 
+use num_rational::BigRational;
+
 use super::super::residual;
 use super::super::typeset::{self, Amount};
 use crate::engine::{CycleOrder, Engine};
@@ -14,9 +16,7 @@ const MOST_INTERVALS: usize = 16;
 /// How evenly the cylinders fire.
 pub(super) fn evenness(engine: &Engine) -> Option<Text> {
     let firing = engine.firing()?;
-    let degrees = |turns: &num_rational::BigRational| {
-        Text::from(typeset::degrees(&(turns * num_rational::BigRational::from_integer(360.into()))))
-    };
+    let degrees = |turns: &BigRational| Text::from(typeset::turns(turns));
     let intervals = firing.intervals();
     Some(match (intervals.as_slice(), firing.is_even()) {
         ([only], _) => phrase!("The one cylinder fires every {}.", degrees(only)),
@@ -113,13 +113,11 @@ fn in_a_row(orders: &[CycleOrder]) -> String {
     orders.iter().map(CycleOrder::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// The minor orders with the longest stars up to the middle of a period, and how long these are; above the middle the stars are
-/// mirror images.
+/// The minor orders with the longest stars, and how long these are.
 fn strongest_minor(pattern: &FiringPattern) -> Option<(Vec<CycleOrder>, Amount)> {
     let strongest = pattern.strongest_minor();
-    let half = pattern.repeats_after().halves();
-    let below = strongest.iter().map(|order| order.order).filter(|order| 2 * order.halves() <= half);
-    Some((below.collect(), residual::modulus(strongest.first()?.only()?)))
+    let length = residual::modulus(strongest.first()?.only()?);
+    Some((strongest.iter().map(|order| order.order).collect(), length))
 }
 
 /// `1½: 3√2`.
