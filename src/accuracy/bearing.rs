@@ -7,7 +7,6 @@ use std::time::Duration;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::bodies::phases;
 use super::timing::{Timing, measured};
@@ -103,30 +102,28 @@ struct Piston {
     parts: Vec<Complex<f64>>,
 }
 
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().unwrap_or(f64::NAN)
-}
-
 impl Closed {
     fn new(engine: &Engine, loads: &BearingLoads) -> Self {
         let shared = |position: &BigRational, load: Complex<f64>| -> Vec<Complex<f64>> {
             let parts = loads.parts.get(position);
-            (0..loads.bearings.len()).map(|index| load * parts.map_or(0.0, |parts| float(&parts[index]))).collect()
+            (0..loads.bearings.len())
+                .map(|index| load * parts.map_or(0.0, |parts| numbers::float(&parts[index])))
+                .collect()
         };
         let pistons = engine.moved().zip(phases(engine)).map(|((cylinder, mechanism), phase)| {
             let crank = order::crank(mechanism);
-            let load = numbers::direction(&cylinder.bank) * float(&order::mass_radius(engine, cylinder));
+            let load = numbers::direction(&cylinder.bank) * numbers::float(&order::mass_radius(engine, cylinder));
             Piston {
-                ratio: float(crank.ratio()),
-                offset: float(crank.offset()),
-                phase: float(phase.turns()) * TAU,
+                ratio: numbers::float(crank.ratio()),
+                offset: numbers::float(crank.offset()),
+                phase: numbers::float(phase.turns()) * TAU,
                 parts: shared(&cylinder.position, load),
                 crank,
             }
         });
         let mut rotating = vec![Complex::new(0.0, 0.0); loads.bearings.len()];
         for mass in turning_masses(engine) {
-            let load = numbers::direction(&mass.angle) * float(&mass.mass_radius);
+            let load = numbers::direction(&mass.angle) * numbers::float(&mass.mass_radius);
             rotating.iter_mut().zip(shared(&mass.position, load)).for_each(|(sum, part)| *sum += part);
         }
         Closed { pistons: pistons.collect(), rotating }

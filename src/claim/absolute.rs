@@ -6,11 +6,11 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::answer::{Answer, Evidence, Finding, Status};
-use super::compare::float;
 use super::order::half_of_lengths;
 use super::statement::{Subject, Tolerance, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::motion::{self, SliderCrank};
+use crate::numbers;
 use crate::order::unit_mass;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;
@@ -87,11 +87,16 @@ pub(super) fn answer(
     let star = half_of_lengths(sums).1;
     let arm = match (subject.quantity, engine.length_unit(), &numbers.spacing) {
         (Quantity::Moment, LengthUnit::Spacing, None) => return Answer::nothing("a value in N·m needs the spacing"),
-        (Quantity::Moment, LengthUnit::Spacing, Some(spacing)) => float(spacing),
+        (Quantity::Moment, LengthUnit::Spacing, Some(spacing)) => numbers::float(spacing),
         _ => 1.0,
     };
-    let omega = float(&numbers.speed) / 60.0 * TAU;
-    let scale = star * float(&numbers.reciprocating_mass) * float(&numbers.crank_radius) * omega * omega * arm;
+    let omega = numbers::float(&numbers.speed) / 60.0 * TAU;
+    let scale = star
+        * numbers::float(&numbers.reciprocating_mass)
+        * numbers::float(&numbers.crank_radius)
+        * omega
+        * omega
+        * arm;
     let Some((first, whole)) = coefficient(subject.order, &(&numbers.crank_radius / &numbers.rod_length)) else {
         return Answer::nothing("the rod has to be longer than the crank radius");
     };
@@ -100,9 +105,9 @@ pub(super) fn answer(
     let takes_first = (claimed - first_term).abs() <= (claimed - whole).abs();
     let off = (claimed - if takes_first { first_term } else { whole }).abs();
     let within = match &value.tolerance {
-        Tolerance::Within(within) => float(within),
-        Tolerance::Part(part) => float(part) * claimed,
-        Tolerance::Exact { rounding: Some(half) } => float(half),
+        Tolerance::Within(within) => numbers::float(within),
+        Tolerance::Part(part) => numbers::float(part) * claimed,
+        Tolerance::Exact { rounding: Some(half) } => numbers::float(half),
         // A whole number of newtons is a rounded one.
         Tolerance::Exact { rounding: None } if is_whole(value) => 0.5,
         Tolerance::Exact { rounding: None } => {
@@ -128,5 +133,5 @@ pub(super) fn is_whole(value: &Value) -> bool {
 /// c_k of a centric crank: the first term of its series, and the sum (theory, section 2); none of a crank that cannot turn.
 fn coefficient(order: u32, ratio: &BigRational) -> Option<(f64, f64)> {
     let crank = SliderCrank::new(ratio.clone(), BigRational::zero()).ok()?;
-    Some((float(&motion::series(order, 1).value(ratio)), crank.coefficient(order).re.to_float()))
+    Some((numbers::float(&motion::series(order, 1).value(ratio)), crank.coefficient(order).re.to_float()))
 }

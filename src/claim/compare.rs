@@ -1,12 +1,12 @@
 //! Is the length, or the direction, the claimed one? Exactly where the claim is exact, in decimals where it has a tolerance.
 
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 use super::answer::{Evidence, Status};
 use super::statement::{Angle, Bearing, Tolerance, Value};
 use crate::exact::{PhasorSum, Turn};
-use crate::numbers::{Form, as_sum, evaluate, number, square_as_sum};
+use crate::numbers::{Form, as_sum, evaluate, float, number, square_as_sum};
 
 /// Decimals nearer than this to the edge of a tolerance decide nothing.
 const EDGE: f64 = 1e-9;
@@ -118,8 +118,4 @@ fn nearness(off: f64, within: f64) -> Status {
         edge if edge <= 0.0 => Status::True,
         _ => Status::False,
     }
-}
-
-pub(super) fn float(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
 }

@@ -4,10 +4,10 @@ use num_traits::{Signed, Zero};
 
 use super::absolute::is_whole;
 use super::answer::{Answer, Finding, Status};
-use super::compare;
 use super::statement::{Tolerance, Value};
 use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Method};
+use crate::numbers;
 use crate::order::{self, Masses};
 use crate::proof::Quantity;
 use crate::verdict::{self, Balance, OrderBalance};
@@ -95,9 +95,9 @@ pub(super) fn bearing_load(engine: &Engine, value: &Value) -> Answer {
         };
         let claimed = value.form.to_float();
         let within = match &value.tolerance {
-            Tolerance::Within(within) => compare::float(within),
-            Tolerance::Part(part) => compare::float(part) * claimed,
-            Tolerance::Exact { rounding: Some(half) } => compare::float(half),
+            Tolerance::Within(within) => numbers::float(within),
+            Tolerance::Part(part) => numbers::float(part) * claimed,
+            Tolerance::Exact { rounding: Some(half) } => numbers::float(half),
             // Whole newtons are rounded ones.
             Tolerance::Exact { rounding: None } if value.unit.is_some() && is_whole(value) => 0.5,
             Tolerance::Exact { rounding: None } => {

@@ -115,14 +115,12 @@ pub(crate) fn length(text: &str) -> Result<Length, String> {
 
 /// A mass; kilograms where no unit stands.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")?;
-    sized(number * ratio(unit.unwrap_or((1, 1))))
+    in_units(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")
 }
 
 /// A mass times a radius in kilogram-metres; kilogram-metres where no unit stands.
 pub(crate) fn mass_radius(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, MASS_RADII, "\"0.012\", \"0.012 kg m\", \"12 kg mm\" or \"1200 g cm\"")?;
-    sized(number * ratio(unit.unwrap_or((1, 1))))
+    in_units(text, MASS_RADII, "\"0.012\", \"0.012 kg m\", \"12 kg mm\" or \"1200 g cm\"")
 }
 
 /// Pascals in a unit of pressure.
@@ -148,20 +146,17 @@ pub(crate) fn pressure(text: &str, of_all: Option<PressureUnit>) -> Result<BigRa
 
 /// An energy in joules, which is also what a number without a unit means.
 pub(crate) fn energy(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, ENERGIES, "\"1100 J\" or \"1.6 MJ\"")?;
-    sized(number * ratio(unit.unwrap_or((1, 1))))
+    in_units(text, ENERGIES, "\"1100 J\" or \"1.6 MJ\"")
 }
 
 /// A moment of inertia in kilograms times square metres, which is also what a number without a unit means.
 pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, INERTIAS, "\"0.5\", \"0.5 kg m²\" or \"5000 kg cm²\"")?;
-    sized(number * ratio(unit.unwrap_or((1, 1))))
+    in_units(text, INERTIAS, "\"0.5\", \"0.5 kg m²\" or \"5000 kg cm²\"")
 }
 
 /// A torsional stiffness in N m per radian; in those where no unit stands.
 pub(crate) fn torsional_stiffness(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")?;
-    sized(number * ratio(unit.unwrap_or((1, 1))))
+    in_units(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")
 }
 
 fn names(units: Units) -> String {
@@ -170,7 +165,12 @@ fn names(units: Units) -> String {
 
 /// A speed in revolutions a minute, which is also what a number without a unit means.
 pub(crate) fn speed(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, SPEEDS, "\"6000\", \"6000 rpm\" or \"100 Hz\"")?;
+    in_units(text, SPEEDS, "\"6000\", \"6000 rpm\" or \"100 Hz\"")
+}
+
+/// A quantity in the base unit of these, which is also what a number without a unit means.
+fn in_units(text: &str, units: Units, examples: &str) -> Result<BigRational, String> {
+    let (number, unit) = with_unit(text, units, examples)?;
     sized(number * ratio(unit.unwrap_or((1, 1))))
 }
 

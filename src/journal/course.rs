@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::Carried;
 use crate::engine::Engine;
@@ -76,12 +75,12 @@ impl Course {
         let turning = order::turning_masses(engine);
         let rotating = |index: usize| {
             let own = turning.iter().filter(|mass| mass.source == Source::BigEnd(index));
-            own.map(|mass| float(&mass.mass_radius) * newtons).sum()
+            own.map(|mass| numbers::float(&mass.mass_radius) * newtons).sum()
         };
         let fires = |index: usize| {
             classes.iter().enumerate().find_map(|(class, of)| {
                 let place = of.cylinders.iter().position(|&cylinder| cylinder == index)?;
-                Some((class, float(&of.fires[place]) * TAU))
+                Some((class, numbers::float(&of.fires[place]) * TAU))
             })
         };
         let cylinders = engine.cylinders().iter().enumerate().map(|(index, cylinder)| {
@@ -221,11 +220,8 @@ pub(super) fn carried_by(
         MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
     };
     let turning = order::turning_masses(engine).into_iter().filter(|mass| is_own(mass.source.group()));
-    let shaft = turning
-        .map(|mass| numbers::direction(&mass.angle) * float(&(&mass.mass_radius * part(&mass.position))) * newtons);
-    Carried { shaft: shaft.sum(), parts: parts.iter().map(float).collect() }
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().unwrap_or(f64::NAN)
+    let shaft = turning.map(|mass| {
+        numbers::direction(&mass.angle) * numbers::float(&(&mass.mass_radius * part(&mass.position))) * newtons
+    });
+    Carried { shaft: shaft.sum(), parts: parts.iter().map(numbers::float).collect() }
 }

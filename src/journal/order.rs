@@ -100,7 +100,7 @@ pub(super) fn series<'a>(
     let count = classes.first().map_or(0, |class| class.harmonics.force.len());
     let mean = {
         let stars: Vec<PhasorSum> = classes.iter().map(|class| star(engine, class, &part, |_| Turn::zero())).collect();
-        let gas = classes.iter().zip(&stars).map(|(class, star)| -pushed(class, 0) * value(star)).sum();
+        let gas = classes.iter().zip(&stars).map(|(class, star)| -pushed(class, 0) * numbers::evaluate(star)).sum();
         let [direct, reverse]: [Complex<f64>; 2] = vectors(0);
         CycleMean { gas, inertia: direct + reverse, vanishes: vanishes(0) && stars.iter().all(PhasorSum::vanishes) }
     };
@@ -108,7 +108,7 @@ pub(super) fn series<'a>(
         let order = CycleOrder::of_halves(u32::try_from(2 * index).ok()? / revolutions)?;
         let turned = |class: &Class, sense: Sense| {
             star(engine, class, &part, |fires| match sense {
-                Sense::Direct => -&order.times(fires),
+                Sense::Direct => order.phase(fires),
                 Sense::Reverse => order.times(fires),
             })
         };
@@ -122,8 +122,8 @@ pub(super) fn series<'a>(
         let whole = order.is_whole().then(|| order.halves() / 2);
         Some(JournalOrder {
             gas: [
-                with(&|class, stars| -pushed(class, index) / 2.0 * value(&stars.direct)),
-                with(&|class, stars| -pulled(class, index) / 2.0 * value(&stars.reverse)),
+                with(&|class, stars| -pushed(class, index) / 2.0 * numbers::evaluate(&stars.direct)),
+                with(&|class, stars| -pulled(class, index) / 2.0 * numbers::evaluate(&stars.reverse)),
             ],
             inertia: whole.map_or_else(Default::default, vectors),
             gas_vanishes: stars.iter().all(|stars| stars.direct.vanishes() && stars.reverse.vanishes()),
@@ -162,9 +162,4 @@ fn star(
         weight: part(index),
     };
     PhasorSum::new(class.cylinders.iter().zip(&class.fires).map(term).collect())
-}
-
-/// A star in decimals: zero where it is proved to be.
-fn value(star: &PhasorSum) -> Complex<f64> {
-    if star.vanishes() { Complex::new(0.0, 0.0) } else { numbers::evaluate(star) }
 }

@@ -45,6 +45,11 @@ fn evaluated(sum: &PhasorSum) -> Complex<f64> {
     Complex::new(re, im)
 }
 
+/// An exact number as a float; not a number where no float is near it.
+pub fn float(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}
+
 /// The direction of a vector in degrees, in (−180, 180], also where the decimals of one just past half a turn round to it.
 pub fn degrees(vector: Complex<f64>) -> f64 {
     let degrees = vector.arg().to_degrees();

@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 
 use super::HIGHEST;
 use super::missing::NoTorque;
 use crate::engine::{Engine, Mechanism};
 use crate::gas::{CylinderGas, Harmonics, NoGas, Warning};
 use crate::motion::SliderCrank;
+use crate::numbers;
 use crate::order;
 
 /// Cylinders of one size, mass and pressure.
@@ -68,13 +69,9 @@ impl Inertia {
     }
 }
 
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().unwrap_or(f64::NAN)
-}
-
 /// ω in radians a second; none where the speed is not known.
 pub(super) fn omega(engine: &Engine) -> Option<f64> {
-    engine.dimensions().speed.as_ref().map(|speed| float(speed) / 60.0 * TAU)
+    engine.dimensions().speed.as_ref().map(|speed| numbers::float(speed) / 60.0 * TAU)
 }
 
 /// The crank angle θ at which each cylinder fires, in turns of the cycle, from that of the first cylinder to fire.
@@ -137,8 +134,8 @@ fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
     let mechanism: &Mechanism = cylinder.mechanism.as_ref()?;
     let mass = engine.dimensions().mass.as_ref()? * &cylinder.reciprocating_mass;
     let radius = engine.dimensions().crank_radius.as_ref()? * &cylinder.crank_radius;
-    let weight = float(&(mass * &radius * &radius));
-    let radius = float(&radius);
+    let weight = numbers::float(&(mass * &radius * &radius));
+    let radius = numbers::float(&radius);
     let scale = weight * omega(engine)?.powi(2);
     let crank = order::crank(mechanism);
     let harmonics = (1..=HIGHEST).map(|order| crank.torque_coefficient(order).to_complex() * scale).collect();
@@ -146,7 +143,7 @@ fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
         true => 0.0,
         // An endless rod has no offset in metres: its pistons roll nothing but by their torque.
         false if crank.ratio().is_zero() => 0.0,
-        false => float(&(crank.offset() / crank.ratio())),
+        false => numbers::float(&(crank.offset() / crank.ratio())),
     };
     Some(Inertia { crank, radius, lever, weight, scale, harmonics })
 }

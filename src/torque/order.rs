@@ -35,7 +35,7 @@ impl TorqueOrder {
 /// The stars of an order, each cylinder weighed: `Σ w_j e^{−iκφ_j}`.
 pub(super) fn star(class: &Class, order: CycleOrder, weight: impl Fn(usize) -> BigRational) -> PhasorSum {
     let terms = class.cylinders.iter().zip(&class.fires);
-    PhasorSum::new(terms.map(|(&index, fires)| Term { angle: -&order.times(fires), weight: weight(index) }).collect())
+    PhasorSum::new(terms.map(|(&index, fires)| Term { angle: order.phase(fires), weight: weight(index) }).collect())
 }
 
 /// The orders of these classes, from the first on.
@@ -57,8 +57,10 @@ fn order(classes: &[Class], index: usize, revolutions: usize) -> Option<TorqueOr
             (&classes[first], alike.fold(PhasorSum::new(Vec::new()), |sum, (_, star)| sum.plus(star)))
         })
         .collect();
-    let inertia = moving.iter().map(|(class, star)| Some(class.inertia_at(index, revolutions)? * value(star))).sum();
-    let gas = classes.iter().zip(&stars).map(|(class, star)| class.harmonics.torque[index] * value(star)).sum();
+    let inertia =
+        moving.iter().map(|(class, star)| Some(class.inertia_at(index, revolutions)? * numbers::evaluate(star))).sum();
+    let gas =
+        classes.iter().zip(&stars).map(|(class, star)| class.harmonics.torque[index] * numbers::evaluate(star)).sum();
     Some(TorqueOrder {
         gas,
         inertia,
@@ -67,11 +69,6 @@ fn order(classes: &[Class], index: usize, revolutions: usize) -> Option<TorqueOr
         order,
         stars,
     })
-}
-
-/// A star in decimals: zero where it is proved to be.
-fn value(star: &PhasorSum) -> Complex<f64> {
-    if star.vanishes() { Complex::new(0.0, 0.0) } else { numbers::evaluate(star) }
 }
 
 impl Class {

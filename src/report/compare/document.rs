@@ -1,13 +1,13 @@
 //! What does `compare --json` hold? Each engine with its verdicts, exact and in decimals, remedy, firing and bearings.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use serde::Serialize;
 
 use super::super::{document, engine_cells, residual};
 use super::{Compared, notes, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
+use crate::numbers;
 use crate::page::Text;
 use crate::proof::{Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
@@ -123,7 +123,7 @@ fn engine(engine: &Compared) -> EngineEntry {
     let full = BigRational::from_integer(360.into());
     let firing = engine.engine.firing().map(|firing| Firing {
         even: firing.is_even(),
-        intervals_deg: firing.intervals().iter().map(|turns| decimal(&(turns * &full))).collect(),
+        intervals_deg: firing.intervals().iter().map(|turns| numbers::float(&(turns * &full))).collect(),
     });
     EngineEntry {
         name: engine.name.written().to_owned(),
@@ -191,9 +191,4 @@ fn worst(loads: &BearingLoads) -> Worst {
         peak: peak * scale.map_or(1.0, |scale| scale.force()),
         unit: if scale.is_some() { "N" } else { "m r ω²" },
     }
-}
-
-/// An angle for other programs.
-fn decimal(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
 }

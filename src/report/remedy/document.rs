@@ -1,14 +1,14 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use super::super::document::{coefficient_claim, rod_claim, vectors};
+use super::super::document::{coefficient_claim, rod_statement, vectors};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
 use crate::numbers;
 use crate::order::{self, Factor};
 use crate::proof::{
-    Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, RodStatement,
-    Sense, TurningClaim, WeightClaim, WeightPart,
+    Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, Sense,
+    TurningClaim, WeightClaim, WeightPart,
 };
 use crate::remedy::{ComparableEngine, Remedy, Weight};
 
@@ -67,7 +67,7 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),
         weight: order::mass_radius(engine, cylinder),
-        rod: cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod))),
+        rod: rod_statement(cylinder),
     });
     let masses = order::turning_masses(engine).into_iter().map(|mass| TurningClaim {
         order: mass.order,

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 use crate::loads::Arm;
 use crate::proof::Quantity;
@@ -102,8 +102,4 @@ pub(super) fn zeros_name(of: Zeros) -> &'static str {
         Zeros::Along => "along",
         Zeros::Across => "across",
     }
-}
-
-pub(super) fn float(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
 }

@@ -1,9 +1,10 @@
 //! How is the torque of a family shown? Which orders vanish at each value, and what flywheel and counterweights weigh.
 
 use super::super::super::residual;
-use super::super::words::{axis, float};
+use super::super::words::axis;
 use crate::claim::{Evened, Flywheels, Studied};
 use crate::engine::{CycleOrder, Firing};
+use crate::numbers::float;
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
 use crate::page::{Block, Number, Picture, Table, Text, Unit, number, phrase};
 use crate::sweep::Amplitude;

@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 
 use super::super::plots::{Amplitude, amplitudes};
-use super::super::words::{axis, exact, float, quantity_name};
+use super::super::words::{axis, exact, quantity_name};
 use super::flywheel;
 use crate::claim::Studied;
 use crate::loads::Arm;
+use crate::numbers::float;
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
 use crate::page::{Picture, Text};
 use crate::proof::Quantity;
