@@ -117,6 +117,7 @@ impl<A, L: Length> Draft<A, L> {
             }
             not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
+            not_negative(&cylinder.knuckle_mass, || format!("the mass at the knuckle pin of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
             let mechanism = cylinder.mechanism.as_ref();
             if mechanism != turning && mechanism.is_some_and(|mechanism| !mechanism.turns_round()) {

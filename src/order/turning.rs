@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::link;
 use super::source::Source;
 use crate::engine::{self, Cylinder, Engine};
 use crate::exact::Turn;
@@ -76,7 +77,29 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
     let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
-    weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
+    let in_multiples = weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass });
+    in_multiples.chain(knuckles(engine)).collect()
+}
+
+/// What the masses at the knuckle pins add on the crankpins: (1 − κ e^{iΔ}) of each.
+fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
+    let with_mass = (0..engine.cylinders().len()).filter_map(|index| Some((index, link::knuckle(engine, index)?)));
+    with_mass.flat_map(|(index, (cylinder, link, mass_radius))| {
+        let part = |source, angle: Turn, mass_radius| TurningMass {
+            source,
+            order: 1,
+            sense: Sense::Direct,
+            mass_radius,
+            angle,
+            position: cylinder.position.clone(),
+        };
+        let taken_off = &mass_radius * &link.knuckle;
+        let turned = (&cylinder.throw + &link.angle).opposite();
+        [
+            part(Source::KnuckleAtPin(index), cylinder.throw.clone(), mass_radius),
+            part(Source::KnuckleOffPin(index), turned, taken_off),
+        ]
+    })
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
