@@ -3,10 +3,11 @@
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, Sense, check_asked, check_names};
+use super::engine::{Masses, Quantity, Sense, check_asked, check_knuckle, check_names};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;
+use super::source::knuckle_name;
 use super::shape::check_shape;
 use super::theorem::check_theorem;
 use super::verdict::About;
@@ -41,6 +42,13 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_turning_masses(document)?;
     check_asked(&document.orders, &document.quantities)?;
+    if document.has_links() && document.quantities.contains(&Quantity::Torque) {
+        return Err(Fault::new("quantities", "the torque of links on a master rod is not judged"));
+    }
+    for cylinder in &document.cylinders {
+        let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
+        checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
+    }
     document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })
 }
 
@@ -51,7 +59,12 @@ fn check_turning_masses(document: &Document) -> Result<(), Fault> {
             "the verdicts are about the reciprocating masses, so none stands here",
         ));
     }
+    let knuckles: Vec<String> = document.knuckles().map(|(cylinder, _)| knuckle_name(cylinder)).collect();
     let mut names: Vec<&str> = document.cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
+    if let Some(name) = knuckles.iter().find(|name| names.contains(&name.as_str())) {
+        return Err(Fault::new("cylinders", format!("another cylinder is called {name}")));
+    }
+    names.extend(knuckles.iter().map(String::as_str));
     names.sort_unstable();
     let mut turning: Vec<&str> = document.turning_masses.iter().map(|mass| mass.name.as_str()).collect();
     turning.sort_unstable();
@@ -73,7 +86,8 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
     for &order in &document.orders {
         for &quantity in &document.quantities {
             let sources = (document.cylinders.len() + document.turning_masses.len()) as u64;
-            audit.spend(sources).map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
+            let steps = sources.saturating_add(document.steps_of_links(order));
+            audit.spend(steps).map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
             let groups = document.groups(quantity, order);
             let is_alone = groups.len() == 1;
             let mut sums = Vec::new();

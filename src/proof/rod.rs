@@ -40,7 +40,7 @@ const WIDEST: u32 = 256;
 /// The coefficients that one check came across.
 pub(super) struct Motion<'a> {
     audit: &'a Audit,
-    known: RefCell<BTreeMap<(RodClaim, u32, bool, u32), Complex>>,
+    known: RefCell<BTreeMap<(Coefficient, u32, bool, u32), Complex>>,
 }
 
 impl<'a> Motion<'a> {
@@ -60,20 +60,20 @@ impl<'a> Motion<'a> {
         order: u32,
         bits: u32,
     ) -> Result<Option<Complex>, Refusal> {
-        let rod = match coefficient {
-            Coefficient::One => return Ok(Some(one(bits))),
-            Coefficient::Common => return Ok(None),
-            Coefficient::Rod(rod) => rod,
-        };
         let is_torque = quantity == Quantity::Torque;
-        let key = (rod.clone(), order, is_torque, bits);
+        let key = (coefficient.clone(), order, is_torque, bits);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(Some(known.clone()));
         }
-        let found = match is_torque {
-            true => torque(rod, order, bits, self.audit),
-            false => force(rod, order, bits, self.audit),
-        }?;
+        let found = match coefficient {
+            Coefficient::One => return Ok(Some(one(bits))),
+            Coefficient::Common => return Ok(None),
+            Coefficient::Rod(rod) if is_torque => torque(rod, order, bits, self.audit)?,
+            Coefficient::Rod(rod) => force(rod, order, bits, self.audit)?,
+            Coefficient::Linkage(linkage) => {
+                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
+            }
+        };
         self.known.borrow_mut().insert(key, found.clone());
         Ok(Some(found))
     }
@@ -102,12 +102,18 @@ pub fn coefficient_bounds(
 }
 
 /// How many bits below 1 the bound of a coefficient stands.
-pub(super) fn smallness(coefficient: &Coefficient, quantity: Quantity, order: u32) -> Result<u64, Refusal> {
+pub(super) fn smallness(
+    coefficient: &Coefficient,
+    quantity: Quantity,
+    order: u32,
+    audit: &Audit,
+) -> Result<u64, Refusal> {
     match coefficient {
         Coefficient::Rod(rod) if rod.ratio.is_positive() => {
             let strip = if quantity == Quantity::Torque { Strip::of_velocity(rod) } else { Strip::of_root(rod) };
             Ok(strip?.decay(order))
         }
+        Coefficient::Linkage(linkage) => linkage.smallness(order, audit),
         Coefficient::Rod(_) | Coefficient::One | Coefficient::Common => Ok(0),
     }
 }
