@@ -65,6 +65,13 @@ pub enum BuildError {
     Firing,
     /// A pressure that cannot be.
     Gas(GasMistake),
+    /// A link that hangs on no master rod: none of this rod ratio stands on its crankpin at the angle that it names.
+    NoMaster {
+        /// The cylinder.
+        cylinder: String,
+    },
+    /// What is not reckoned of an engine with articulated rods.
+    ArticulatedRods(&'static str),
     /// Discs and springs that are no shaft for the crankpins.
     Torsion(NoShaft),
 }
@@ -88,6 +95,12 @@ impl fmt::Display for BuildError {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::NoMaster { cylinder } => {
+                write!(f, "the link of cylinder {cylinder} hangs on no rod that stands on its crankpin")
+            }
+            BuildError::ArticulatedRods(what) => {
+                write!(f, "with articulated rods {what} cannot be reckoned; leave it out, or the master rod")
+            }
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
@@ -161,6 +174,7 @@ impl Draft {
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Engine, BuildError> {
         let engine = self.checked()?;
+        check_links(&engine)?;
         let crankshaft = engine.crankshaft();
         if !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() {
             let throws = throws(&engine).len();
@@ -205,7 +219,42 @@ impl Draft<Linear, Linear> {
     /// # Errors
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Family, BuildError> {
-        self.checked()
+        let family = self.checked()?;
+        match family.has_links() {
+            false => Ok(family),
+            true => Err(BuildError::ArticulatedRods("an engine with open angles or lengths")),
+        }
+    }
+}
+
+/// Each link hangs on a master rod, and nothing is asked of the engine that links have no numbers for.
+fn check_links(engine: &Engine) -> Result<(), BuildError> {
+    for cylinder in engine.cylinders() {
+        let Some(link) = cylinder.link() else {
+            not_negative(&-&cylinder.knuckle_mass, || format!("minus the knuckle mass of cylinder {}", cylinder.name))?;
+            continue;
+        };
+        let master = Mechanism::SliderCrank(link.master_rod());
+        let has_master = engine.cylinders().iter().any(|other| {
+            other.mechanism.as_ref() == Some(&master)
+                && (&other.throw, &other.position, &other.crank_radius)
+                    == (&cylinder.throw, &cylinder.position, &cylinder.crank_radius)
+                && &other.bank + &link.angle == cylinder.bank
+        });
+        if !has_master {
+            return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
+        }
+    }
+    let effects = engine.effects();
+    let asked = [
+        (effects.torque, "the inertia torque"),
+        (engine.gas().is_some() || effects.gas, "the torque of the gas"),
+        (engine.torsion().is_some(), "the torsional vibration"),
+        (!engine.bearings().is_empty(), "the load of the main bearings"),
+    ];
+    match asked.into_iter().find(|(is_asked, _)| *is_asked && engine.has_links()) {
+        Some((_, what)) => Err(BuildError::ArticulatedRods(what)),
+        None => Ok(()),
     }
 }
 

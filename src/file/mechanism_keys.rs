@@ -114,12 +114,12 @@ impl Keys {
             }
         };
         let offsets = self.offsets(table, radii, &ratios)?;
-        let rods = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Mechanism::SliderCrank(Rod { ratio, offset }));
-        let rods: Vec<Mechanism> = rods.collect();
-        match rods.iter().position(|rod| !rod.turns_round()) {
-            None => Ok(rods),
+        let rods: Vec<Rod> = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Rod { ratio, offset }).collect();
+        let mechanisms: Vec<Mechanism> = rods.iter().cloned().map(Mechanism::SliderCrank).collect();
+        match mechanisms.iter().position(|mechanism| !mechanism.turns_round()) {
+            None => Ok(mechanisms),
             Some(index) => {
-                let Mechanism::SliderCrank(Rod { ratio, offset }) = &rods[index];
+                let Rod { ratio, offset } = &rods[index];
                 let message = format!("cylinder {} cannot turn round: λ + |δ| = {}", index + 1, ratio + offset.abs());
                 let right = match offset.is_zero() {
                     true => "the rod has to be longer than the crank radius: λ < 1",

@@ -21,6 +21,8 @@ pub enum Missing {
     Motion(String),
     /// A number that is no order.
     Order(NotAnOrder),
+    /// What is not reckoned of an engine with articulated rods.
+    ArticulatedRods(&'static str),
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -42,6 +44,10 @@ impl fmt::Display for Missing {
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
+            Missing::ArticulatedRods(what) => write!(
+                f,
+                "{what} cannot be had of an engine with articulated rods: of links on a master rod the forces and moments that shake the engine are reckoned, and nothing else"
+            ),
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),

@@ -1,5 +1,6 @@
 //! What does `classify --json` hold? Every verdict with its terms and its certificate.
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::engine::{self, Engine, Mechanism, Rod};
@@ -7,7 +8,7 @@ use crate::exact::Term;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Sources};
 use crate::proof::{
-    self, Coefficient, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim,
+    self, Coefficient, Cylinder, Document, Format, LinkClaim, LinkageClaim, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim,
     TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
@@ -66,12 +67,27 @@ fn cylinder(engine: &Engine, cylinder: &engine::Cylinder) -> Cylinder {
         reciprocating_mass: order::mass_radius(engine, cylinder) / &cylinder.crank_radius,
         crank_radius: cylinder.crank_radius.clone(),
         rod: rod_statement(cylinder),
+        knuckle_weight: knuckle_weight(cylinder),
     }
 }
 
 /// What is known of the rod of a cylinder, as data.
 pub(super) fn rod_statement(cylinder: &engine::Cylinder) -> RodStatement {
-    cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod)))
+    match &cylinder.mechanism {
+        None => RodStatement::Unknown,
+        Some(Mechanism::SliderCrank(rod)) => RodStatement::Known(rod_claim(rod)),
+        Some(Mechanism::Link(link)) => RodStatement::Link(LinkClaim {
+            master: link.master.clone(),
+            knuckle: link.knuckle.clone(),
+            angle: link.angle.turns().clone(),
+            ratio: link.ratio.clone(),
+        }),
+    }
+}
+
+/// The mass at the knuckle pin of a cylinder's link times the crank radius, in multiples of m r.
+pub(super) fn knuckle_weight(cylinder: &engine::Cylinder) -> BigRational {
+    &cylinder.knuckle_mass * &cylinder.crank_radius
 }
 
 /// A rod as data.
@@ -84,9 +100,15 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
         Factor::Open => Coefficient::Common,
-        Factor::Motion(Mechanism::SliderCrank(rod))
-        | Factor::Torque(Mechanism::SliderCrank(rod))
-        | Factor::Side(Mechanism::SliderCrank(rod)) => Coefficient::Rod(rod_claim(rod)),
+        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
+            Mechanism::SliderCrank(rod) => Coefficient::Rod(rod_claim(rod)),
+            Mechanism::Link(_) => unreachable!("the sums of a link stand before the number of its master and of its linkage"),
+        },
+        Factor::Linkage(linkage) => Coefficient::Linkage(LinkageClaim {
+            ratio: linkage.ratio.clone(),
+            knuckle: linkage.knuckle.clone(),
+            apart: linkage.apart.turns().clone(),
+        }),
     }
 }
 

@@ -65,15 +65,17 @@ fn equals(value: &BigRational) -> String {
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
     let rod = match &class.factor {
-        Factor::Motion(Mechanism::SliderCrank(rod))
-        | Factor::Torque(Mechanism::SliderCrank(rod))
-        | Factor::Side(Mechanism::SliderCrank(rod)) => {
-            let offset = match rod.offset.is_zero() {
-                true => String::new(),
-                false => format!(", δ {}", equals(&rod.offset)),
-            };
-            format!(", λ {}{offset}", equals(&rod.ratio))
-        }
+        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
+            Mechanism::SliderCrank(rod) => {
+                let offset = match rod.offset.is_zero() {
+                    true => String::new(),
+                    false => format!(", δ {}", equals(&rod.offset)),
+                };
+                format!(", λ {}{offset}", equals(&rod.ratio))
+            }
+            Mechanism::Link(link) => format!(", r/L {}", equals(&link.ratio)),
+        },
+        Factor::Linkage(linkage) => format!(", Δ = ±{}", typeset::degrees(&linkage.apart.degrees())),
         Factor::One | Factor::Open => String::new(),
     };
     format!("{}{rod}", class_sources(class))

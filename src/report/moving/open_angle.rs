@@ -98,7 +98,7 @@ impl<'a> OpenAngle<'a> {
         let cylinder = match source {
             Source::Piston(index) => self.family.cylinders().get(index),
             // A family is judged without them.
-            Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => {
+            Source::BigEnd(_) | Source::Knuckle(_) | Source::KnuckleAtPin(_) | Source::KnuckleOffPin(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => {
                 None
             }
         };
