@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::Deserialize;
+use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::quantities::misread;
@@ -20,6 +21,7 @@ pub(super) struct Keys {
     crank_radius: Option<written::Column>,
     rod_length: Option<written::Column>,
     rod_ratio: Option<written::Column>,
+    scotch_yoke: Option<Spanned<bool>>,
     pin_offset: Option<written::Column>,
     offset_ratio: Option<written::Column>,
     reciprocating_mass: Option<written::Column>,
@@ -90,6 +92,9 @@ impl Keys {
         radii: Option<&[BigRational]>,
         lengths: Option<&Column>,
     ) -> Result<Vec<Mechanism>, LayoutError> {
+        if let Some(yoke) = self.scotch_yoke.as_ref().filter(|yoke| *yoke.get_ref()) {
+            return self.yokes(table.count, yoke);
+        }
         let ratios = table.column(&self.rod_ratio, Measure::RodRatio)?;
         let (ratios, places) = match (ratios, lengths, radii, &self.rod_length) {
             (Some(_), Some(_), _, Some(length)) => return Err(twice("rod_ratio", "rod_length", length)),
@@ -130,6 +135,17 @@ impl Keys {
                 Err(LayoutError::new(message, right, place(&places[index])))
             }
         }
+    }
+
+    /// Scotch yokes, whose pistons move, and load their cranks, as with an infinitely long rod.
+    fn yokes(&self, count: usize, yoke: &Spanned<bool>) -> Result<Vec<Mechanism>, LayoutError> {
+        let rods = [&self.rod_length, &self.rod_ratio, &self.rod_mass, &self.pin_offset, &self.offset_ratio];
+        if rods.iter().any(|keys| keys.is_some()) {
+            let message = "a Scotch yoke with a connecting rod";
+            return Err(LayoutError::new(message, "leave out the rod and its offset, or the yoke", place(yoke)));
+        }
+        let endless = Rod { ratio: BigRational::zero(), offset: BigRational::zero() };
+        Ok(vec![Mechanism::SliderCrank(endless); count])
     }
 
     /// Offsets δ = e/l; 0 where the file names none.

@@ -2,6 +2,7 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod articulated_keys;
 mod balancer_keys;
 mod bearings;
 mod beside;
