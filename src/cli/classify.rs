@@ -3,6 +3,7 @@
 use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
+use crankstar::loads;
 use crankstar::proof::Quantity;
 use crankstar::report;
 use crankstar::verdict;
@@ -54,6 +55,9 @@ impl Classify {
             Layout::Known(engine, _) => engine,
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
+        if self.torque && engine.has_links() {
+            return Err(Failure::new(loads::Missing::ArticulatedRods("the inertia torque")));
+        }
         let torque = self.torque.then_some(Quantity::Torque);
         let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
         let judged = self.masses.judge(&engine, &orders, &quantities)?;

@@ -25,6 +25,7 @@ pub fn cylinder(name: &str, [throw, bank, position]: [&str; 3], rod: Option<[&st
         reciprocating_mass: BigRational::one(),
         crank_radius: BigRational::one(),
         rod: rod.map_or(RodStatement::Unknown, known),
+        knuckle_weight: BigRational::zero(),
     }
 }
 
@@ -85,6 +86,7 @@ pub fn senses(quantity: Quantity) -> Vec<Option<Sense>> {
 fn before(rod: &RodStatement, quantity: Quantity, order: u32) -> (Coefficient, bool, i64) {
     let odd = order % 2 == 1;
     match (rod, quantity) {
+        (RodStatement::Link(_), _) => panic!("documents by hand have no links"),
         (RodStatement::Unknown, Quantity::Torque) => (Coefficient::Common, false, 1),
         (RodStatement::Known(rod), Quantity::Torque) => {
             (Coefficient::Rod(rod.clone()), rod.ratio.is_zero() && order != 2, 1)
@@ -172,6 +174,7 @@ pub fn number(coefficient: &Coefficient, quantity: Quantity, order: u32) -> Opti
         Coefficient::One => return Some(Complex::one()),
         Coefficient::Common => return None,
         Coefficient::Rod(rod) => rod,
+        Coefficient::Linkage(_) => panic!("documents by hand have no links"),
     };
     let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).expect("it turns round");
     let number = if quantity == Quantity::Torque { crank.torque_coefficient(order) } else { crank.coefficient(order) };
