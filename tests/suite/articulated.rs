@@ -103,7 +103,7 @@ fn two_rows_with_masters_a_hundred_degrees_apart_are_those_of_the_double_wasp() 
     assert_halves(&order(&loads, 4).force, [0.0054, 0.0], 4);
     assert_halves(&order(&loads, 1).moment, [4.5, 0.0], 9);
     assert_halves(&order(&loads, 2).moment, [0.5920, 0.0004], 4);
-    let cured = remedy(&engine, &Wish::default()).expect("a remedy");
+    let cured = remedy(&engine, &Wish { orders: vec![1, 2, 4], ..Wish::default() }).expect("a remedy");
     let second: Vec<f64> = cured
         .weights()
         .iter()
@@ -285,7 +285,7 @@ fn documents_of_random_radials_with_master_rods_verify() {
         let engine = read(&text);
         let verdicts = judged(&engine, &[1, 2, 3, 4], false);
         let all = document(&engine, &verdicts, false, None);
-        let cured = remedy(&engine, &Wish::default()).expect("a remedy");
+        let cured = remedy(&engine, &Wish { orders: vec![1, 2, 4], ..Wish::default() }).expect("a remedy");
         for bytes in [
             serde_json::to_vec(&all).expect("JSON"),
             serde_json::to_vec(&report::remedy_document(&cured)).expect("JSON"),
