@@ -64,6 +64,10 @@ pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
     }
     let master = Factor::Motion(Mechanism::SliderCrank(link.master_rod()));
     let with_the_master = Term { angle: link.angle.times(order.into()), weight: link.knuckle.clone() };
+    if !order.is_multiple_of(2) {
+        // Neither number is there: one stands for both.
+        return vec![(master, with_the_master)];
+    }
     let own = Factor::Linkage(Linkage::of(link));
     let mut weight = one;
     let powers = (0..=i64::from(order)).map(|u| {

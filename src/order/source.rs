@@ -1,5 +1,7 @@
 //! Who makes a force?
 
+use num_rational::BigRational;
+
 use super::masses::MassGroup;
 use crate::engine::Engine;
 
@@ -35,6 +37,18 @@ impl Source {
             Source::Pin(_) | Source::Webs(_) => MassGroup::Crankshaft,
             Source::Counterweight(_) => MassGroup::Counterweights,
             Source::Balancer(_) => MassGroup::Balancers,
+        }
+    }
+
+    /// Where it stands along the crankshaft, where it is a part of a cylinder.
+    pub fn position(self, engine: &Engine) -> Option<&BigRational> {
+        match self {
+            Source::Piston(index)
+            | Source::BigEnd(index)
+            | Source::Knuckle(index)
+            | Source::KnuckleAtPin(index)
+            | Source::KnuckleOffPin(index) => Some(&engine.cylinders()[index].position),
+            Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => None,
         }
     }
 

@@ -53,6 +53,10 @@ impl Factor {
             RodStatement::Link(_) if order == 1 => vec![plain(Coefficient::One, false)],
             RodStatement::Link(link) => {
                 let master = Factor { parts: link.with_the_master(order), ..Factor::of_rod(&link.master_rod(), order) };
+                if is_odd {
+                    // Neither coefficient is there: one stands for both.
+                    return vec![master];
+                }
                 let linkage = link.linkage();
                 let is_zero = linkage.lacks(order);
                 vec![master, Factor { coefficient: Coefficient::Linkage(linkage), is_zero, parts: link.on_its_own(order) }]

@@ -255,7 +255,7 @@ fn random_radials_shake_as_the_momentum_of_every_body_changes() {
     for _ in 0..12 {
         let (text, bodies) = random_radial(&mut dice);
         let engine = read(&text);
-        let orders: Vec<u32> = (1..=40).collect();
+        let orders: Vec<u32> = [1].into_iter().chain((2..=26).step_by(2)).collect();
         let found = of_orders(&engine, &orders).force;
         // The program counts in multiples of the first mass that is not zero.
         let unit = engine.dimensions().mass.clone().expect("a mass");
