@@ -74,7 +74,7 @@ fn class_words(class: &Class) -> String {
             };
             format!(", λ {}{offset}", equals(&rod.ratio))
         }
-        Factor::One | Factor::Open => String::new(),
+        Factor::One | Factor::Open | Factor::OpenTorque => String::new(),
     };
     format!("{}{rod}", class_sources(class))
 }

@@ -139,7 +139,7 @@ fn symbol(verdict: &Verdict) -> String {
     let letter = match verdict.quantity {
         Quantity::Force => "P",
         Quantity::Moment => "C",
-        Quantity::Torque => "Q",
+        Quantity::Torque | Quantity::Roll => "Q",
     };
     match verdict.sense {
         Some(Sense::Direct) => format!("{letter}_{{{}}}^{{+}}", verdict.order),
