@@ -25,7 +25,8 @@ fn letter(balance: &Balance) -> &'static str {
     match balance.direct.quantity {
         Quantity::Force => "P",
         Quantity::Moment => "C",
-        Quantity::Torque | Quantity::Roll => "Q",
+        Quantity::Torque => "Q",
+        Quantity::Roll => "R",
     }
 }
 

@@ -9,7 +9,7 @@ mod whole;
 
 pub use balance::{Balance, Class, JudgedStar, Verdict};
 pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
-pub use judgement::{Judgement, NotJudged};
+pub use judgement::{Judgement, NotJudged, quantities};
 pub use reason::{
     Component, Reason, Size, corners, drawn_polygons, mirror_axis, mirror_partners, opposed_partners, reason,
 };

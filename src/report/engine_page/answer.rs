@@ -247,6 +247,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
         }
     }
     page.push(Block::Note(residual::LEGEND.into()));
+    page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
     page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());

@@ -139,7 +139,8 @@ fn symbol(verdict: &Verdict) -> String {
     let letter = match verdict.quantity {
         Quantity::Force => "P",
         Quantity::Moment => "C",
-        Quantity::Torque | Quantity::Roll => "Q",
+        Quantity::Torque => "Q",
+        Quantity::Roll => "R",
     };
     match verdict.sense {
         Some(Sense::Direct) => format!("{letter}_{{{}}}^{{+}}", verdict.order),
