@@ -107,6 +107,11 @@ impl Course {
         &self.classes
     }
 
+    /// What the rotating part of a cylinder's rod pulls its crankpin outward with, in newtons.
+    pub fn rotating(&self, index: usize) -> f64 {
+        self.cylinders[index].rotating
+    }
+
     /// Cylinders, by index, whose crankpins feel the same seen from the crank, each when it fires.
     pub fn alike(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();

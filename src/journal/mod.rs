@@ -19,8 +19,8 @@ use num_rational::BigRational;
 
 use crate::engine::Engine;
 use crate::gas::Warning;
-use crate::loads::{self, Method, Shares, bearing_loads, pin_loads};
-use crate::torque::{self, HIGHEST};
+use crate::loads::{self, Method, Scale, Shares, bearing_loads, pin_loads};
+use crate::torque::{self, Class, HIGHEST};
 use largest::Samples;
 
 /// The complete loads of an engine through its cycle, in newtons.
@@ -112,14 +112,28 @@ impl CycleLoads {
     }
 }
 
+/// The classes of equal cylinders, with masses and speed, and the unit of the forces.
+fn classes(engine: &Engine) -> Result<(Vec<Class>, Scale), NoCycleLoads> {
+    let classes = torque::classes(engine)?;
+    let scale = loads::scale(engine).filter(|_| classes.iter().all(|class| class.inertia.is_some()));
+    Ok((classes, scale.ok_or(NoCycleLoads::Masses)?))
+}
+
+/// The forces of an engine at any crank angle, without their largest values and orders.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn course(engine: &Engine) -> Result<Course, NoCycleLoads> {
+    let (classes, scale) = classes(engine)?;
+    Ok(Course::new(engine, classes, scale.force()))
+}
+
 /// The complete loads of an engine.
 ///
 /// # Errors
 /// What the layout lacks.
 pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
-    let classes = torque::classes(engine)?;
-    let scale = loads::scale(engine).filter(|_| classes.iter().all(|class| class.inertia.is_some()));
-    let scale = scale.ok_or(NoCycleLoads::Masses)?;
+    let (classes, scale) = classes(engine)?;
     let whole: Vec<u32> = (1..=HIGHEST).collect();
     let pins = pin_loads(engine, &whole)?;
     let warnings = torque::warnings(engine, &classes);

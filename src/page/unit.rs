@@ -24,6 +24,10 @@ impl Unit {
     pub const METRE: Unit = Unit { name: "m", tex: "m" };
     /// Millimetres.
     pub const MILLIMETRE: Unit = Unit { name: "mm", tex: "mm" };
+    /// Metres a second.
+    pub const METRE_PER_SECOND: Unit = Unit { name: "m/s", tex: "m/s" };
+    /// Metres a second, each second.
+    pub const METRE_PER_SQUARE_SECOND: Unit = Unit { name: "m/s²", tex: "m/s^2" };
     /// Joules.
     pub const JOULE: Unit = Unit { name: "J", tex: "J" };
     /// Kilowatts.
@@ -55,6 +59,8 @@ impl Unit {
             (Unit::KILOGRAM_SQUARE_METRE, "\\kilogram\\metre\\squared"),
             (Unit::METRE, "\\metre"),
             (Unit::MILLIMETRE, "\\milli\\metre"),
+            (Unit::METRE_PER_SECOND, "\\metre\\per\\second"),
+            (Unit::METRE_PER_SQUARE_SECOND, "\\metre\\per\\second\\squared"),
             (Unit::DEGREE, "\\degree"),
             (Unit::HERTZ, "\\hertz"),
             (Unit::PER_MINUTE, "\\per\\minute"),
