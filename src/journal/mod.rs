@@ -8,11 +8,13 @@ mod course;
 mod largest;
 mod missing;
 mod order;
+mod shared;
 
 pub use course::{Course, PistonForces};
 pub use largest::{CyclePeak, CylinderPeaks};
 pub use missing::NoCycleLoads;
 pub use order::{CycleMean, GasStars, JournalOrder};
+pub use shared::SharedPin;
 
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -30,6 +32,8 @@ pub struct CycleLoads {
     pub course: Course,
     /// What each cylinder loads its wall, its rod and its crankpin with, in the order of the layout.
     pub cylinders: Vec<CylinderLoads>,
+    /// What crankpins feel on which several rods work, in the order of the throws.
+    pub shared_pins: Vec<SharedPin>,
     /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives no bearings.
     pub bearings: Option<[CycleBearings; 2]>,
     /// What is odd about a pressure: the cylinders, and what.
@@ -157,7 +161,8 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
             Some([solve(Method::Continuous)?, solve(Method::Determinate)?])
         }
     };
-    Ok(CycleLoads { cylinders, bearings, course, warnings })
+    let shared_pins = SharedPin::of(engine, &course, &samples);
+    Ok(CycleLoads { cylinders, shared_pins, bearings, course, warnings })
 }
 
 fn bearings(
