@@ -62,7 +62,9 @@ fn of_forces(claims: &Claims) -> Option<Block> {
     all.any(|claim| is_of_forces(&claim.statement)).then(|| Block::Paragraph(FORMULAS.into()))
 }
 
-const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. What the program finds by its own way is set     beside the value of the formula, half a degree apart through the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than the     part of it that is said. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
+const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. What the program finds by its own way is \
+    set beside the value of the formula, half a degree apart through the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than \
+    the part of it that is said. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
 
 fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
     claims.map(|claim| (claim, claim.answer())).collect()
