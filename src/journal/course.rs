@@ -7,6 +7,7 @@ use num_rational::BigRational;
 
 use super::Carried;
 use crate::engine::Engine;
+use crate::gas::Harmonics;
 use crate::numbers;
 use crate::order::{self, MassGroup, Source};
 use crate::torque::Class;
@@ -191,6 +192,28 @@ impl Course {
         let along = forces.rod_direction() * self.cylinders[index].axis;
         let [inertia, gas] = self.pin_parts_of(index, theta, forces);
         ((inertia + gas) * along.conj()).re
+    }
+
+    /// Order κ of the gas of what a place carries, with the harmonics of each class at their index: what turns with the crank, and against
+    /// it. In decimals: [`super::JournalOrder`] has the exact stars.
+    pub(super) fn gas_order(
+        &self,
+        carried: &Carried,
+        harmonics: &[Harmonics],
+        index: usize,
+        kappa: f64,
+    ) -> [Complex<f64>; 2] {
+        let zero = Complex::new(0.0, 0.0);
+        self.cylinders.iter().zip(&carried.parts).fold([zero, zero], |[direct, reverse], (cylinder, part)| {
+            let own = &harmonics[cylinder.class];
+            let (force, side) = (own.force[index], own.side[index]);
+            let along = cylinder.axis * (-part / 2.0);
+            let turned = Complex::cis(kappa * cylinder.fires);
+            [
+                direct + along * (force - Complex::<f64>::i() * side) * turned.conj(),
+                reverse + along * (force.conj() - Complex::<f64>::i() * side.conj()) * turned,
+            ]
+        })
     }
 
     /// What a place carries of masses and of gas.

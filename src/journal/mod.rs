@@ -8,12 +8,14 @@ mod course;
 mod largest;
 mod missing;
 mod order;
+mod peak;
 mod shared;
 
 pub use course::{Course, PistonForces};
 pub use largest::{CyclePeak, CylinderPeaks};
 pub use missing::NoCycleLoads;
 pub use order::{CycleMean, GasStars, JournalOrder};
+pub use peak::LoadPeak;
 pub use shared::SharedPin;
 
 use num_complex::Complex;
