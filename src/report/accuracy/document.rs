@@ -123,7 +123,7 @@ fn name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "force",
         Quantity::Moment => "moment",
-        Quantity::Torque => "inertia torque",
+        Quantity::Torque | Quantity::Roll => "inertia torque",
     }
 }
 
