@@ -119,7 +119,8 @@ fn what_is_no_formula_is_told_and_nothing_panics() {
         assert!(mistake.message.contains(word), "{says}: {}", mistake.message);
     }
     assert!(parse_statement(&format!("side force = {}r{}", "(".repeat(5000), ")".repeat(5000))).is_err());
-    let pieces = ["(", ")", "√", "sin", "r", "F_b", "2", ".", "²", "^", "/", "−", "·", "β", "θ", " ", "é", "F", "%", "±"];
+    let pieces =
+        ["(", ")", "√", "sin", "r", "F_b", "2", ".", "²", "^", "/", "−", "·", "β", "θ", " ", "é", "F", "%", "±"];
     let (mut dice, engine) = (Dice::new(2302), cylinder(&mut Dice::new(2303)));
     for _ in 0..3000 {
         let count = 1 + dice.below(12);

@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use crankstar::engine::{Engine, throws};
+use crankstar::engine::{CycleOrder, Engine, throws};
 use crankstar::exact::Turn;
 use crankstar::file::parse;
-use crankstar::journal::{CycleLoads, bearing_peaks, cycle_loads};
+use crankstar::journal::{CycleLoads, LoadPeak, bearing_peaks, cycle_loads};
 use crankstar::loads::{Method, bearing_loads};
-use crankstar::torque::torque;
+use crankstar::torque::{PeakMethod, torque};
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -95,7 +95,11 @@ fn the_work_of_the_gas_is_the_mean_torque_times_the_cycle_and_that_of_the_crankp
         let period = loads.course.period();
         let indicated: f64 = torque.classes.iter().map(|class| class.gas.work() * class.cylinders.len() as f64).sum();
         let swung = size_of(&loads) * 0.04 * period;
-        assert!((torque.mean * period - indicated).abs() < 1e-9 * swung, "{} {indicated}\n{text}", torque.mean * period);
+        assert!(
+            (torque.mean * period - indicated).abs() < 1e-9 * swung,
+            "{} {indicated}\n{text}",
+            torque.mean * period
+        );
         // On each crank the pin's load turns the shaft: what the gas does comes out there, and inertia gives nothing in a cycle.
         // Halves of a degree: tables have kinks at whole ones of their own cylinder, and axes stand at halves.
         let halves = (2.0 * period.to_degrees()).round() as usize;
@@ -203,5 +207,35 @@ fn largest_bearing_loads_are_the_same_with_and_without_their_orders() {
             let by_orders = masses.peak.value * newtons;
             assert!((bearing.inertia.value - by_orders).abs() < 1e-6 * by_orders.max(1.0), "{by_orders}\n{text}");
         }
+    }
+}
+
+#[test]
+fn orders_of_the_gas_and_samples_come_to_the_largest_bearing_load() {
+    let mut dice = Dice::new(1504);
+    for _ in 0..6 {
+        let (engine, text) = random(&mut dice);
+        let (peak, loads) =
+            (LoadPeak::new(&engine).expect("loads").expect("bearings"), cycle_loads(&engine).expect("loads"));
+        let [bearings, _] = loads.bearings.as_ref().expect("bearings");
+        let largest = bearings.bearings[bearings.worst].peak.value;
+        assert!((peak.largest - largest).abs() <= 1e-9 * largest, "{text}");
+        for method in peak.methods() {
+            let (value, far) = (peak.value(method), peak.farthest(method));
+            let off = (value - largest).abs();
+            match method {
+                // The orders up to 12 are those of the series, with its masses in closed form.
+                PeakMethod::Orders(_) => {
+                    assert!(off <= far.expect("orders") * (1.0 + 1e-9) + 1e-9 * largest, "{method:?}\n{text}")
+                }
+                PeakMethod::Samples(_) => assert!(value <= largest * (1.0 + 1e-9), "{method:?}\n{text}"),
+                PeakMethod::TimeLaw => assert!(off <= 1e-9 * largest, "{text}"),
+            }
+        }
+        let far = |halves: u32| {
+            let order = CycleOrder::of_halves(halves).expect("an order");
+            peak.farthest(PeakMethod::Orders(order)).expect("orders")
+        };
+        assert!(far(96) < 0.02 * largest && far(96) <= far(24) && far(24) <= far(8), "{text}");
     }
 }

@@ -86,7 +86,12 @@ fn worst_with_gas(engine: &Compared) -> Text {
         (Some(Err(_)), _) => "not computed".into(),
         (Some(Ok(_)), None) => "none named".into(),
         (Some(Ok(_)), Some((index, peak))) => {
-            phrase!("bearing {} with {} {}", (index + 1).to_string(), Number::Decimal(peak.value), page::Unit::NEWTON.name)
-        },
+            phrase!(
+                "bearing {} with {} {}",
+                (index + 1).to_string(),
+                Number::Decimal(peak.value),
+                page::Unit::NEWTON.name
+            )
+        }
     }
 }
