@@ -15,7 +15,7 @@ use num_traits::ToPrimitive;
 use crate::support::dice::Dice;
 use crate::support::gas_table::{self, POINTS};
 
-const ENGINES: usize = 40;
+const ENGINES: usize = 24;
 
 fn float(number: &BigRational) -> f64 {
     number.to_f64().expect("a number")
