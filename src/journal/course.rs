@@ -175,11 +175,11 @@ impl Course {
 
     /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
     pub fn pin_on_the_crank(&self, index: usize, theta: f64) -> Complex<f64> {
-        self.from_the_crank(index, self.pin(index, theta), theta)
+        self.seen_from_the_crank(index, self.pin(index, theta), theta)
     }
 
     /// A force seen from the crank of a cylinder.
-    pub(super) fn from_the_crank(&self, index: usize, force: Complex<f64>, theta: f64) -> Complex<f64> {
+    pub(super) fn seen_from_the_crank(&self, index: usize, force: Complex<f64>, theta: f64) -> Complex<f64> {
         force * (self.cylinders[index].throw * Complex::cis(theta)).conj()
     }
 

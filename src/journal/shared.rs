@@ -47,7 +47,7 @@ impl SharedPin {
     /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
     pub fn load_on_the_crank(&self, course: &Course, theta: f64) -> Complex<f64> {
         match self.cylinders.first() {
-            Some(&first) => course.from_the_crank(first, self.load(course, theta), theta),
+            Some(&first) => course.seen_from_the_crank(first, self.load(course, theta), theta),
             None => Complex::new(0.0, 0.0),
         }
     }

@@ -37,6 +37,7 @@ mod fuzzed;
 mod gas;
 mod gas_files;
 mod gas_in_every_form;
+mod geared;
 mod german_figures;
 mod grigoryev;
 mod ground_truth;
