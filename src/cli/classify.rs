@@ -4,7 +4,6 @@ use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads;
-use crankstar::proof::Quantity;
 use crankstar::report;
 use crankstar::verdict;
 
@@ -58,8 +57,7 @@ impl Classify {
         if self.torque && engine.has_links() {
             return Err(Failure::new(loads::Missing::ArticulatedRods("the inertia torque")));
         }
-        let torque = self.torque.then_some(Quantity::Torque);
-        let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
+        let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
             return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language()));

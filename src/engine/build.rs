@@ -16,7 +16,7 @@ use super::model::Engine;
 use super::order::{NotAnOrder, are_orders, pistons_have_order};
 use super::throws::throws;
 use super::torsion::NoShaft;
-use crate::proof::Quantity;
+use crate::proof::{Quantity, Sense};
 
 /// An engine has at most so many cylinders.
 pub const MOST_CYLINDERS: usize = 2000;
@@ -61,6 +61,15 @@ pub enum BuildError {
     },
     /// A counterweight on a throw that is not there.
     NoSuchThrow(usize),
+    /// A cylinder on a crankshaft that is not there.
+    NoSuchCrank {
+        /// The cylinder.
+        cylinder: String,
+    },
+    /// What is known of one crankshaft alone, in an engine with several that are geared together.
+    OneCrankshaftAlone(&'static str),
+    /// The first of several crankshafts turns against the reference, which is its sense.
+    FirstCrank,
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -101,6 +110,13 @@ impl fmt::Display for BuildError {
             BuildError::ArticulatedRods(what) => {
                 write!(f, "with articulated rods {what} cannot be reckoned; leave it out, or the master rod")
             }
+            BuildError::NoSuchCrank { cylinder } => {
+                write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
+            }
+            BuildError::OneCrankshaftAlone(what) => {
+                write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone, as yet")
+            }
+            BuildError::FirstCrank => f.write_str("the first of several crankshafts turns with the reference"),
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
@@ -132,6 +148,9 @@ impl<A, L: Length> Draft<A, L> {
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
             not_negative(&cylinder.knuckle_mass, || format!("the mass at the knuckle pin of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
+            if cylinder.crank >= self.geared_cranks.len().max(1) {
+                return Err(BuildError::NoSuchCrank { cylinder: name.clone() });
+            }
             let mechanism = cylinder.mechanism.as_ref();
             if mechanism != turning && mechanism.is_some_and(|mechanism| !mechanism.turns_round()) {
                 return Err(BuildError::CannotTurnRound { cylinder: name.clone() });
@@ -141,6 +160,19 @@ impl<A, L: Length> Draft<A, L> {
         let without = self.cylinders.iter().find(|cylinder| cylinder.mechanism.is_none());
         if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {
             return Err(BuildError::MechanismMissing { cylinder: cylinder.name.clone() });
+        }
+        if let Some(first) = self.geared_cranks.first() {
+            if first.sense == Sense::Reverse {
+                return Err(BuildError::FirstCrank);
+            }
+            let lacking = [
+                ("gas", self.gas.is_some()),
+                ("main bearings", !self.bearings.is_empty()),
+                ("a shaft that twists", self.torsion.is_some()),
+            ];
+            if let Some((what, _)) = lacking.into_iter().find(|(_, given)| *given) {
+                return Err(BuildError::OneCrankshaftAlone(what));
+            }
         }
         if let Some(gas) = &self.gas {
             gas.check(self.cylinders.len(), self.cycle).map_err(BuildError::Gas)?;
@@ -248,6 +280,7 @@ fn check_links(engine: &Engine) -> Result<(), BuildError> {
     let effects = engine.effects();
     let asked = [
         (effects.torque, "the inertia torque"),
+        (!engine.geared_cranks().is_empty(), "several crankshafts"),
         (engine.gas().is_some() || effects.gas, "the torque of the gas"),
         (engine.torsion().is_some(), "the torsional vibration"),
         (!engine.bearings().is_empty(), "the load of the main bearings"),

@@ -11,7 +11,8 @@ use crate::exact::Turn;
 pub struct Cylinder<A = Turn, L = BigRational> {
     /// What it is called in the firing order: `1`, `L2`; where it is empty, its number.
     pub name: String,
-    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end.
+    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end; on a crank that turns against the
+    /// reference that of the equivalent crank which turns with it ([`GearedCrank`](super::GearedCrank)).
     pub throw: A,
     /// Angle α of the cylinder axis, from the reference direction.
     pub bank: A,
@@ -30,6 +31,8 @@ pub struct Cylinder<A = Turn, L = BigRational> {
     pub knuckle_mass: BigRational,
     /// Which pin of the crankshaft it works on: cylinders with the same number share it, or the parts of a split one.
     pub pin: usize,
+    /// Which crankshaft it works on, where several are geared together; else 0.
+    pub crank: usize,
 }
 
 impl<A, L> Cylinder<A, L> {
@@ -46,6 +49,7 @@ impl<A, L> Cylinder<A, L> {
             mechanism: None,
             knuckle_mass: BigRational::zero(),
             pin,
+            crank: 0,
         }
     }
 
@@ -81,6 +85,7 @@ impl<A, L> Cylinder<A, L> {
             mechanism: self.mechanism.clone(),
             knuckle_mass: self.knuckle_mass.clone(),
             pin: self.pin,
+            crank: self.crank,
         })
     }
 }

@@ -103,10 +103,17 @@ impl Rows<'_> {
         let fault = |message: String, right: &str| LayoutError::new(message, right, place(self.table));
         let Some(rod) = master.rod().filter(|rod| rod.offset.is_zero() && rod.ratio.is_positive()) else {
             let message = format!("the rod of master {} is not known, endless, or has an offset", master.name);
-            return Err(fault(message, "below [mechanism], give its rod_ratio, or its rod_length with the stroke; no offset"));
+            return Err(fault(
+                message,
+                "below [mechanism], give its rod_ratio, or its rod_length with the stroke; no offset",
+            ));
         };
         let one = BigRational::one();
-        let knuckle = match self.one_of(("knuckle_radius", &self.keys.knuckle_radius), ("knuckle_ratio", &self.keys.knuckle_ratio), row)? {
+        let knuckle = match self.one_of(
+            ("knuckle_radius", &self.keys.knuckle_radius),
+            ("knuckle_ratio", &self.keys.knuckle_ratio),
+            row,
+        )? {
             Some(Given::Length(radius, text)) => radius / self.rod_length(master, &rod.ratio, &text)?,
             Some(Given::Ratio(ratio)) => ratio,
             None => {
@@ -114,20 +121,24 @@ impl Rows<'_> {
                 return Err(fault("no knuckle radius".to_owned(), right));
             }
         };
-        let ratio = match self.one_of(("link_length", &self.keys.link_length), ("link_ratio", &self.keys.link_ratio), row)? {
-            Some(Given::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
-            Some(Given::Ratio(ratio)) => ratio,
-            None if knuckle < one => &rod.ratio / (&one - &knuckle),
-            None => {
-                let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
-                return Err(fault(message, "give the link_length, which is l − a where it is left out"));
-            }
-        };
+        let ratio =
+            match self.one_of(("link_length", &self.keys.link_length), ("link_ratio", &self.keys.link_ratio), row)? {
+                Some(Given::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
+                Some(Given::Ratio(ratio)) => ratio,
+                None if knuckle < one => &rod.ratio / (&one - &knuckle),
+                None => {
+                    let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
+                    return Err(fault(message, "give the link_length, which is l − a where it is left out"));
+                }
+            };
         let angle = &cylinder.bank - &master.bank;
         let link = Mechanism::Link(Link { master: rod.ratio.clone(), knuckle, angle, ratio });
         if !link.turns_round() {
             let message = format!("the link of cylinder {} is too short for its crank to turn round", cylinder.name);
-            return Err(fault(message, "it has to be longer than its knuckle pin swings across the axis of the cylinder"));
+            return Err(fault(
+                message,
+                "it has to be longer than its knuckle pin swings across the axis of the cylinder",
+            ));
         }
         Ok((link, self.mass(row)?))
     }
@@ -143,7 +154,10 @@ impl Rows<'_> {
             return differ("throw or position", "a link works on the crankpin of its master, in the same plane");
         }
         if cylinder.crank_radius != master.crank_radius || cylinder.mechanism != master.mechanism {
-            return differ("crank or rod", "below [mechanism] stands the master rod; links have link_length or link_ratio");
+            return differ(
+                "crank or rod",
+                "below [mechanism] stands the master rod; links have link_length or link_ratio",
+            );
         }
         match cylinder.rotating_mass.is_zero() {
             true => Ok(()),
@@ -187,7 +201,8 @@ impl Rows<'_> {
         match &self.engine.dimensions().crank_radius {
             Some(radius) => Ok(radius * &master.crank_radius / ratio),
             None => {
-                let right = "below [mechanism], give stroke or crank_radius; or write knuckle_ratio = a/l and link_ratio = r/L";
+                let right =
+                    "below [mechanism], give stroke or crank_radius; or write knuckle_ratio = a/l and link_ratio = r/L";
                 Err(LayoutError::new("a length of links without a crank radius", right, place(text)))
             }
         }
@@ -206,7 +221,11 @@ impl Rows<'_> {
             None if mass.is_zero() => Ok(mass),
             None => {
                 let right = "below [mechanism], give reciprocating_mass";
-                Err(LayoutError::new("a knuckle mass beside reciprocating masses that are not known", right, place(&text)))
+                Err(LayoutError::new(
+                    "a knuckle mass beside reciprocating masses that are not known",
+                    right,
+                    place(&text),
+                ))
             }
         }
     }

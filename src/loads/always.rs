@@ -13,8 +13,7 @@
 
 use std::collections::BTreeMap;
 
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 use crate::engine::{Cylinder, Engine, Link, Mechanism, Rod};
 use crate::exact::{PhasorSum, Term, Turn};
@@ -23,8 +22,15 @@ use crate::proof::{Quantity, Sense};
 
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
+    let is_judged = match quantity {
+        Quantity::Force | Quantity::Moment => true,
+        Quantity::Torque | Quantity::Roll => !engine.has_links(),
+    };
+    if !is_judged {
+        return false;
+    }
     let alone = match quantity {
-        Quantity::Torque => order::torque(engine, 2).vanishes(),
+        Quantity::Torque | Quantity::Roll => order::torque(engine, 2).vanishes(),
         Quantity::Force | Quantity::Moment => {
             let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
             let vanishes = |order, sense| order::all_masses(engine, quantity, order, sense).vanishes();
@@ -51,7 +57,7 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Mechanism, Turn), Ph
         let weight = mass_radius(engine, cylinder);
         let (group, term) = match quantity {
             _ if rod.ratio.is_zero() => continue,
-            Quantity::Torque => {
+            Quantity::Torque | Quantity::Roll => {
                 ((mechanism.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
             }
             Quantity::Force | Quantity::Moment => {
@@ -70,12 +76,9 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Mechanism, Turn), Ph
     groups.into_iter().map(|(group, terms)| (group, PhasorSum::new(terms))).collect()
 }
 
-/// The terms of a link on a master rod.
+/// The terms of the force, or of the moment, of a link on a master rod.
 fn of_link(engine: &Engine, quantity: Quantity, cylinder: &Cylinder, link: &Link) -> Vec<((Mechanism, Turn), Term)> {
-    let lever = match quantity {
-        Quantity::Torque => BigRational::one(),
-        Quantity::Force | Quantity::Moment => order::lever(engine, quantity, &cylinder.position),
-    };
+    let lever = order::lever(engine, quantity, &cylinder.position);
     let (own, knuckle) = (&cylinder.throw - &cylinder.bank, &cylinder.knuckle_mass * &cylinder.crank_radius);
     let piston = mass_radius(engine, cylinder);
     let master = (Mechanism::SliderCrank(link.master_rod()), (&own + &link.angle).times(2));

@@ -23,6 +23,8 @@ pub enum Missing {
     Order(NotAnOrder),
     /// What is not reckoned of an engine with articulated rods.
     ArticulatedRods(&'static str),
+    /// Several crankshafts that are geared together.
+    SeveralCrankshafts,
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -48,6 +50,9 @@ impl fmt::Display for Missing {
                 f,
                 "{what} cannot be had of an engine with articulated rods: of links on a master rod the forces and moments that shake the engine are reckoned, and nothing else"
             ),
+            Missing::SeveralCrankshafts => {
+                f.write_str("the loads of pins and bearings are known of one crankshaft alone; this engine has several")
+            }
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),

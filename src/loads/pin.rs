@@ -60,6 +60,9 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     if engine.has_links() {
         return Err(Missing::ArticulatedRods("the loads of the crankpins"));
     }
+    if !engine.geared_cranks().is_empty() {
+        return Err(Missing::SeveralCrankshafts);
+    }
     let motion = Motion::new(engine)?;
     let mut by_pin: Vec<Vec<PinOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {

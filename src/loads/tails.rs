@@ -75,13 +75,13 @@ impl Tails {
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(engine, quantity, &|parts| match quantity {
             Quantity::Force | Quantity::Moment => parts.sum(|tail| tail.force(order)),
-            Quantity::Torque => parts.of_rod(|tail| tail.torque(order)),
+            Quantity::Torque | Quantity::Roll => parts.of_rod(|tail| tail.torque(order)),
         });
         let [force, moment] = faster_shafts(engine, order).map(|size| rounded_up(&size));
         let shafts = match quantity {
             Quantity::Force => force,
             Quantity::Moment => moment,
-            Quantity::Torque => 0.0,
+            Quantity::Torque | Quantity::Roll => 0.0,
         };
         (pistons + shafts) * SLACK
     }
@@ -91,8 +91,11 @@ impl Tails {
     pub fn of_pins_above<'a>(&self, engine: &Engine, parts: impl Iterator<Item = &'a BigRational>, order: u32) -> f64 {
         let pins = engine.cylinders().iter().zip(parts).map(|(cylinder, part)| {
             let weight = (mass_radius(engine, cylinder) * part).abs();
-            let bound =
-                cylinder.mechanism.as_ref().and_then(|rod| self.by_mechanism.get(rod)).map(|parts| parts.of_rod(|tail| tail.pin(order)));
+            let bound = cylinder
+                .mechanism
+                .as_ref()
+                .and_then(|rod| self.by_mechanism.get(rod))
+                .map(|parts| parts.of_rod(|tail| tail.pin(order)));
             match bound.unwrap_or(f64::INFINITY) {
                 _ if weight.is_zero() => 0.0,
                 0.0 => 0.0,
@@ -108,7 +111,7 @@ impl Tails {
             let shaking = 1.0 + parts.sum(|tail| tail.force(0));
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
-                Quantity::Torque => shaking * shaking,
+                Quantity::Torque | Quantity::Roll => shaking * shaking,
             }
         })
     }
@@ -122,7 +125,7 @@ impl Tails {
             let weight = match quantity {
                 Quantity::Force => weight,
                 Quantity::Moment => weight * engine.arm(cylinder).abs(),
-                Quantity::Torque => weight * &cylinder.crank_radius,
+                Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius,
             };
             *weights.entry(mechanism.clone()).or_insert_with(BigRational::zero) += weight;
             if let Some(link) = cylinder.link().filter(|_| quantity != Quantity::Torque) {

@@ -27,13 +27,11 @@ impl Coefficients {
         }
         let coefficient = match factor {
             Factor::One => return Some(exactly_one()),
-            Factor::Open => return None,
+            Factor::Open | Factor::OpenTorque => return None,
             Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order))?,
             Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
-            Factor::Linkage(linkage) => {
-                Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() }
-            }
+            Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
         };
         self.known.borrow_mut().insert(key, coefficient.clone());
         Some(coefficient)

@@ -14,6 +14,7 @@ mod masses;
 mod path;
 mod phase;
 mod pin;
+mod roll;
 mod source;
 mod sum;
 mod turning;
@@ -22,7 +23,7 @@ pub use crate::proof::Masses;
 pub use coefficients::{Coefficients, crank, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{
-    Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, star, torque,
+    Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, roll, star, torque,
 };
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};
@@ -31,6 +32,7 @@ pub use masses::MassGroup;
 pub use path::Path;
 pub use phase::{multiples, phase, phase_of};
 pub use pin::{has_constant_pin_loads, pin_contributions, shaft_contributions};
+pub use roll::has_arms;
 pub use source::Source;
 pub use sum::{OrderSum, by_factor};
 pub use turning::{TurningMass, mass_radius, turning_masses, unit_mass, unit_radius};

@@ -16,10 +16,26 @@ pub enum Coefficient {
     One,
     /// The one that all rods have, where none is named.
     Common,
-    /// That of this rod: c_k of the force, t_k of the torque.
+    /// c_k of this rod.
     Rod(RodClaim),
     /// g_k of this link on a master rod.
     Linkage(LinkageClaim),
+    /// t_k of the torque, which all rods have where none is named.
+    #[serde(skip)]
+    CommonTorque,
+    /// t_k of this rod.
+    #[serde(skip)]
+    Torque(RodClaim),
+}
+
+impl Coefficient {
+    /// Whether it is that of rods which are not named.
+    pub(super) fn is_open(&self) -> bool {
+        match self {
+            Coefficient::Common | Coefficient::CommonTorque => true,
+            Coefficient::One | Coefficient::Rod(_) | Coefficient::Linkage(_) | Coefficient::Torque(_) => false,
+        }
+    }
 }
 
 /// A number that terms of a cylinder are multiplied by.
@@ -59,7 +75,10 @@ impl Factor {
                 }
                 let linkage = link.linkage();
                 let is_zero = linkage.lacks(order);
-                vec![master, Factor { coefficient: Coefficient::Linkage(linkage), is_zero, parts: link.on_its_own(order) }]
+                vec![
+                    master,
+                    Factor { coefficient: Coefficient::Linkage(linkage), is_zero, parts: link.on_its_own(order) },
+                ]
             }
         }
     }
@@ -86,8 +105,8 @@ impl Factor {
     /// judged.
     pub fn of_torque(rod: &RodStatement, order: u32) -> Self {
         let (coefficient, is_zero) = match rod {
-            RodStatement::Unknown | RodStatement::Link(_) => (Coefficient::Common, false),
-            RodStatement::Known(rod) => (Coefficient::Rod(rod.clone()), rod.ratio.is_zero() && order != 2),
+            RodStatement::Unknown | RodStatement::Link(_) => (Coefficient::CommonTorque, false),
+            RodStatement::Known(rod) => (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2),
         };
         Factor { coefficient, is_zero, parts: along(BigRational::one()) }
     }

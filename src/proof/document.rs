@@ -59,8 +59,9 @@ impl Document {
     }
 
     pub(super) fn has_equal_centric_rods(&self) -> bool {
-        !self.has_links() && self.rods().is_ok_and(|rods| {
-            rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods))
-        })
+        !self.has_links()
+            && self.rods().is_ok_and(|rods| {
+                rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods))
+            })
     }
 }

@@ -1,14 +1,16 @@
 //! Does all that a document of verdicts says hold together?
 
+use num_traits::Zero;
+
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, Sense, check_asked, check_knuckle, check_names};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;
-use super::source::knuckle_name;
 use super::shape::check_shape;
+use super::source::knuckle_name;
 use super::theorem::check_theorem;
 use super::verdict::About;
 use super::whole_sum::check_whole;
@@ -41,15 +43,45 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     }
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_turning_masses(document)?;
+    check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
-    if document.has_links() && document.quantities.contains(&Quantity::Torque) {
-        return Err(Fault::new("quantities", "the torque of links on a master rod is not judged"));
+    let is_judged = |quantity: &Quantity| match quantity {
+        Quantity::Force | Quantity::Moment => true,
+        Quantity::Torque | Quantity::Roll => false,
+    };
+    if document.has_links() && !document.quantities.iter().all(is_judged) {
+        return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not judged"));
     }
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
         checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     }
     document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })
+}
+
+/// Where axes stand and which way cranks turn counts for the roll moment alone: elsewhere nothing is said of it.
+fn check_axes(document: &Document) -> Result<(), Fault> {
+    let why = "it stands in documents with the roll moment alone, which nothing else could check";
+    if document.quantities.contains(&Quantity::Roll) {
+        let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
+            RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
+            RodStatement::Unknown | RodStatement::Link(_) => false,
+        });
+        return match endless {
+            None => Ok(()),
+            Some(index) => {
+                let why = "an endless rod with an offset has no arm, and its engine no roll moment";
+                Err(Fault::new(format!("cylinders[{index}].rod"), why))
+            }
+        };
+    }
+    if let Some(index) = document.cylinders.iter().position(|cylinder| cylinder.crankshaft.is_some()) {
+        return Err(Fault::new(format!("cylinders[{index}].crankshaft"), why));
+    }
+    match document.turning_masses.iter().position(|mass| !mass.axis.is_empty()) {
+        Some(index) => Err(Fault::new(format!("turning_masses[{index}].axis"), why)),
+        None => Ok(()),
+    }
 }
 
 fn check_turning_masses(document: &Document) -> Result<(), Fault> {
@@ -154,7 +186,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
 /// Each order of force and moment has a shape, in the order of the verdicts.
 fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> Result<(), Fault> {
     let mut claims = document.shapes.iter();
-    for (index, one) in judged.iter().filter(|one| one.quantity != Quantity::Torque).enumerate() {
+    for (index, one) in judged.iter().filter(|one| one.quantity.senses().len() == 2).enumerate() {
         let about = About { quantity: one.quantity, order: one.order, sense: None, of: Vec::new() };
         let place = format!("shapes[{index}] {}", about.place());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, "this shape is missing")) };
@@ -173,7 +205,7 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
 fn check_theorems(document: &Document, audit: &Audit) -> Result<(), Fault> {
     let about = |quantity: &Quantity| match quantity {
         Quantity::Force | Quantity::Moment => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),
-        Quantity::Torque => Vec::new(),
+        Quantity::Torque | Quantity::Roll => Vec::new(),
     };
     let asked = document.quantities.iter().filter(|_| document.all_orders).flat_map(about);
     let mut claims = document.theorems.iter();

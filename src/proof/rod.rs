@@ -40,7 +40,7 @@ const WIDEST: u32 = 256;
 /// The coefficients that one check came across.
 pub(super) struct Motion<'a> {
     audit: &'a Audit,
-    known: RefCell<BTreeMap<(Coefficient, u32, bool, u32), Complex>>,
+    known: RefCell<BTreeMap<(Coefficient, u32, u32), Complex>>,
 }
 
 impl<'a> Motion<'a> {
@@ -53,22 +53,15 @@ impl<'a> Motion<'a> {
     }
 
     /// The coefficient of an order, in units of `2^−bits`; that of rods which are not named is not known.
-    pub fn coefficient(
-        &self,
-        coefficient: &Coefficient,
-        quantity: Quantity,
-        order: u32,
-        bits: u32,
-    ) -> Result<Option<Complex>, Refusal> {
-        let is_torque = quantity == Quantity::Torque;
-        let key = (coefficient.clone(), order, is_torque, bits);
+    pub fn coefficient(&self, coefficient: &Coefficient, order: u32, bits: u32) -> Result<Option<Complex>, Refusal> {
+        let key = (coefficient.clone(), order, bits);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(Some(known.clone()));
         }
         let found = match coefficient {
             Coefficient::One => return Ok(Some(one(bits))),
-            Coefficient::Common => return Ok(None),
-            Coefficient::Rod(rod) if is_torque => torque(rod, order, bits, self.audit)?,
+            Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
+            Coefficient::Torque(rod) => torque(rod, order, bits, self.audit)?,
             Coefficient::Rod(rod) => force(rod, order, bits, self.audit)?,
             Coefficient::Linkage(linkage) => {
                 Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
@@ -93,7 +86,7 @@ pub fn coefficient_bounds(
     let audit = Audit::new();
     let number = match quantity {
         Quantity::Force | Quantity::Moment => force(rod, order, bits, &audit),
-        Quantity::Torque => torque(rod, order, bits, &audit),
+        Quantity::Torque | Quantity::Roll => torque(rod, order, bits, &audit),
     }?;
     let bounds = |Ball { middle, doubt }: &Ball| {
         [middle - doubt, middle + doubt].map(|bound| BigRational::new(bound, BigInt::one() << bits))
@@ -102,20 +95,15 @@ pub fn coefficient_bounds(
 }
 
 /// How many bits below 1 the bound of a coefficient stands.
-pub(super) fn smallness(
-    coefficient: &Coefficient,
-    quantity: Quantity,
-    order: u32,
-    audit: &Audit,
-) -> Result<u64, Refusal> {
-    match coefficient {
-        Coefficient::Rod(rod) if rod.ratio.is_positive() => {
-            let strip = if quantity == Quantity::Torque { Strip::of_velocity(rod) } else { Strip::of_root(rod) };
-            Ok(strip?.decay(order))
-        }
-        Coefficient::Linkage(linkage) => linkage.smallness(order, audit),
-        Coefficient::Rod(_) | Coefficient::One | Coefficient::Common => Ok(0),
-    }
+pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) -> Result<u64, Refusal> {
+    let strip = match coefficient {
+        Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
+        Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
+        Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
+        Coefficient::Rod(_) | Coefficient::Torque(_) => return Ok(0),
+        Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),
+    };
+    Ok(strip?.decay(order))
 }
 
 fn one(bits: u32) -> Complex {

@@ -10,6 +10,7 @@ use super::coefficient::{Coefficient, Factor};
 use super::document::Document;
 use super::engine::{Cylinder, Masses, Quantity, RodStatement, Sense, TurningMassClaim};
 use super::link::LinkClaim;
+use super::roll;
 use super::verdict::{Vector, phase};
 
 /// What makes a force: a cylinder, with what its vector is multiplied by; the mass at the knuckle pin of its link, as far as it moves
@@ -17,6 +18,8 @@ use super::verdict::{Vector, phase};
 pub(super) enum Source<'a> {
     Cylinder(&'a Cylinder, Vec<Vector>),
     Knuckle(&'a Cylinder, &'a LinkClaim),
+    /// The torque on the crank of a cylinder.
+    Torque(&'a Cylinder),
     Turning(&'a TurningMassClaim),
 }
 
@@ -45,29 +48,46 @@ impl Document {
         let mut groups = Groups::default();
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
         for cylinder in cylinders {
-            let factors = match quantity {
-                Quantity::Force | Quantity::Moment => Factor::of_force(&cylinder.rod, order),
-                Quantity::Torque => vec![Factor::of_torque(&cylinder.rod, order)],
+            let torque = Factor::of_torque(&cylinder.rod, order);
+            let has_force = match quantity {
+                Quantity::Force | Quantity::Moment => true,
+                Quantity::Roll => !roll::arms(cylinder).is_empty(),
+                Quantity::Torque => false,
             };
-            for factor in factors {
-                groups.add(factor.coefficient, factor.is_zero, Source::Cylinder(cylinder, factor.parts));
+            let forces = Factor::of_force(&cylinder.rod, order).into_iter().filter(|_| has_force);
+            for force in forces {
+                groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.parts));
+            }
+            match quantity {
+                Quantity::Force | Quantity::Moment => {}
+                Quantity::Torque | Quantity::Roll => {
+                    groups.add(torque.coefficient, torque.is_zero, Source::Torque(cylinder));
+                }
             }
         }
-        let knuckles = self.knuckles().filter(|_| self.masses.reciprocate() && quantity != Quantity::Torque);
-        for (cylinder, link) in knuckles {
+        // The roll moment of an engine with links is not judged.
+        let shakes = match quantity {
+            Quantity::Force | Quantity::Moment => self.masses.reciprocate(),
+            Quantity::Torque | Quantity::Roll => false,
+        };
+        for (cylinder, link) in self.knuckles().filter(|_| shakes) {
             let factor = Factor::of_rod(&link.master_rod(), order);
             groups.add(factor.coefficient, factor.is_zero, Source::Knuckle(cylinder, link));
         }
-        let is_there = self.masses.turn() && quantity != Quantity::Torque;
-        let turning = self.turning_masses.iter().filter(|mass| is_there && mass.order == order);
-        for mass in turning {
+        let is_there = |mass: &TurningMassClaim| match quantity {
+            Quantity::Force | Quantity::Moment => true,
+            Quantity::Roll => !mass.axis.is_empty(),
+            Quantity::Torque => false,
+        };
+        let turning = self.turning_masses.iter().filter(|mass| self.masses.turn() && mass.order == order);
+        for mass in turning.filter(|mass| is_there(mass)) {
             groups.add(Coefficient::One, false, Source::Turning(mass));
         }
         groups.or_empty()
     }
 
     /// Names and terms of a group in one sense (theory, section 3): weights m r, the moment's times the arm, the torque's
-    /// times r; `2k²` times the mass-radius of a mass that turns.
+    /// times r; `2k²` times the mass-radius of a mass that turns. Those of the roll moment: [`roll`].
     pub(super) fn terms(
         &self,
         group: &Group<'_>,
@@ -77,34 +97,44 @@ impl Document {
     ) -> Vec<(String, Vector)> {
         let lever = |position: &BigRational| match quantity {
             Quantity::Moment => position - &self.reference_plane,
-            Quantity::Force | Quantity::Torque => BigRational::one(),
+            Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
         };
+        let is_roll = quantity == Quantity::Roll;
         let terms = |source: &Source<'_>| match source {
+            Source::Cylinder(cylinder, parts) if is_roll => {
+                (cylinder.name.clone(), roll::of_force(cylinder, order, parts))
+            }
             Source::Cylinder(cylinder, parts) => {
-                let radius = &cylinder.crank_radius;
-                let by = match quantity {
-                    Quantity::Torque => radius.clone(),
-                    Quantity::Force | Quantity::Moment => lever(&cylinder.position),
-                };
-                let weight = &cylinder.reciprocating_mass * radius * by;
+                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * lever(&cylinder.position);
                 let angle = phase(&cylinder.throw, &cylinder.bank, order, sense);
-                let part = |part: &Vector| (cylinder.name.clone(), turned(&angle, &weight, part, sense));
-                parts.iter().map(part).collect()
+                let vectors = parts.iter().map(|part| turned(&angle, &weight, part, sense));
+                (cylinder.name.clone(), vectors.collect())
             }
             Source::Knuckle(cylinder, link) => {
                 // A complex mass on the master's piston pin: it is turned by Δ in either sense.
                 let weight = &cylinder.knuckle_weight * &link.knuckle * lever(&cylinder.position);
                 let angle = phase(&cylinder.throw, &(&cylinder.bank - &link.angle), order, sense) + &link.angle;
-                vec![(knuckle_name(cylinder), Vector { angle, weight })]
+                (knuckle_name(cylinder), vec![Vector { angle, weight }])
             }
+            Source::Torque(cylinder) if is_roll => (cylinder.name.clone(), roll::of_torque(cylinder, order)),
+            Source::Torque(cylinder) => {
+                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * &cylinder.crank_radius;
+                let angle = phase(&cylinder.throw, &cylinder.bank, order, None);
+                (cylinder.name.clone(), vec![Vector { angle, weight }])
+            }
+            Source::Turning(mass) if is_roll => (mass.name.clone(), roll::of_turning(mass)),
             Source::Turning(mass) => {
                 let twice_the_square = BigRational::from_integer(BigInt::from(order) * order * 2);
                 let weight = twice_the_square * &mass.mass_radius * lever(&mass.position);
                 let vector = Vector { angle: mass.angle.clone(), weight };
-                (Some(mass.sense) == sense).then(|| (mass.name.clone(), vector)).into_iter().collect()
+                (mass.name.clone(), if Some(mass.sense) == sense { vec![vector] } else { Vec::new() })
             }
         };
-        group.sources.iter().flat_map(terms).collect()
+        let named = |source| {
+            let (name, terms): (String, Vec<Vector>) = terms(source);
+            terms.into_iter().map(move |term| (name.clone(), term))
+        };
+        group.sources.iter().flat_map(named).collect()
     }
 
     /// The cylinders with a mass at the knuckle pin of their link.

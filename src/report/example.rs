@@ -41,7 +41,14 @@ fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cyli
     let terms = direct.sources.iter().zip(direct.sum.terms());
     let pistons = terms.filter_map(|(source, term)| match source {
         Source::Piston(index) => Some((engine.cylinders().get(*index)?, &term.weight)),
-        Source::BigEnd(_) | Source::Knuckle(_) | Source::KnuckleAtPin(_) | Source::KnuckleOffPin(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => None,
+        Source::BigEnd(_)
+        | Source::Knuckle(_)
+        | Source::KnuckleAtPin(_)
+        | Source::KnuckleOffPin(_)
+        | Source::Pin(_)
+        | Source::Webs(_)
+        | Source::Counterweight(_)
+        | Source::Balancer(_) => None,
     });
     let is_plain = |angle: &Turn| *angle == Turn::zero();
     pistons

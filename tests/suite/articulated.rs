@@ -329,10 +329,9 @@ fn a_row_of_even_number_leaves_every_even_order_direct_and_reverse() {
 #[test]
 fn what_links_have_no_numbers_for_is_told_and_not_computed() {
     let row = "[radial]\ncylinders = 5\n[mechanism]\nrod_ratio = 0.25\n[articulated]\nmaster = 1\nknuckle_ratio = 0.2";
-    for (head, words) in [
-        ("effects = ['torque']", "the inertia torque"),
-        ("bearings = [-1, 1]", "the load of the main bearings"),
-    ] {
+    for (head, words) in
+        [("effects = ['torque']", "the inertia torque"), ("bearings = [-1, 1]", "the load of the main bearings")]
+    {
         let error = file::parse("engine.toml", &format!("{head}\n{row}")).expect_err("a mistake").to_string();
         assert!(error.contains("articulated rods") && error.contains(words), "{error}");
     }
@@ -359,7 +358,11 @@ fn every_mistake_in_the_table_of_articulated_rods_is_told() {
         (rod, "master = 1\nknuckle_ratio = 0.2\nknuckle_mass = '0.2'", "masses that are not known"),
         ("rod_ratio = [0.25, 0.3, 0.25, 0.25, 0.25]", "master = 1\nknuckle_ratio = 0.2", "differ in crank or rod"),
         ("rod_ratio = 0.25\noffset_ratio = 0.01", "master = 1\nknuckle_ratio = 0.2", "has an offset"),
-        ("rod_ratio = 0.25\nreciprocating_mass = 1\nrotating_mass = 1", "master = 1\nknuckle_ratio = 0.2", "yet a rotating mass"),
+        (
+            "rod_ratio = 0.25\nreciprocating_mass = 1\nrotating_mass = 1",
+            "master = 1\nknuckle_ratio = 0.2",
+            "yet a rotating mass",
+        ),
     ] {
         let error = file::parse("engine.toml", &row(mechanism, keys)).expect_err("a mistake").to_string();
         assert!(error.contains(words), "{error}\nexpected {words}");
@@ -376,7 +379,8 @@ fn a_scotch_yoke_has_order_one_of_the_force_and_order_two_of_the_torque() {
     let existing: Vec<u32> = loads.orders.iter().filter(|one| one.exists(&engine)).map(|one| one.order).collect();
     assert_eq!(existing, [1]);
     let torque = loads.torque.expect("a torque");
-    let left: Vec<u32> = torque.orders.iter().filter(|one| one.vector.value.norm() > 0.0).map(|one| one.order).collect();
+    let left: Vec<u32> =
+        torque.orders.iter().filter(|one| one.vector.value.norm() > 0.0).map(|one| one.order).collect();
     assert_eq!(left, [2]);
     let with_rod = "inline.throws = [0]\n[mechanism]\nscotch_yoke = true\nrod_ratio = 0.3";
     let error = file::parse("engine.toml", with_rod).expect_err("a mistake").to_string();

@@ -249,7 +249,8 @@ fn every_change_of_whole_orders_is_refused() {
 fn every_change_of_links_on_a_master_rod_is_refused() {
     let row = "[mechanism]\nrod_ratio = '1/4'\nreciprocating_mass = [2, 1, 1]\n[articulated]\nmaster = 1\nknuckle_ratio = '1/5'";
     classify(&format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/3'"), &[1, 2], false, false);
-    let engine = file::parse("engine", &format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/7'")).expect("a layout");
+    let engine =
+        file::parse("engine", &format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/7'")).expect("a layout");
     let found = remedy(&engine, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
     assert_guarded(&report::remedy_document(&found));
 }

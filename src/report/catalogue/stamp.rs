@@ -3,8 +3,8 @@
 use super::super::figure::{Anchor, Figure, Point};
 use super::super::residual;
 use super::super::star::small_star;
-use super::{First, Known};
 use super::small::{SIZE, small_engine};
+use super::{First, Known};
 use crate::page::{Text, phrase};
 
 /// Width of each of the two drawings in millimetres.

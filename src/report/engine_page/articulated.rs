@@ -24,12 +24,7 @@ pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     }
     let paragraph = |text: &'static str| Block::Paragraph(text.into());
     let mut blocks = vec![Block::Heading(1, "Articulated rods".into()), links(engine).into()];
-    blocks.extend([
-        paragraph(MOTION),
-        Block::Formula(HARMONIC.to_owned(), None),
-        paragraph(THEOREM),
-        paragraph(TERMS),
-    ]);
+    blocks.extend([paragraph(MOTION), Block::Formula(HARMONIC.to_owned(), None), paragraph(THEOREM), paragraph(TERMS)]);
     let lines = in_line(engine, judged);
     if !lines.is_empty() {
         blocks.push(Block::Paragraph(phrase!(
@@ -62,7 +57,8 @@ const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and 
 /// The links, with what they hang on.
 fn links(engine: &Engine) -> Table {
     let with_mass = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
-    let mut header: Vec<Text> = vec!["Cylinder".into(), "Master".into(), "Δ".into(), "κ = a/l".into(), "λ = r/l".into(), "r/L".into()];
+    let mut header: Vec<Text> =
+        vec!["Cylinder".into(), "Master".into(), "Δ".into(), "κ = a/l".into(), "λ = r/l".into(), "r/L".into()];
     header.extend(with_mass.then(|| "Knuckle mass / m".into()));
     let mut table = Table::new(header);
     for (cylinder, link) in engine.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.link()?))) {
@@ -128,7 +124,8 @@ pub(super) fn hidden(engine: &Engine) -> Option<Text> {
     let [concentric, linked] = [None, Some(&knuckle)].map(|knuckle| Some(loads_with(engine, &ratio, knuckle)));
     let (concentric, linked) = (concentric?.ok()?, linked?.ok()?);
     let peak = |loads: &Loads, order: u32| {
-        let swing = loads.orders.iter().find(|one| one.order == order).map(|one| (one.force.vanishes(), one.force.largest()));
+        let swing =
+            loads.orders.iter().find(|one| one.order == order).map(|one| (one.force.vanishes(), one.force.largest()));
         swing.map_or(0.0, |(vanishes, largest)| if vanishes { 0.0 } else { largest })
     };
     let order = COMPARED.into_iter().find(|order| (peak(&linked, *order) - peak(&concentric, *order)).abs() > 1e-9)?;

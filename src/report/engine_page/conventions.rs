@@ -39,7 +39,8 @@ const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decim
                      taken about the reference plane.";
 
 /// What the rows of links count in.
-pub(super) const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+pub(super) const LINKS: &str =
+    "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {

@@ -5,6 +5,7 @@ mod articulated;
 mod conventions;
 mod cures;
 mod engine;
+mod geared;
 mod orders;
 mod torque;
 
@@ -78,7 +79,8 @@ pub fn engine_page(subject: Contents) -> Document {
     page.blocks.extend(title_block(engine));
     page.push(Block::Answer(answer::lines(engine, judged, known.map(|numbers| &numbers.loads), theorem.as_ref().ok())));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
-    if in_motion {
+    // The moving part knows one crankshaft.
+    if in_motion && engine.geared_cranks().is_empty() {
         page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
     }
     page.blocks.extend(results(engine, judged, known));
@@ -111,6 +113,7 @@ pub fn engine_page(subject: Contents) -> Document {
     }
     page.blocks.extend(orders::section(engine, &stars));
     page.blocks.extend(torque::section(engine, judged, known));
+    page.blocks.extend(torque::roll_section(engine, judged));
     page.blocks.extend(known.into_iter().flat_map(|numbers| calculation::working(engine, numbers)));
     page.blocks.extend(conventions::section(engine));
     page.push(Block::Heading(1, "Layout file".into()));
@@ -143,6 +146,7 @@ fn results(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Ve
         blocks.extend([table.into(), Block::Paragraph("The same, exactly:".into())]);
     }
     blocks.push(table::summary(engine, &judged.orders, firmness).into());
+    blocks.extend(torque::results(judged));
     if let Some(pistons) = &judged.pistons {
         blocks.push(Block::Paragraph("The pistons alone:".into()));
         blocks.push(table::summary(engine, pistons, table::Firmness::Shown).into());

@@ -90,7 +90,7 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", weight.order));
                     phrase!("{} {}", amount, unit)
                 }
-                Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open => {
+                Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
                     phrase!("{} {}", amount, unit)
                 }

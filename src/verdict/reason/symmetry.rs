@@ -11,7 +11,8 @@ use crate::exact::{PhasorSum, Term, Turn};
 pub fn mirror_partners(engine: &Engine) -> Option<Vec<usize>> {
     let mut partners: Vec<Option<usize>> = vec![None; engine.cylinders().len()];
     let is_image = |a: &Cylinder, b: &Cylinder| {
-        engine.arm(a) == -engine.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
+        engine.arm(a) == -engine.arm(b)
+            && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
             && (&a.mechanism, &a.knuckle_mass) == (&b.mechanism, &b.knuckle_mass)
     };
     for (index, cylinder) in engine.cylinders().iter().enumerate() {
