@@ -206,7 +206,7 @@ impl Draft {
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Engine, BuildError> {
         let engine = self.checked()?;
-        check_links(&engine)?;
+        super::links::check(&engine)?;
         let crankshaft = engine.crankshaft();
         if !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() {
             let throws = throws(&engine).len();
@@ -259,39 +259,7 @@ impl Draft<Linear, Linear> {
     }
 }
 
-/// Each link hangs on a master rod, and nothing is asked of the engine that links have no numbers for.
-fn check_links(engine: &Engine) -> Result<(), BuildError> {
-    for cylinder in engine.cylinders() {
-        let Some(link) = cylinder.link() else {
-            not_negative(&-&cylinder.knuckle_mass, || format!("minus the knuckle mass of cylinder {}", cylinder.name))?;
-            continue;
-        };
-        let master = Mechanism::SliderCrank(link.master_rod());
-        let has_master = engine.cylinders().iter().any(|other| {
-            other.mechanism.as_ref() == Some(&master)
-                && (&other.throw, &other.position, &other.crank_radius)
-                    == (&cylinder.throw, &cylinder.position, &cylinder.crank_radius)
-                && &other.bank + &link.angle == cylinder.bank
-        });
-        if !has_master {
-            return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
-        }
-    }
-    let effects = engine.effects();
-    let asked = [
-        (effects.torque, "the inertia torque"),
-        (!engine.geared_cranks().is_empty(), "several crankshafts"),
-        (engine.gas().is_some() || effects.gas, "the torque of the gas"),
-        (engine.torsion().is_some(), "the torsional vibration"),
-        (!engine.bearings().is_empty(), "the load of the main bearings"),
-    ];
-    match asked.into_iter().find(|(is_asked, _)| *is_asked && engine.has_links()) {
-        Some((_, what)) => Err(BuildError::ArticulatedRods(what)),
-        None => Ok(()),
-    }
-}
-
-fn not_negative(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
+pub(super) fn not_negative(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
     match value.is_negative() {
         false => Ok(()),
         true => Err(BuildError::OutOfRange { what: what(), value: value.clone() }),

@@ -16,6 +16,7 @@ mod gas;
 mod geared;
 mod length;
 mod linear;
+mod links;
 mod mechanism;
 mod model;
 mod open_firing;

@@ -80,7 +80,7 @@ pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
 }
 
 /// The mass at the knuckle pin of a cylinder's link, times the crank radius, in multiples of m r; none where there is none.
-pub(super) fn knuckle<'a>(engine: &'a Engine, index: usize) -> Option<(&'a Cylinder, &'a Link, BigRational)> {
+pub(super) fn knuckle(engine: &Engine, index: usize) -> Option<(&Cylinder, &Link, BigRational)> {
     let cylinder = &engine.cylinders()[index];
     let link = cylinder.link().filter(|_| !cylinder.knuckle_mass.is_zero())?;
     Some((cylinder, link, &cylinder.knuckle_mass * &cylinder.crank_radius))
