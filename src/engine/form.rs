@@ -13,6 +13,10 @@ pub enum Form {
     Boxer,
     /// Three banks or more.
     Fan,
+    /// Two narrow banks over one row of throws, each cylinder with its own.
+    Vr,
+    /// Two of those on common throws.
+    W,
     /// Cylinders all round a common throw.
     Radial,
     /// One table per cylinder.

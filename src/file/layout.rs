@@ -18,6 +18,7 @@ use super::flywheel_keys;
 use super::forms::{self, Expanded};
 use super::gas_keys;
 use super::mechanism_keys;
+use super::narrow;
 use super::quantities;
 use super::title_block_keys;
 use super::torsion_keys;
@@ -56,6 +57,8 @@ struct File {
     flat: Option<Spanned<Table<forms::Flat>>>,
     boxer: Option<Spanned<Table<forms::Boxer>>>,
     fan: Option<Spanned<Table<forms::Fan>>>,
+    vr: Option<Spanned<Table<narrow::Vr>>>,
+    w: Option<Spanned<Table<narrow::W>>>,
     radial: Option<Spanned<Table<forms::Radial>>>,
 }
 
@@ -141,7 +144,7 @@ pub(super) fn read_layout(
 fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let mut expanded = expand(&file, cycle)?;
-    let dimensions = dimensions(&file, &mut expanded.cylinders)?;
+    let dimensions = dimensions(&file, &mut expanded)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
     let plane = file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
@@ -224,12 +227,15 @@ pub(super) fn built<E>(engine: Result<E, BuildError>) -> Result<E, LayoutError> 
 }
 
 /// What the file says of crank, rods, masses and speed.
-fn dimensions(file: &File, cylinders: &mut [Cylinder<Linear, Linear>]) -> Result<Dimensions, LayoutError> {
+fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, LayoutError> {
     let tables = file.cylinder.iter().flat_map(|tables| tables.get_ref());
     let masses_given = tables.into_iter().any(|table| table.get_ref().0.reciprocating_mass.is_some());
     let mut dimensions = match &file.mechanism {
-        Some(table) => table.0.read(cylinders, masses_given)?,
-        None => Dimensions::default(),
+        Some(table) => table.0.read(&mut expanded.cylinders, masses_given, expanded.pin_offsets.as_ref())?,
+        None => match &expanded.pin_offsets {
+            None => Dimensions::default(),
+            Some(list) => return Err(mechanism_keys::offset_without_rod(list)),
+        },
     };
     if let Some(text) = &file.speed {
         let (speed, given) = mechanism_keys::speed(text)?;
@@ -299,8 +305,10 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan] or [radial] says what the engine is";
+    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w] or [radial] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
@@ -334,7 +342,7 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, pin_offsets: None })
 }
 
 /// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins

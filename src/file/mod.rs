@@ -17,6 +17,7 @@ mod gas_table;
 mod layout;
 mod linear;
 mod mechanism_keys;
+mod narrow;
 mod number;
 mod quantities;
 mod template;
