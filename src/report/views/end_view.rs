@@ -6,7 +6,7 @@ use super::MOST_LABELS;
 use super::below::write_below;
 use super::crop::cropped;
 use super::linkage::{Linkage, linkages};
-use super::names::{name_banks, name_pins, name_pistons};
+use super::names::{name_banks, name_offsets, name_pins, name_pistons};
 use crate::engine::Engine;
 
 /// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
@@ -35,6 +35,7 @@ pub fn end_view(engine: &Engine) -> Figure {
         name_pins(&mut figure, &mut labels, &linkages);
         name_pistons(&mut figure, &mut labels, &linkages, half);
         name_banks(&mut figure, &mut labels, &linkages, half);
+        name_offsets(&mut figure, &mut labels, &linkages);
     }
     let mut figure = cropped(figure);
     write_below(&mut figure, engine);

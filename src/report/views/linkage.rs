@@ -3,10 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::super::figure::Point;
 use super::super::star::towards;
+use super::super::typeset;
 use crate::engine::{Cylinder, Engine, Form, Mechanism};
 use crate::exact::Turn;
 
@@ -34,6 +35,9 @@ pub(super) struct Linkage<'a> {
     pub stroke: (f64, f64),
     /// Of a radial with several rows: which, from the free end.
     pub row: usize,
+    /// How far the axis passes the shaft, in millimetres where the engine gives lengths, else against the rod length; none
+    /// where it meets the shaft.
+    pub dimension: Option<String>,
 }
 
 impl Linkage<'_> {
@@ -49,6 +53,19 @@ fn rod(cylinder: &Cylinder) -> (f64, f64) {
     let ratio = rod.ratio.to_f64().unwrap_or(USUAL_RATIO);
     let length = ratio.recip().clamp(1.0, LONGEST_ROD);
     (length, rod.offset.to_f64().unwrap_or(0.0) * length)
+}
+
+/// `e = 12.5 mm`, `e/l = 0.08`; its sign says on which side.
+fn dimension(engine: &Engine, cylinder: &Cylinder) -> Option<String> {
+    let rod = cylinder.rod().filter(|rod| !rod.offset.is_zero())?;
+    let thousand = BigRational::from_integer(1000.into());
+    Some(match engine.dimensions().crank_radius.as_ref().filter(|_| !rod.ratio.is_zero()) {
+        Some(unit) => {
+            let offset = &rod.offset * unit * &cylinder.crank_radius / &rod.ratio * thousand;
+            format!("e = {} mm", typeset::short(&offset))
+        }
+        None => format!("e/l = {}", typeset::short(&rod.offset)),
+    })
 }
 
 /// Whether some rod is too long to be drawn.
@@ -109,6 +126,7 @@ pub(super) fn linkages(engine: &Engine) -> Vec<Linkage<'_>> {
             foot,
             stroke: (leg(length - radius, offset), leg(length + radius, offset)),
             row,
+            dimension: dimension(engine, cylinders[0]),
         }
     });
     placed.collect()
