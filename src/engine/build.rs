@@ -61,6 +61,8 @@ pub enum BuildError {
     },
     /// A counterweight on a throw that is not there.
     NoSuchThrow(usize),
+    /// A balancer shaft before the coefficient of a cylinder that is not there.
+    NoSuchCylinder(usize),
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -88,6 +90,9 @@ impl fmt::Display for BuildError {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::NoSuchCylinder(index) => {
+                write!(f, "a balancer shaft takes the coefficient of cylinder {}, which is not there", index + 1)
+            }
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
@@ -182,6 +187,9 @@ impl Draft {
         for shaft in &crankshaft.balancers {
             not_negative(&shaft.mass_radius, || "the mass-radius of a balancer shaft".into())?;
             are_orders(&[shaft.order]).map_err(BuildError::Order)?;
+            if let Some(index) = shaft.coefficient_of.filter(|index| *index >= engine.cylinders().len()) {
+                return Err(BuildError::NoSuchCylinder(index));
+            }
         }
         if let Some(torsion) = engine.torsion() {
             let pins = engine.cylinders().iter().map(|cylinder| cylinder.pin + 1).max().unwrap_or(0);

@@ -133,12 +133,8 @@ impl Inline {
             }
         };
         let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
-        let bank = Bank {
-            angle: Linear::default(),
-            split: Linear::default(),
-            offset: Linear::default(),
-            pin_offset: None,
-        };
+        let bank =
+            Bank { angle: Linear::default(), split: Linear::default(), offset: Linear::default(), pin_offset: None };
         fan(Form::Inline, &[bank], &pins, None, unit)
     }
 }

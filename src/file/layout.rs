@@ -11,6 +11,7 @@ use toml::de::DeTable;
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
+use super::counterweight_keys;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
@@ -45,7 +46,7 @@ struct File {
     document: Option<Table<title_block_keys::Keys>>,
     mechanism: Option<Table<mechanism_keys::Keys>>,
     crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
-    counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
+    counterweight: Option<Spanned<Vec<Spanned<Table<counterweight_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     gas: Option<Spanned<Table<gas_keys::Keys>>>,
     flywheel: Option<Table<flywheel_keys::Keys>>,
@@ -308,7 +309,8 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w] or [radial] says what the engine is";
+    let right =
+        "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w] or [radial] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),

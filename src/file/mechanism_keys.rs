@@ -25,6 +25,8 @@ pub(super) struct Keys {
     reciprocating_mass: Option<written::Column>,
     piston_mass: Option<written::Column>,
     pin_mass: Option<written::Column>,
+    piston_rod_mass: Option<written::Column>,
+    crosshead_mass: Option<written::Column>,
     rod_mass: Option<written::Column>,
     rod_centre: Option<written::Column>,
     rotating_mass: Option<written::Column>,
@@ -185,9 +187,14 @@ impl Keys {
         if let (Some(_), Some(list)) = (&self.reciprocating_mass, &self.piston_mass) {
             return Err(twice("reciprocating_mass", "piston_mass", list));
         }
-        for (list, name) in
-            [(&self.pin_mass, "pin_mass"), (&self.rod_mass, "rod_mass"), (&self.rod_centre, "rod_centre")]
-        {
+        let parts = [
+            (&self.pin_mass, "pin_mass"),
+            (&self.piston_rod_mass, "piston_rod_mass"),
+            (&self.crosshead_mass, "crosshead_mass"),
+            (&self.rod_mass, "rod_mass"),
+            (&self.rod_centre, "rod_centre"),
+        ];
+        for (list, name) in parts {
             if let (Some(list), None) = (list, &self.piston_mass) {
                 let message = format!("{name} without a piston_mass");
                 return Err(LayoutError::new(message, "piston, pin and rod are given together", place(list)));
@@ -199,8 +206,16 @@ impl Keys {
             return Ok((given, rotating));
         };
         let mut masses = pistons.values;
-        if let Some(pins) = table.column(&self.pin_mass, Measure::PinMass)? {
-            masses.iter_mut().zip(pins.values).for_each(|(mass, pin)| *mass += pin);
+        // All that moves with the piston along its cylinder.
+        let beside = [
+            (&self.pin_mass, Measure::PinMass),
+            (&self.piston_rod_mass, Measure::PistonRodMass),
+            (&self.crosshead_mass, Measure::CrossheadMass),
+        ];
+        for (list, measure) in beside {
+            if let Some(parts) = table.column(list, measure)? {
+                masses.iter_mut().zip(parts.values).for_each(|(mass, part)| *mass += part);
+            }
         }
         let Some(rods) = table.column(&self.rod_mass, Measure::RodMass)? else {
             return match &self.rod_centre {
@@ -308,7 +323,7 @@ impl Measure {
             RodRatio => ("rod ratio", pure(written), "r/l, from 0 up to 1"),
             PinOffset => ("pin offset", metres(written), ""),
             OffsetRatio => ("offset ratio", pure(written), ""),
-            ReciprocatingMass | PistonMass | PinMass | RodMass | RotatingMass => {
+            ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass | RotatingMass => {
                 ("mass", units::mass(written), "a mass is 0 or more")
             }
             RodCentre => ("distance of the centre of gravity", metres(written), "a length of 0 or more"),

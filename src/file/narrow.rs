@@ -70,8 +70,7 @@ impl W {
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?.scaled(&half());
         let minus = -BigRational::from_integer(1.into());
         let first = Middle { angle: wide.scaled(&minus), split: Linear::default(), offset: offset.clone() };
-        let second =
-            Middle { angle: wide, split: optional_angle(&self.pin_split)?, offset: offset.scaled(&minus) };
+        let second = Middle { angle: wide, split: optional_angle(&self.pin_split)?, offset: offset.scaled(&minus) };
         let narrow = Narrow { angle: &self.narrow_angle, splay: &self.pin_splay, pin_offset: &self.pin_offset };
         narrow.expand(Form::W, &[first, second], (&self.throws, &self.spacing, &self.positions), unit)
     }
@@ -104,7 +103,8 @@ impl Narrow<'_> {
                     position.plus(&middle.offset),
                     pin,
                 ));
-                pin_offsets.push(self.pin_offset.as_ref().map(|text| if is_first { negated(text) } else { text.clone() }));
+                pin_offsets
+                    .push(self.pin_offset.as_ref().map(|text| if is_first { negated(text) } else { text.clone() }));
             }
         }
         let positions_given = pins.positions_given;

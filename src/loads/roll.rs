@@ -11,8 +11,8 @@ use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform};
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::motion::Coefficient;
-use crate::order::{self, exactly_one, unit_mass, unit_radius};
-use crate::proof::Sense;
+use crate::order::{self, OrderSum, unit_mass, unit_radius};
+use crate::proof::{Quantity, Sense};
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
 pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
@@ -38,14 +38,12 @@ fn of_order(engine: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
             (Coefficient { re: t.re.times(&minus), im: t.im.times(&minus) }, sum)
         })
         .collect();
-    if !shafts.vanishes() {
-        pairs.push((exactly_one(), &shafts));
-    }
+    pairs.extend(shafts.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)));
     TorqueOrder { order, coefficient: None, vector: Vector::of(&pairs, false) }
 }
 
 /// What the shafts of an order add, in multiples of m r²; their crank radius is known where there are any.
-fn shafts(engine: &Engine, order: u32) -> PhasorSum {
+fn shafts(engine: &Engine, order: u32) -> OrderSum {
     let radius = unit_radius(engine);
     let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
     let share = square / (unit_mass(engine) * &radius * &radius);
@@ -55,10 +53,11 @@ fn shafts(engine: &Engine, order: u32) -> PhasorSum {
             Sense::Direct => (shaft.angle.clone(), Turn::fraction(3, 4)),
             Sense::Reverse => (-&shaft.angle, Turn::fraction(1, 4)),
         };
-        let size = &shaft.mass_radius * &share;
+        let (factor, sign) = order::shaft_factor(engine, shaft);
+        let size = &shaft.mass_radius * &share * sign;
         let high = Term { angle: &angle + &quarter, weight: &size * &shaft.height };
         let aside = Term { angle: angle.opposite(), weight: size * &shaft.offset };
-        [high, aside]
+        [(factor.clone(), high), (factor, aside)]
     });
-    PhasorSum::new(terms.collect())
+    OrderSum::new(terms.filter(|(factor, _)| factor.exists(Quantity::Force, order)))
 }

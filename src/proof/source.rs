@@ -11,10 +11,10 @@ use super::document::Document;
 use super::engine::{Cylinder, Masses, Quantity, Sense, TurningMassClaim};
 use super::verdict::{Vector, phase};
 
-/// What makes a force: a cylinder, with the sign of its term, or a mass that turns.
+/// What makes a force: a cylinder or a mass that turns, with the sign of its term.
 pub(super) enum Source<'a> {
     Cylinder(&'a Cylinder, BigRational),
-    Turning(&'a TurningMassClaim),
+    Turning(&'a TurningMassClaim, BigRational),
 }
 
 /// The sources of an order whose terms stand before one coefficient.
@@ -51,7 +51,8 @@ impl Document {
         let is_there = self.masses.turn() && quantity != Quantity::Torque;
         let turning = self.turning_masses.iter().filter(|mass| is_there && mass.order == order);
         for mass in turning {
-            groups.add(Coefficient::One, false, Source::Turning(mass));
+            let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
+            groups.add(factor.coefficient, factor.is_zero, Source::Turning(mass, factor.sign));
         }
         groups.or_empty()
     }
@@ -80,9 +81,9 @@ impl Document {
                 let angle = phase(&cylinder.throw, &cylinder.bank, order, sense);
                 Some((cylinder.name.clone(), Vector { angle, weight }))
             }
-            Source::Turning(mass) => {
+            Source::Turning(mass, sign) => {
                 let twice_the_square = BigRational::from_integer(BigInt::from(order) * order * 2);
-                let weight = twice_the_square * &mass.mass_radius * lever(&mass.position);
+                let weight = twice_the_square * &mass.mass_radius * lever(&mass.position) * sign;
                 let vector = Vector { angle: mass.angle.clone(), weight };
                 (Some(mass.sense) == sense).then(|| (mass.name.clone(), vector))
             }

@@ -77,14 +77,9 @@ pub(super) fn is_shortened(engine: &Engine) -> bool {
 pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
     let positions: BTreeSet<&BigRational> = match engine.form() {
         Form::Radial => engine.cylinders().iter().map(|cylinder| &cylinder.position).collect(),
-        Form::Inline
-        | Form::Vee
-        | Form::Flat
-        | Form::Boxer
-        | Form::Fan
-        | Form::Vr
-        | Form::W
-        | Form::General => BTreeSet::new(),
+        Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::General => {
+            BTreeSet::new()
+        }
     };
     if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
 }

@@ -143,9 +143,10 @@ pub(super) fn name_offsets(figure: &mut Figure, labels: &mut Labels, linkages: &
     for (linkage, dimension) in feet.iter().filter(|_| feet.len() <= MOST_ANGLES) {
         let out = linkage.foot / linkage.foot.norm();
         let back = -linkage.along;
-        let ways = |far: f64| [back + out, back + out * 0.3, out, out - back * 0.5, back - out].map(|way| {
-            beside(linkage.foot, way / way.norm(), far)
-        });
+        let ways = |far: f64| {
+            [back + out, back + out * 0.3, out, out - back * 0.5, back - out]
+                .map(|way| beside(linkage.foot, way / way.norm(), far))
+        };
         let places: Vec<Place> = [3.0, 6.0, 9.0, 13.0, 17.0].into_iter().flat_map(ways).collect();
         write(figure, labels, dimension, linkage.foot, &places);
     }
