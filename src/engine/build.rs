@@ -63,6 +63,11 @@ pub enum BuildError {
     NoSuchThrow(usize),
     /// A balancer shaft before the coefficient of a cylinder that is not there.
     NoSuchCylinder(usize),
+    /// A cylinder on a crankshaft that is not there.
+    NoSuchCrank {
+        /// The cylinder.
+        cylinder: String,
+    },
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -92,6 +97,9 @@ impl fmt::Display for BuildError {
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
             BuildError::NoSuchCylinder(index) => {
                 write!(f, "a balancer shaft takes the coefficient of cylinder {}, which is not there", index + 1)
+            }
+            BuildError::NoSuchCrank { cylinder } => {
+                write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
             }
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
@@ -123,6 +131,9 @@ impl<A, L: Length> Draft<A, L> {
             not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
+            if cylinder.crank >= self.geared_cranks.len().max(1) {
+                return Err(BuildError::NoSuchCrank { cylinder: name.clone() });
+            }
             let mechanism = cylinder.mechanism.as_ref();
             if mechanism != turning && mechanism.is_some_and(|mechanism| !mechanism.turns_round()) {
                 return Err(BuildError::CannotTurnRound { cylinder: name.clone() });

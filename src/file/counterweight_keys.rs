@@ -128,7 +128,8 @@ pub(super) fn read(
     };
     on_the_shaft(engine, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
     let (mass, radius, in_multiples) = weight(table, engine)?;
-    Ok((Counterweight { throw, angle, mass, radius, position }, in_multiples))
+    let crank = throw.map_or(0, |throw| throws[throw].crank);
+    Ok((Counterweight { throw, angle, mass, radius, position, crank }, in_multiples))
 }
 
 /// Mass and radius of a counterweight, and whether they are multiples of m r.

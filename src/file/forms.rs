@@ -11,6 +11,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::firing_order::FiringOrder;
+use super::geared_keys::Geared;
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Column, Text, Values, Written, place};
 use crate::engine::{Cycle, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
@@ -24,6 +25,8 @@ pub(super) struct Expanded {
     pub positions_given: bool,
     /// How far the axis of each cylinder passes the crankshaft, where the form says so: read with crank and rods.
     pub pin_offsets: Option<Column>,
+    /// The crankshafts, where several are geared together.
+    pub geared: Vec<Geared>,
 }
 
 /// `[inline]`: all cylinder axes at angle 0.
@@ -259,6 +262,7 @@ impl Radial {
             length_unit: unit,
             positions_given,
             pin_offsets: None,
+            geared: Vec::new(),
         })
     }
 }
@@ -324,7 +328,14 @@ fn fan(
         Cylinder::new(throw.plus(&bank.split), bank.angle.clone(), position.plus(&bank.offset), pin)
     });
     let positions_given = pins.positions_given;
-    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given, pin_offsets })
+    Ok(Expanded {
+        form,
+        cylinders: cylinders.collect(),
+        length_unit: unit,
+        positions_given,
+        pin_offsets,
+        geared: Vec::new(),
+    })
 }
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.

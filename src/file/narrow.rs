@@ -108,7 +108,14 @@ impl Narrow<'_> {
             }
         }
         let positions_given = pins.positions_given;
-        Ok(Expanded { form, cylinders, length_unit: unit, positions_given, pin_offsets: offsets_of(pin_offsets) })
+        Ok(Expanded {
+            form,
+            cylinders,
+            length_unit: unit,
+            positions_given,
+            pin_offsets: offsets_of(pin_offsets),
+            geared: Vec::new(),
+        })
     }
 }
 

@@ -12,7 +12,7 @@ use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::motion::Coefficient;
 use crate::order::{self, OrderSum, unit_mass, unit_radius};
-use crate::proof::{Quantity, Sense};
+use crate::proof::Sense;
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
 pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
@@ -59,5 +59,5 @@ fn shafts(engine: &Engine, order: u32) -> OrderSum {
         let aside = Term { angle: angle.opposite(), weight: size * &shaft.offset };
         [(factor.clone(), high), (factor, aside)]
     });
-    OrderSum::new(terms.filter(|(factor, _)| factor.exists(Quantity::Force, order)))
+    OrderSum::new(terms.filter(|(factor, _)| factor.exists(order)))
 }

@@ -50,13 +50,13 @@ impl Tails {
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(engine, quantity, &|tail| match quantity {
             Quantity::Force | Quantity::Moment => tail.force(order),
-            Quantity::Torque => tail.torque(order),
+            Quantity::Torque | Quantity::Roll => tail.torque(order),
         });
         let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
             Quantity::Force => force,
             Quantity::Moment => moment,
-            Quantity::Torque => 0.0,
+            Quantity::Torque | Quantity::Roll => 0.0,
         };
         (pistons + shafts) * SLACK
     }
@@ -79,7 +79,7 @@ impl Tails {
             Factor::Motion(mechanism) => {
                 self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |tail| 1.0 + tail.force(order.saturating_sub(1)))
             }
-            Factor::Torque(_) | Factor::Side(_) | Factor::Open => f64::INFINITY,
+            Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => f64::INFINITY,
         };
         sums.into_iter().fold([0.0, 0.0], |[force, moment], ((factor, order), sizes)| {
             let [more_force, more_moment] = sizes.map(|size| match rounded_up(&size) {
@@ -112,7 +112,7 @@ impl Tails {
             let shaking = 1.0 + tail.force(0);
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
-                Quantity::Torque => shaking * shaking,
+                Quantity::Torque | Quantity::Roll => shaking * shaking,
             }
         })
     }
@@ -126,7 +126,7 @@ impl Tails {
             let weight = match quantity {
                 Quantity::Force => weight,
                 Quantity::Moment => weight * engine.arm(cylinder).abs(),
-                Quantity::Torque => weight * &cylinder.crank_radius,
+                Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius,
             };
             *weights.entry(mechanism).or_insert_with(BigRational::zero) += weight;
         }

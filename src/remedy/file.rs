@@ -137,8 +137,14 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
         let size = size.abs();
         if (weight.order, weight.sense, coefficient_of) == (1, Sense::Direct, None) {
             let mass = &size / &radius;
-            let weight =
-                Counterweight { throw: None, angle, mass, radius: radius.clone(), position: weight.position.clone() };
+            let weight = Counterweight {
+                throw: None,
+                angle,
+                mass,
+                radius: radius.clone(),
+                position: weight.position.clone(),
+                crank: 0,
+            };
             return match is_known {
                 true => counterweight_table(&weight),
                 false => counterweight_in_multiples(&weight, &unit),
@@ -165,7 +171,7 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
     let one = BigRational::from_integer(1.into());
     match factor {
         Factor::One => (None, one),
-        Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open => {
+        Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let cylinders = engine.cylinders().iter().enumerate();
             let found =
                 cylinders.map(|(index, cylinder)| (index, Factor::of_force(cylinder.mechanism.as_ref(), order)));

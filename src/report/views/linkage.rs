@@ -80,6 +80,7 @@ pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
         Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::General => {
             BTreeSet::new()
         }
+        Form::OpposedPiston | Form::U | Form::H | Form::Delta => BTreeSet::new(),
     };
     if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
 }
