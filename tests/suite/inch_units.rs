@@ -120,7 +120,7 @@ fn each_quantity_in_pounds_and_inches_converts_back_to_that_of_the_si() {
     let i3 = read(I3);
     let remedy = remedy(&i3, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
     assert!(assert_agrees(&report::remedy_page(&remedy)) > 5);
-    let supported = read(&format!("bearings = ['0.2 m', 0, '-0.2 m']\n{I3}"));
+    let supported = read(I3);
     let [continuous, determinate] = [Method::Continuous, Method::Determinate]
         .map(|method| bearing_loads(&supported, &[1, 2], method).expect("loads"));
     assert!(assert_agrees(&report::bearings_answer(&supported, &continuous, &determinate)) > 5);
