@@ -263,7 +263,7 @@ impl<'a> Composer<'a> {
             Piece::Measured(value, unit, set) => self.numbers(&set(self.options.units.of(*value, *unit).0)),
             Piece::Exactly(value, unit) => self.numbers(&match self.options.units {
                 Units::Si => number::number(value),
-                Units::Inch => number::short(&Units::Inch.of_exact(value, *unit).0),
+                Units::Inch => number::in_decimals(&Units::Inch.of_exact(value, *unit).0),
             }),
             Piece::Unit(unit) => self.words(&language.label(self.options.units.of(0.0, *unit).1.name)),
             Piece::Formula(tex) => self.formula(tex),
