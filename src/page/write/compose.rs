@@ -256,9 +256,10 @@ impl<'a> Composer<'a> {
                 None => self.numbers(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                let (value, unit) = &self.options.units.of(*value, *unit);
-                let set = self.options.siunitx.then(|| writer.quantity(*value, *unit)).flatten();
-                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
+                let (value, unit) = self.options.units.of(*value, *unit);
+                let (value, unit) = unit.at_sight(value);
+                let set = self.options.siunitx.then(|| writer.quantity(value, unit)).flatten();
+                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(value), number::behind(unit))))
             }
             Piece::Measured(value, unit, set) => self.numbers(&set(self.options.units.of(*value, *unit).0)),
             Piece::Exactly(value, unit) => self.numbers(&match self.options.units {

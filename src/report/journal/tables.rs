@@ -1,7 +1,7 @@
 //! Which tables tell the complete loads? Bearings, crankpins, rods, orders.
 
 use super::super::table;
-use super::super::torque::angle;
+use super::super::torque::{angle, names};
 use crate::engine::Engine;
 use crate::journal::{CycleBearings, CycleLoads};
 use crate::page::{Table, Text, Unit, phrase};
@@ -63,6 +63,33 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
             angle(peaks.pin.angle),
             size(peaks.pin.gas_along()),
             size(peaks.pin_of_inertia.value),
+        ]);
+    }
+    rows
+}
+
+/// The load of every crankpin that rods share, and that of the rod that loads it the most.
+pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
+    let mut rows = Table::new([
+        Text::from("Crankpin"),
+        Text::from("Rods of cylinders"),
+        phrase!("All rods together in {}", Unit::NEWTON),
+        Text::from("at θ"),
+        phrase!("Gas in it in {}", Unit::NEWTON),
+        phrase!("Without gas in {}", Unit::NEWTON),
+        phrase!("One rod alone in {}", Unit::NEWTON),
+    ]);
+    for pin in &loads.shared_pins {
+        let of_one = pin.largest_of_a_rod(loads);
+        let one = of_one.map(|(index, peak)| phrase!("{} (cylinder {})", size(peak.value), name(engine, index)));
+        rows.push(vec![
+            (pin.throw + 1).into(),
+            names(engine, &pin.cylinders),
+            size(pin.peak.value),
+            angle(pin.peak.angle),
+            size(pin.peak.gas_along()),
+            size(pin.inertia.value),
+            one.unwrap_or_default(),
         ]);
     }
     rows
