@@ -1,6 +1,7 @@
 //! Do the links of an engine hang on its rods, and is nothing asked of it that links have no numbers for?
 
 use super::build::{BuildError, not_negative};
+use super::crankshaft::Balancer;
 use super::mechanism::Mechanism;
 use super::model::Engine;
 
@@ -22,6 +23,10 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
             return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
         }
     }
+    let of_link = |shaft: &Balancer| {
+        let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
+        cylinder.is_some_and(|cylinder| cylinder.link().is_some())
+    };
     let effects = engine.effects();
     let asked = [
         (effects.torque, "the inertia torque"),
@@ -29,6 +34,10 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
         (engine.gas().is_some() || effects.gas, "the torque of the gas"),
         (engine.torsion().is_some(), "the torsional vibration"),
         (!engine.bearings().is_empty(), "the load of the main bearings"),
+        (
+            engine.crankshaft().balancers.iter().any(of_link),
+            "a shaft with the coefficient of a link, which has several,",
+        ),
     ];
     match asked.into_iter().find(|(is_asked, _)| *is_asked && engine.has_links()) {
         Some((_, what)) => Err(BuildError::ArticulatedRods(what)),

@@ -83,6 +83,11 @@ impl Factor {
         }
     }
 
+    /// 1, or −1: what the vector of a rod on the crankpin is multiplied by.
+    pub fn sign(&self) -> BigRational {
+        self.parts.iter().map(|part| &part.weight).sum()
+    }
+
     /// In the force, of a rod on the crankpin.
     pub fn of_rod(rod: &RodClaim, order: u32) -> Self {
         let is_odd = order % 2 == 1;
@@ -98,6 +103,17 @@ impl Factor {
                     parts: along(if rod.offset.is_negative() && is_odd { -one } else { one }),
                 }
             }
+        }
+    }
+
+    /// In the force of a mass that turns: that of the rod that it names, or 1. It names no link.
+    pub fn of_shaft(rod: Option<&RodStatement>, order: u32) -> Self {
+        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
+        match rod {
+            None => plain(Coefficient::One, false),
+            Some(RodStatement::Unknown) if order == 1 => plain(Coefficient::One, false),
+            Some(RodStatement::Unknown | RodStatement::Link(_)) => plain(Coefficient::Common, order % 2 == 1),
+            Some(RodStatement::Known(rod)) => Factor::of_rod(rod, order),
         }
     }
 

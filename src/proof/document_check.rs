@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;
@@ -91,6 +91,8 @@ fn check_turning_masses(document: &Document) -> Result<(), Fault> {
             "the verdicts are about the reciprocating masses, so none stands here",
         ));
     }
+    let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
+    check_shafts(of_shafts).map_err(|reason| Fault::new("turning_masses", reason))?;
     let knuckles: Vec<String> = document.knuckles().map(|(cylinder, _)| knuckle_name(cylinder)).collect();
     let mut names: Vec<&str> = document.cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
     if let Some(name) = knuckles.iter().find(|name| names.contains(&name.as_str())) {

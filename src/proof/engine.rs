@@ -122,6 +122,9 @@ pub struct TurningMassClaim {
     /// Mass times radius, in multiples of m r, as a cylinder's mass times its crank radius is.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
+    /// The rod whose coefficient c_k of this order the mass-radius stands before; left out for 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coefficient_of: Option<RodStatement>,
     /// Where the axis that it turns about stands in the plane across it, in multiples of the common radius: the sum of these; none
     /// where that is the middle.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -242,6 +245,15 @@ pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(),
         true => Ok(()),
         false => Err(Fault::new("quantities", "they stand in the order force, moment, torque, roll, each once")),
     }
+}
+
+/// Checks that no shaft takes the coefficient of a link, which has several.
+pub(super) fn check_shafts<'a>(mut rods: impl Iterator<Item = &'a RodStatement>) -> Result<(), Reason> {
+    let is_link = |rod: &RodStatement| match rod {
+        RodStatement::Link(_) => true,
+        RodStatement::Unknown | RodStatement::Known(_) => false,
+    };
+    if rods.any(is_link) { Err("a shaft takes the coefficient of a link, which has several".into()) } else { Ok(()) }
 }
 
 /// Checks that a mass at a knuckle pin hangs on a link.

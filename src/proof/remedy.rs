@@ -14,7 +14,7 @@ use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::{Decimal, check_decimals};
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, rods};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_shafts, rods};
 use super::fraction;
 use super::reading::Format;
 use super::source::turned;
@@ -43,6 +43,9 @@ pub struct RemedyDocument {
     pub turning_masses: Vec<TurningClaim>,
     /// The weights of the remedy.
     pub weights: Vec<WeightClaim>,
+    /// The orders and senses that are too little for a weight, and need not vanish.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOutClaim>,
     /// The sums of the corrected engine, by order, quantity, sense and coefficient.
     pub sums: Vec<CorrectedClaim>,
 }
@@ -87,6 +90,9 @@ pub struct TurningClaim {
     /// Mass times radius, in multiples of m r.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
+    /// The rod whose coefficient c_k of this order the mass-radius stands before; left out for 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coefficient_of: Option<RodStatement>,
 }
 
 /// A weight of the remedy: `Σ coefficient · Σ weight e^{2πi·angle}`, its mass-radius in multiples of m r.
@@ -118,7 +124,17 @@ pub struct WeightPart {
     pub angle_deg: Decimal,
 }
 
-/// One sum of the corrected engine, which is zero.
+/// An order and sense that is left as it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LeftOutClaim {
+    /// The order k.
+    pub order: u32,
+    /// Direct or reverse.
+    pub sense: Sense,
+}
+
+/// One sum of the corrected engine, which is zero but where its order and sense are left out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CorrectedClaim {
@@ -132,12 +148,12 @@ pub struct CorrectedClaim {
     pub coefficient: Coefficient,
     /// The sum, in multiples of m r, collected.
     pub terms: Vec<Vector>,
-    /// The evidence that it is zero.
+    /// The evidence that it is zero, or that it is not.
     pub certificate: Certificate,
 }
 
 /// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that each order has all
-/// of them, and that each is zero.
+/// of them, and that each is zero but where it is left out.
 ///
 /// # Errors
 /// The first entry that does not hold.
@@ -164,7 +180,8 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                     {
                         return Err(Fault::new(place, "another sum stands here"));
                     }
-                    check_sum(claim, sum, &audit).map_err(|reason| Fault { place, reason })?;
+                    let may_stay = document.left_out.contains(&LeftOutClaim { order, sense });
+                    check_sum(claim, sum, may_stay, &audit).map_err(|reason| Fault { place, reason })?;
                 }
             }
         }
@@ -197,7 +214,9 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
         checked.map_err(|reason| Fault::new("cylinders", reason))?;
     }
-    let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod));
+    let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
+    check_shafts(of_shafts.clone()).map_err(|reason| Fault::new("turning_masses", reason))?;
+    let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod).chain(of_shafts));
     rods.map(|rods| rods.is_some()).map_err(|reason| Fault::new("cylinders", reason))
 }
 
@@ -219,8 +238,8 @@ fn check_weight(document: &RemedyDocument, weight: &WeightClaim, audit: &Audit) 
     Ok(())
 }
 
-fn check_sum(claim: &CorrectedClaim, expected: Collected, audit: &Audit) -> Result<(), Reason> {
-    certify(&expected, true, &claim.certificate, audit)?;
+fn check_sum(claim: &CorrectedClaim, expected: Collected, may_stay: bool, audit: &Audit) -> Result<(), Reason> {
+    certify(&expected, !may_stay || claim.certificate.claims_zero(), &claim.certificate, audit)?;
     match vectors(expected) == claim.terms {
         true => Ok(()),
         false => Err("its terms are not those of the engine and the weights, collected".into()),
@@ -267,8 +286,14 @@ impl RemedyDocument {
         let k = BigRational::from_integer(BigInt::from(order));
         let double = &k * &k * BigRational::from_integer(2.into());
         for mass in self.turning_masses.iter().filter(|mass| (mass.order, mass.sense) == (order, sense)) {
-            let weight = &double * &mass.mass_radius * arm(&mass.position);
-            sums.entry(Coefficient::One).or_default().push((mass.angle.clone(), weight));
+            let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
+            let sign = factor.sign();
+            let Factor { coefficient, is_zero, .. } = factor;
+            if is_zero {
+                continue;
+            }
+            let weight = &double * &mass.mass_radius * arm(&mass.position) * sign;
+            sums.entry(coefficient).or_default().push((mass.angle.clone(), weight));
         }
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
             let share = &double * arm(&weight.position);
