@@ -121,7 +121,7 @@ const BORE: &str = "[gas]\nbore = '86 mm'\nprocess = 'spark-ignition'\ncompressi
 #[test]
 fn where_the_gas_is_asked_for_the_worst_bearing_is_that_of_the_complete_loads() {
     let with = format!("{}{BORE}", FOUR.replacen("speed", &format!("{GAS}speed"), 1));
-    let (gas, without) = (layout("gas", &with), layout("no-gas", FOUR));
+    let (gas, without) = (layout("gas", &with), layout("masses", FOUR));
     let engine = crankstar::file::parse("gas.toml", &with).expect("an engine");
     let loads = crankstar::journal::cycle_loads(&engine).expect("loads");
     let [bearings, _] = loads.bearings.as_ref().expect("bearings");
