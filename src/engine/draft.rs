@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::convention::Convention;
 use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
@@ -37,6 +38,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub source: Option<Untrusted>,
     /// Which form of layout file describes it.
     pub form: Form,
+    /// How its file draws it; the angles here grow in the sense of rotation whatever that is.
+    pub convention: Convention,
     /// The cylinders.
     pub cylinders: Vec<Cylinder<A, L>>,
     /// The plane that moments are taken about.
@@ -91,6 +94,7 @@ impl<A, L> Draft<A, L> {
             title: Untrusted::new(title),
             source: None,
             form: Form::General,
+            convention: Convention::default(),
             cylinders: Vec::new(),
             reference_plane: ReferencePlane::Middle,
             length_unit: LengthUnit::default(),
@@ -121,6 +125,7 @@ impl<A, L> Draft<A, L> {
             title: self.title.clone(),
             source: self.source.clone(),
             form: self.form,
+            convention: self.convention,
             cylinders,
             reference_plane,
             length_unit: self.length_unit,

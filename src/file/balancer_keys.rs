@@ -10,7 +10,7 @@ use super::number::parse_number;
 use super::quantities::{self, mass, metres, misread, not_negative, positive_metres};
 use super::units;
 use super::written::{Table, Text, place};
-use crate::engine::{Balancer, HIGHEST_ORDER};
+use crate::engine::{Balancer, Convention, HIGHEST_ORDER};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -32,6 +32,7 @@ pub(super) struct Keys {
 /// Reads one table; `along` reads a length along the crankshaft.
 pub(super) fn read(
     table: &Spanned<Table<Keys>>,
+    convention: Convention,
     along: impl FnOnce(&Text) -> Result<BigRational, LayoutError>,
 ) -> Result<Balancer, LayoutError> {
     let keys = &table.get_ref().0;
@@ -68,10 +69,11 @@ pub(super) fn read(
             }
         },
         mass_radius,
-        angle: Turn::new(quantities::known_angle(&keys.angle)?),
+        angle: Turn::new(convention.in_the_sense_of_rotation(quantities::known_angle(&keys.angle)?)),
         position: along(&keys.position)?,
         height: zero(&keys.height)?,
-        offset: zero(&keys.offset)?,
+        // To the left of the drawing: the side of angle 90 there.
+        offset: convention.in_the_sense_of_rotation(zero(&keys.offset)?),
     })
 }
 

@@ -13,7 +13,7 @@ use super::error::LayoutError;
 use super::layout::built;
 use super::quantities::{self, factor, mass, metres, misread, positive_metres};
 use super::written::{Column, Table, Text, Values, place};
-use crate::engine::{Counterweight, Crankshaft, Draft, Engine, LengthUnit, Throw, Web, throws};
+use crate::engine::{Convention, Counterweight, Crankshaft, Draft, Engine, LengthUnit, Throw, Web, throws};
 use crate::exact::Turn;
 
 /// `[crankshaft]`: each mass key holds one value for all throws, or a list with one per throw.
@@ -46,6 +46,7 @@ pub(super) struct Tables<'a> {
     pub counterweights: &'a Option<Spanned<Vec<Spanned<Table<CounterweightKeys>>>>>,
     pub balancers: &'a Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     pub values: &'a BTreeMap<String, BigRational>,
+    pub convention: Convention,
 }
 
 impl Tables<'_> {
@@ -86,7 +87,7 @@ impl Tables<'_> {
             (None, None) => {}
         }
         for table in self.balancers.iter().flat_map(|list| list.get_ref()) {
-            let shaft = balancer_keys::read(table, |text| self.along(text, &bare, &mut unit))?;
+            let shaft = balancer_keys::read(table, self.convention, |text| self.along(text, &bare, &mut unit))?;
             crankshaft.balancers.push(shaft);
         }
         built(Draft { crankshaft, length_unit: unit, ..bare.into_draft() }.build())
@@ -196,8 +197,8 @@ impl Tables<'_> {
         let keys = &table.get_ref().0;
         let throw = keys.throw.as_ref().map(|text| number_of_throw(text, throws.len())).transpose()?;
         let angle = match (&keys.angle, throw) {
-            (Some(text), None) => Turn::new(quantities::known_angle(text)?),
-            (Some(text), Some(throw)) => &throws[throw].angle + &Turn::new(quantities::known_angle(text)?),
+            (Some(text), None) => self.direction(text)?,
+            (Some(text), Some(throw)) => &throws[throw].angle + &self.direction(text)?,
             (None, Some(throw)) => throws[throw].angle.opposite(),
             (None, None) => {
                 let right = "add its angle, and its throw if the angle counts from one";
@@ -214,6 +215,11 @@ impl Tables<'_> {
         };
         on_the_shaft(engine, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
         Ok(Counterweight { throw, angle, mass: mass(&keys.mass)?, radius: positive_metres(&keys.radius)?, position })
+    }
+
+    /// A direction as drawn, in the sense of rotation.
+    fn direction(&self, text: &Text) -> Result<Turn, LayoutError> {
+        Ok(Turn::new(self.convention.in_the_sense_of_rotation(quantities::known_angle(text)?)))
     }
 
     /// A length along the crankshaft, in the unit of the positions.

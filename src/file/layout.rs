@@ -8,16 +8,21 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 use toml::de::DeTable;
 
+use super::above::{Above, Throws};
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
+use super::contradiction;
+use super::convention_keys;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
+use super::firing_throws;
 use super::flywheel_keys;
 use super::forms::{self, Expanded};
 use super::gas_keys;
 use super::mechanism_keys;
+use super::numbering::cylinder_name;
 use super::quantities;
 use super::title_block_keys;
 use super::torsion_keys;
@@ -35,6 +40,8 @@ struct File {
     source: Option<Text>,
     orders: Option<Spanned<Vec<Text>>>,
     reference_plane: Option<Text>,
+    rotation: Option<Text>,
+    seen_from: Option<Text>,
     cycle: Option<Text>,
     firing_order: Option<Spanned<FiringOrder>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
@@ -63,7 +70,7 @@ struct File {
 #[serde(deny_unknown_fields)]
 struct CylinderTable {
     name: Option<Text>,
-    throw: Text,
+    throw: Option<Text>,
     bank: Text,
     position: Text,
     reciprocating_mass: Option<Text>,
@@ -140,7 +147,11 @@ pub(super) fn read_layout(
 
 fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
-    let mut expanded = expand(&file, cycle)?;
+    let convention = convention_keys::read(file.rotation.as_ref(), file.seen_from.as_ref())?;
+    let above = Above { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
+    let mut expanded = expand(&file, &above)?;
+    convention_keys::turn(&mut expanded.cylinders, convention);
+    firing_throws::follow(&mut expanded, &above)?;
     let dimensions = dimensions(&file, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
@@ -152,6 +163,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         title: file.title.as_ref().map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
+        convention,
         cylinders: expanded.cylinders,
         reference_plane: plane.map_or(ReferencePlane::Middle, ReferencePlane::Named),
         length_unit,
@@ -177,6 +189,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         counterweights: &file.counterweight,
         balancers: &file.balancer,
         values: &values,
+        convention,
     };
     let valued = if values.is_empty() { None } else { Some(built(family.with(&values))?) };
     let Some(engine) = valued.as_ref().unwrap_or(&family).only() else {
@@ -195,7 +208,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
             return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
         }
         let open = valued.unwrap_or(family);
-        let said = firing_order::open_firing(&file.firing_order, &file.firing_angles, &values, &open)?;
+        let said = firing_order::open_firing(above.order, above.angles, &values, &open)?;
         let open = match said {
             Some(said) => built(Draft { open_firing: Some(said), ..open.into_draft() }.build())?,
             None => open,
@@ -211,7 +224,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    if let Some(firing) = firing(&file.firing_order, &file.firing_angles, &values, cycle, engine.cylinders())? {
+    if let Some(firing) = firing(&above, &values, &engine)? {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
     }
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
@@ -290,16 +303,15 @@ fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Family) -> Resu
 }
 
 /// The one form that the file uses, as cylinders.
-fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
+fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
-    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables))));
-    let order = file.firing_order.as_ref();
-    forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), order, cycle))));
-    forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables, above))));
+    forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above))));
     let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan] or [radial] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,
@@ -310,18 +322,29 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     }
 }
 
-fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expanded, LayoutError> {
+fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     let tables = list.get_ref();
     if tables.is_empty() || tables.len() > MOST_CYLINDERS {
         let message = format!("{} cylinders", tables.len());
         return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), place(list)));
     }
+    let without = tables.iter().find(|table| table.get_ref().0.throw.is_none());
+    let throws = match without {
+        None => Throws::Listed,
+        Some(_) if tables.iter().all(|table| table.get_ref().0.throw.is_none()) && above.firing_place().is_some() => {
+            Throws::Follow { splits_given: false }
+        }
+        Some(table) => {
+            let right = "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
+            return Err(LayoutError::new("the key `throw` is missing", right, place(table)));
+        }
+    };
     let mut length_unit = LengthUnit::Spacing;
     let cylinders = tables.iter().enumerate().map(|(index, table)| {
         let table = &table.get_ref().0;
         let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
         let position = quantities::length(&table.position, &mut length_unit)?;
-        let cylinder = Cylinder::new(quantities::angle(&table.throw)?, quantities::angle(&table.bank)?, position, pin);
+        let cylinder = Cylinder::new(quantities::optional_angle(&table.throw)?, quantities::angle(&table.bank)?, position, pin);
         Ok(Cylinder {
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
             reciprocating_mass: table
@@ -334,7 +357,7 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws })
 }
 
 /// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins
@@ -349,16 +372,6 @@ fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
     numbers.dedup();
     for cylinder in cylinders {
         cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
-    }
-}
-
-fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
-    let name = &text.get_ref().0;
-    let fits = (1..=6).contains(&name.len()) && name.bytes().all(|byte| byte.is_ascii_alphanumeric());
-    if fits {
-        Ok(name.clone())
-    } else {
-        Err(quantities::misread("name", name, "one to six letters or digits, such as \"L2\"".to_owned(), text))
     }
 }
 
@@ -403,28 +416,30 @@ fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
 }
 
 fn firing(
-    order: &Option<Spanned<FiringOrder>>,
-    angles: &Option<Spanned<Vec<Text>>>,
+    above: &Above<'_>,
     values: &BTreeMap<String, BigRational>,
-    cycle: Option<Cycle>,
-    cylinders: &[Cylinder],
+    engine: &Engine,
 ) -> Result<Option<Firing>, LayoutError> {
-    let Some(cycle) = cycle else { return firing_order::without_cycle(order, angles).map(|()| None) };
-    match (order, angles) {
+    let cylinders = engine.cylinders();
+    let Some(cycle) = above.cycle else { return firing_order::without_cycle(above.order, above.angles).map(|()| None) };
+    match (above.order, above.angles) {
         (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
         (None, None) => Ok(None),
         (Some(order), None) => {
             let indices = order.get_ref().indices(cylinders, place(order))?;
-            Firing::from_order(&indices, cycle, cylinders)
-                .map(Some)
-                .map_err(|(message, right)| LayoutError::new(message, right, place(order)))
+            let fits = |others: &[Cylinder]| {
+                let indices = order.get_ref().indices(others, None).ok()?;
+                Firing::from_order(&indices, cycle, others).ok()
+            };
+            let fired = Firing::from_order(&indices, cycle, cylinders).map(Some);
+            fired.map_err(|said| contradiction::of_order(said, engine, &indices, cycle, place(order), fits))
         }
         (None, Some(list)) => {
             let angle = |text| firing_order::known_angle(text, values);
             let angles = list.get_ref().iter().map(angle).collect::<Result<Vec<_>, _>>()?;
-            Firing::from_angles(&angles, cycle, cylinders)
-                .map(Some)
-                .map_err(|(message, right)| LayoutError::new(message, right, place(list)))
+            let fits = |others: &[Cylinder]| Firing::from_angles(&angles, cycle, others).ok();
+            let fired = Firing::from_angles(&angles, cycle, cylinders).map(Some);
+            fired.map_err(|said| contradiction::of_angles(said, engine, place(list), fits))
         }
         (Some(_), Some(list)) => Err(firing_order::both_given(list)),
     }

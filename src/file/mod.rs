@@ -2,13 +2,17 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod above;
 mod balancer_keys;
 mod bearings;
 mod beside;
 mod catalogue;
+mod contradiction;
+mod convention_keys;
 mod crankshaft_keys;
 mod error;
 mod firing_order;
+mod firing_throws;
 mod flywheel_keys;
 mod forms;
 mod gas_keys;
@@ -18,6 +22,7 @@ mod layout;
 mod linear;
 mod mechanism_keys;
 mod number;
+mod numbering;
 mod quantities;
 mod template;
 mod title_block_keys;

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::error::OptimiseError;
-use crate::engine::{Counterweight, Engine};
+use crate::engine::{Convention, Counterweight, Engine};
 use crate::file::parse;
 
 /// The engine with these counterweights, read back from its own file: what is written is what is measured.
@@ -23,7 +23,7 @@ pub(super) fn with_counterweights(
             text += &format!("\n{}", comment(note));
         }
         for part in parts {
-            text += &table(part);
+            text += &table(part, engine.convention());
         }
     }
     let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key per line";
@@ -42,10 +42,10 @@ fn comment(text: &str) -> String {
     text.lines().map(|line| format!("# {line}\n")).collect()
 }
 
-fn table(weight: &Counterweight) -> String {
+fn table(weight: &Counterweight, convention: Convention) -> String {
     format!(
         "[[counterweight]]\nangle = {}\nmass = {}\nradius = {}\nposition = {}\n",
-        number(&weight.angle.degrees()),
+        number(&convention.as_written(&weight.angle).degrees()),
         number(&weight.mass),
         number(&weight.radius),
         number(&weight.position),
