@@ -25,7 +25,7 @@ pub(super) fn of_order(
     let (message, right) = said;
     let cylinders = engine.cylinders();
     let open: Vec<Cylinder<Linear, Linear>> = cylinders.iter().map(opened).collect();
-    let needed = split_of(&open, &throws_of(&open, &evenly(order, cycle)));
+    let needed = split_of(&open, &throws_of(&open, &evenly(order, cycle))).filter(|split| *split != Linear::default());
     let needed = needed.map(|split| format!("with these banks this order needs pins {}° apart", degrees(&split)));
     let right = match would_fit(engine, fits) {
         Some(words) => needed.into_iter().chain([words]).collect::<Vec<_>>().join("; "),

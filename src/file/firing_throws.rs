@@ -1,7 +1,7 @@
 //! Which throws make the cylinders fire as the file says? β = α − τ, the first cylinder at 0 (theory of mechanisms, section 4).
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
 use super::above::{Above, Throws};
 use super::contradiction;
@@ -115,7 +115,7 @@ pub(super) fn split_of(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]
 fn signed(angle: Linear) -> Linear {
     let half = BigRational::new(1.into(), 2.into());
     let turns = (angle.known() - &half).ceil();
-    angle.minus(&Linear::constant(if turns.is_zero() { BigRational::zero() } else { turns }))
+    angle.minus(&Linear::constant(turns))
 }
 
 /// Turns as degrees, the unknowns as they are.

@@ -7,7 +7,6 @@ use std::ops::Range;
 use num_rational::BigRational;
 use num_traits::Signed;
 use serde::Deserialize;
-use serde_spanned::Spanned;
 
 use super::above::{Above, Throws};
 use super::error::LayoutError;

@@ -7,7 +7,7 @@ use super::below::write_below;
 use super::crop::cropped;
 use super::linkage::{Linkage, linkages};
 use super::names::{name_banks, name_pins, name_pistons};
-use crate::engine::Engine;
+use crate::engine::{Engine, SeenFrom};
 
 /// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
 pub(super) const SKIRT: f64 = 1.7;
@@ -26,8 +26,12 @@ pub fn end_view(engine: &Engine) -> Figure {
     let mut figure = Figure::new(0.0, 0.0);
     let mut labels = Labels::anywhere();
     draw_cylinders(&mut figure, &mut labels, &linkages, half);
-    // The row at the free end lies upon the others.
-    for linkage in linkages.iter().rev() {
+    // The row at the end that is looked from lies upon the others.
+    let nearest_last: Vec<&Linkage> = match engine.convention().turns_anticlockwise_from() {
+        SeenFrom::FreeEnd => linkages.iter().rev().collect(),
+        SeenFrom::Flywheel => linkages.iter().collect(),
+    };
+    for linkage in nearest_last {
         draw_rod(&mut figure, &mut labels, linkage, half);
     }
     draw_crank(&mut figure, &mut labels, &linkages);
