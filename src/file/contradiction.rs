@@ -94,17 +94,16 @@ pub(super) fn what_would_fit<A: Clone + PartialEq, L: Clone>(
     };
     let exchanged = banks_exchanged(cylinders, &negated);
     let turned = other_throws(&exchanged);
+    let turns = format!("as drawn it fits a crank that turns with {}", rotation_other_than(convention));
     let ways = [
         (Some(exchanged), BANKS),
-        (Some(turned), rotation_words(convention)),
+        (Some(turned), &turns),
         (Some(other_throws(cylinders)), THROWS),
         (renumbered(cylinders, Along::Banks), "with numbering = \"per bank\" it fits"),
         (renumbered(cylinders, Along::Pins), "with numbering = \"alternating\" it fits"),
     ];
-    let fitting: Vec<(bool, &str)> = ways
-        .into_iter()
-        .filter_map(|(engine, words)| fits(&engine?).map(|evenly| (evenly, words)))
-        .collect();
+    let fitting: Vec<(bool, &str)> =
+        ways.into_iter().filter_map(|(engine, words)| fits(&engine?).map(|evenly| (evenly, words))).collect();
     let evenly = fitting.iter().any(|(evenly, _)| *evenly);
     let words: Vec<&str> = fitting.iter().filter(|(even, _)| *even == evenly).map(|(_, words)| *words).collect();
     (!words.is_empty()).then(|| words.join("; "))
@@ -113,10 +112,11 @@ pub(super) fn what_would_fit<A: Clone + PartialEq, L: Clone>(
 const BANKS: &str = "with the banks exchanged (bank_angle, or each bank, with the other sign) it fits this crankshaft: it turns the other way, or \
                      bank 1 is the other bank";
 
-fn rotation_words(convention: Convention) -> &'static str {
+/// The key that turns the crank the other way than the file says.
+pub(super) fn rotation_other_than(convention: Convention) -> &'static str {
     match convention.rotation {
-        Rotation::Anticlockwise => "as drawn it fits a crank that turns with rotation = \"clockwise\"",
-        Rotation::Clockwise => "as drawn it fits a crank that turns with rotation = \"anticlockwise\"",
+        Rotation::Anticlockwise => "rotation = \"clockwise\"",
+        Rotation::Clockwise => "rotation = \"anticlockwise\"",
     }
 }
 

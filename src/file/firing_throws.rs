@@ -43,9 +43,8 @@ pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), L
         return Err(LayoutError::new(message, right, place()));
     }
     if !splits_given {
-        let exchanged: Vec<Cylinder<Linear, Linear>> = contradiction::banks_exchanged(cylinders, |angle: &Linear| {
-            angle.scaled(&-BigRational::one())
-        });
+        let exchanged: Vec<Cylinder<Linear, Linear>> =
+            contradiction::banks_exchanged(cylinders, |angle: &Linear| angle.scaled(&-BigRational::one()));
         let other = throws_of(&exchanged, &fires);
         if let (Some(here), Some(there)) = (spread(cylinders, &throws), spread(cylinders, &other))
             && there < here
@@ -56,8 +55,10 @@ pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), L
             return Err(LayoutError::new(
                 format!("with these banks this order needs pins {now}° apart"),
                 format!(
-                    "with the banks exchanged they are {then}° apart: it turns the other way, or bank 1 is the other bank; where it is \
-                     meant so, say it: pin_split = {now} in a vee, pin_splits in a fan, throws elsewhere"
+                    "with the banks exchanged they are {then}° apart: it turns the other way ({}), or bank 1 is the other bank (bank_angle, \
+                     or each bank, with the other sign); where it is meant so, say it: pin_split = {now} in a vee, pin_splits in a \
+                     fan, throws elsewhere",
+                    contradiction::rotation_other_than(above.convention)
                 ),
                 place(),
             ));
@@ -98,9 +99,7 @@ fn first_apart(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Opt
 
 /// How far the throws of one pin stand from each other, all pins together; none where that is open.
 fn spread(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<BigRational> {
-    let apart = |[one, other]: [usize; 2]| {
-        Some(signed(throws[other].minus(&throws[one])).as_known()?.abs())
-    };
+    let apart = |[one, other]: [usize; 2]| Some(signed(throws[other].minus(&throws[one])).as_known()?.abs());
     neighbours(cylinders).map(apart).sum()
 }
 

@@ -124,7 +124,8 @@ impl Vee {
         let mut unit = LengthUnit::Spacing;
         let angle = angle(&self.bank_angle)?;
         if angle.as_known().is_some_and(|angle| angle.abs() >= one()) {
-            let right = "the angle between the banks, below 360 degrees; below 0 where bank 1 is the other bank".to_owned();
+            let right =
+                "the angle between the banks, below 360 degrees; below 0 where bank 1 is the other bank".to_owned();
             return Err(misread("bank angle", &self.bank_angle.get_ref().0, right, &self.bank_angle));
         }
         let split = optional_angle(&self.pin_split)?;
@@ -194,7 +195,14 @@ impl Fan {
         let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
         let banks = axes.into_iter().zip(splits).zip(offsets);
         let banks: Vec<Bank> = banks.map(|((angle, split), offset)| Bank { angle, split, offset }).collect();
-        fan(Form::Fan, &banks, &pins, self.numbering.as_ref(), unit, Throws::of(&self.throws, self.pin_splits.is_some()))
+        fan(
+            Form::Fan,
+            &banks,
+            &pins,
+            self.numbering.as_ref(),
+            unit,
+            Throws::of(&self.throws, self.pin_splits.is_some()),
+        )
     }
 }
 

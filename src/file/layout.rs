@@ -335,7 +335,8 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>, above: &Above<'_>
             Throws::Follow { splits_given: false }
         }
         Some(table) => {
-            let right = "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
+            let right =
+                "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
             return Err(LayoutError::new("the key `throw` is missing", right, place(table)));
         }
     };
@@ -344,7 +345,8 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>, above: &Above<'_>
         let table = &table.get_ref().0;
         let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
         let position = quantities::length(&table.position, &mut length_unit)?;
-        let cylinder = Cylinder::new(quantities::optional_angle(&table.throw)?, quantities::angle(&table.bank)?, position, pin);
+        let cylinder =
+            Cylinder::new(quantities::optional_angle(&table.throw)?, quantities::angle(&table.bank)?, position, pin);
         Ok(Cylinder {
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
             reciprocating_mass: table

@@ -25,7 +25,7 @@ pub(super) fn along(numbering: Option<&Column>) -> Result<Along, LayoutError> {
             "per bank" | "by-bank" => Ok(Along::Banks),
             "alternating" | "by-pin" => Ok(Along::Pins),
             other => {
-                let right = "\"per bank\" or \"by-bank\" (1-2-3 on bank 1), \"alternating\" or \"by-pin\" (1-3-5 on bank 1), or a list";
+                let right = "\"per bank\" or \"alternating\" (also \"by-bank\" or \"by-pin\"), or a list";
                 let text = Text::new(numbering.span(), text.clone());
                 Err(misread("numbering", other, right.to_owned(), &text))
             }

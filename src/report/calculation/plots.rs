@@ -57,7 +57,8 @@ const MOMENT_PATH: [&str; 3] = [
 /// All plots of the numbers of an engine; none of what is zero.
 pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
     let mut figures = Vec::new();
-    let path_words = |[title, free_end, flywheel]: [&'static str; 3]| [title, said(engine.convention(), [free_end, flywheel])];
+    let path_words =
+        |[title, free_end, flywheel]: [&'static str; 3]| [title, said(engine.convention(), [free_end, flywheel])];
     let drawing = |name, waveform, axis, quantity| {
         let unit = Unit::of(engine, loads, quantity);
         Drawing { name, waveform, unit, axis }

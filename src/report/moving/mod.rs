@@ -41,7 +41,12 @@ pub fn scene(engine: &Engine, judged: &Judgement, family: Option<(&Family, &[Ope
         seen: said(engine.convention(), SEEN),
         bodies: bodies::bodies(engine, open.as_ref()),
         orders: stars::orders(engine, judged, open.as_ref()),
-        notes: whose.into_iter().chain(drawn).chain(bodies::notes(engine)).chain([residual::LEGEND.to_owned()]).collect(),
+        notes: whose
+            .into_iter()
+            .chain(drawn)
+            .chain(bodies::notes(engine))
+            .chain([residual::LEGEND.to_owned()])
+            .collect(),
         angle: open.map(|open| open.into_angle()),
         words: Words::default(),
     }

@@ -155,7 +155,8 @@ fn draw_throw(figure: &mut Figure, throw: &Drawn) {
 
 fn draw_counterweights(figure: &mut Figure, engine: &Engine, scale: &Scale, side: Side) {
     let unit = engine.dimensions().crank_radius.as_ref().and_then(BigRational::to_f64).filter(|radius| *radius > 0.0);
-    let weights = engine.crankshaft().counterweights.iter().filter(|weight| Side::of(&weight.angle, engine.convention()) == side);
+    let weights =
+        engine.crankshaft().counterweights.iter().filter(|weight| Side::of(&weight.angle, engine.convention()) == side);
     for weight in weights {
         let radius = weight.radius.to_f64().zip(unit).map_or(USUAL_WEIGHT, |(radius, unit)| radius / unit);
         let direction = towards(&weight.angle).im;
