@@ -98,7 +98,7 @@ const PUBLISHED: &[Published] = &[
         source: "museum page, firing order",
         file: "firing_order = 'A1 B6 A4 B3 A2 B5 A6 B1 A3 B4 A5 B2'\n\
                vee = { bank_angle = 60, numbering = ['A1', 'A2', 'A3', 'A4', 'A5', 'A6', 'B1', 'B2', 'B3', 'B4', 'B5', 'B6'] }",
-        throws: &[0, 240, 120, 120, 240, 0, 0, 240, 120, 120, 240, 0],
+        throws: &[0, 120, 240, 240, 120, 0, 0, 120, 240, 240, 120, 0],
     },
 ];
 
@@ -170,9 +170,8 @@ fn throws_follow_from_the_firing_of_every_engine_of_the_catalogue() {
 
 /// Every angle with the other sign: the generator writes them all in turns.
 fn other_drawing(text: &str) -> String {
-    let mut parts = text.split("turn\"");
-    let last = parts.next_back().unwrap_or_default();
-    let negated = parts.map(|part| match part.rsplit_once('"') {
+    let Some((angles, last)) = text.rsplit_once("turn\"") else { return text.to_owned() };
+    let negated = angles.split("turn\"").map(|part| match part.rsplit_once('"') {
         Some((before, angle)) => format!("{before}\"-{angle}turn\""),
         None => part.to_owned(),
     });
@@ -193,7 +192,15 @@ fn an_engine_drawn_the_other_way_round_is_the_same_engine() {
                 assert_eq!(other.convention().rotation, Rotation::Clockwise);
                 let same =
                     Draft { convention: Convention::default(), file: engine.file().clone(), ..other.into_draft() };
-                assert_eq!(same.build().expect("an engine"), engine, "{text}\n{drawn}");
+                let same = same.build().expect("an engine");
+                // The banks of a flat engine are not written: in both drawings bank 1 is to the right.
+                match form {
+                    "flat" | "boxer" => {
+                        let [one, other] = [&engine, &same].map(|engine| verdicts::judged(engine, &[1, 2, 4], false));
+                        assert_eq!(sizes(&one), sizes(&other), "{text}");
+                    }
+                    _ => assert_eq!(same, engine, "{text}\n{drawn}"),
+                }
             }
         }
     }
@@ -370,5 +377,16 @@ fn rows_of_a_radial_take_their_throws_from_the_order() {
             entry.text.lines().filter(|line| !line.starts_with("row_throw")).map(|line| format!("{line}\n")).collect();
         let followed = parse(name, &text).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(listed.cylinders(), followed.cylinders(), "{name}");
+    }
+}
+
+#[test]
+fn the_examples_of_the_documentation_are_layout_files() {
+    let text = include_str!("../../src/file/README.md");
+    let section = text.split("\n## ").find(|section| section.starts_with("As books write it")).expect("the section");
+    let examples: Vec<&str> = section.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(examples.len(), 5);
+    for example in examples {
+        parse("example", example).unwrap_or_else(|error| panic!("{error}\n{example}"));
     }
 }
