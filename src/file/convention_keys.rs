@@ -5,7 +5,7 @@ use num_traits::One;
 
 use super::error::LayoutError;
 use super::quantities::misread;
-use super::written::Text;
+use super::written::{Text, place};
 use crate::engine::{Convention, Cylinder, Linear, Rotation, SeenFrom};
 
 /// The two keys; left out, the crank turns anticlockwise seen from the free end.
@@ -40,5 +40,17 @@ pub(super) fn turn(cylinders: &mut [Cylinder<Linear, Linear>], convention: Conve
     for cylinder in cylinders.iter_mut().filter(|_| !sign.is_one()) {
         cylinder.throw = cylinder.throw.scaled(&sign);
         cylinder.bank = cylinder.bank.scaled(&sign);
+    }
+}
+
+/// Several crankshafts each have a sense of their own, which is told as seen from the free end.
+pub(super) fn of_one_crankshaft(key: Option<&Text>) -> Result<(), LayoutError> {
+    match key {
+        None => Ok(()),
+        Some(text) => Err(LayoutError::new(
+            "one rotation for several crankshafts",
+            "leave rotation and seen_from out: angles count anticlockwise from the free end, and each crankshaft has its sense",
+            place(text),
+        )),
     }
 }

@@ -10,6 +10,7 @@ use serde::Deserialize;
 
 use super::above::{Above, Throws};
 use super::error::LayoutError;
+use super::geared_keys::Geared;
 use super::numbering::{self, Along};
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Column, Text, place};
@@ -24,6 +25,8 @@ pub(super) struct Expanded {
     pub positions_given: bool,
     /// Where the throws of the cylinders come from.
     pub throws: Throws,
+    /// The crankshafts, where several are geared together.
+    pub geared: Vec<Geared>,
 }
 
 /// `[inline]`: all cylinder axes at angle 0.
@@ -104,9 +107,9 @@ struct Bank {
 }
 
 /// The pins along the crankshaft: throw and position.
-struct Pins {
-    pins: Vec<(Linear, Linear)>,
-    positions_given: bool,
+pub(super) struct Pins {
+    pub pins: Vec<(Linear, Linear)>,
+    pub positions_given: bool,
 }
 
 impl Inline {
@@ -246,7 +249,8 @@ impl Radial {
         });
         let positions_given = rows == 1 || self.row_spacing.is_some();
         let cylinders = numbering::name(cylinders.collect(), self.numbering.as_ref())?;
-        Ok(Expanded { form: Form::Radial, cylinders, length_unit: unit, positions_given, throws })
+        let geared = Vec::new();
+        Ok(Expanded { form: Form::Radial, cylinders, length_unit: unit, positions_given, throws, geared })
     }
 }
 
@@ -282,11 +286,11 @@ fn fan(
     });
     let positions_given = pins.positions_given;
     let cylinders = numbering::name(cylinders.collect(), numbering)?;
-    Ok(Expanded { form, cylinders, length_unit: unit, positions_given, throws })
+    Ok(Expanded { form, cylinders, length_unit: unit, positions_given, throws, geared: Vec::new() })
 }
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.
-fn pins(
+pub(super) fn pins(
     throws: Vec<Linear>,
     throws_place: Range<usize>,
     spacing: &Option<Text>,
@@ -319,7 +323,7 @@ fn pins(
     Ok(Pins { pins: throws.into_iter().zip(positions).collect(), positions_given })
 }
 
-fn unit_length() -> Linear {
+pub(super) fn unit_length() -> Linear {
     Linear::constant(one())
 }
 

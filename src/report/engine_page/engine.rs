@@ -4,6 +4,7 @@ use super::super::convention::differs;
 use super::super::table;
 use super::super::typeset;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
+use super::geared;
 use super::orders::StarOf;
 use crate::engine::{Cycle, Engine, Firing};
 use crate::page::{Block, Picture, Text, phrase};
@@ -21,6 +22,7 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "The engine".into())];
     blocks.extend(differs(engine.convention()).map(Block::Paragraph));
     blocks.extend([side.into(), table::cylinders(engine).into()]);
+    blocks.extend(geared::section(engine));
     blocks.extend(engine.firing().map(|firing| Block::Paragraph(fires(engine, firing))));
     let source = engine.source().map(|source| phrase!("Source of the crank star: {}.", source));
     blocks.extend(source.map(Block::Paragraph));
