@@ -158,11 +158,20 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     let convention = convention_keys::read(file.rotation.as_ref(), file.seen_from.as_ref())?;
     let above = Above { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
     let mut expanded = expand(&file, &above)?;
-    if expanded.form.has_two_pistons_in_a_cylinder() {
-        firing_order::without_pistons_of_their_own(above.order, above.angles)?;
-    }
     if !expanded.geared.is_empty() {
         convention_keys::of_one_crankshaft(file.rotation.as_ref().or(file.seen_from.as_ref()))?;
+        let given = [
+            ("gas", file.gas.as_ref().and_then(place)),
+            ("main bearings", file.bearings.as_ref().and_then(place)),
+            ("a shaft that twists", file.torsion.as_ref().and_then(place)),
+        ];
+        if let Some((what, span)) = given.into_iter().find(|(_, span)| span.is_some()) {
+            let message = format!("{what} in an engine with several crankshafts");
+            return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone, as yet", span));
+        }
+    }
+    if expanded.form.has_two_pistons_in_a_cylinder() {
+        firing_order::without_pistons_of_their_own(above.order, above.angles)?;
     }
     convention_keys::turn(&mut expanded.cylinders, convention);
     firing_throws::follow(&mut expanded, &above)?;
