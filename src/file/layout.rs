@@ -12,7 +12,6 @@ use super::above::{Above, Throws};
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
-use super::contradiction;
 use super::convention_keys;
 use super::crankshaft_keys;
 use super::error::LayoutError;
@@ -23,6 +22,7 @@ use super::forms::{self, Expanded};
 use super::gas_keys;
 use super::geared_forms;
 use super::geared_keys;
+use super::known_firing;
 use super::mechanism_keys;
 use super::numbering::cylinder_name;
 use super::quantities;
@@ -30,8 +30,8 @@ use super::title_block_keys;
 use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
 use crate::engine::{
-    BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Firing, Form,
-    LengthUnit, Linear, MOST_CYLINDERS, ORDERS, PHI, ReferencePlane,
+    BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Form, LengthUnit,
+    Linear, MOST_CYLINDERS, ORDERS, PHI, ReferencePlane,
 };
 use crate::text::Untrusted;
 
@@ -251,7 +251,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     }
     let firing = match engine.form().has_two_pistons_in_a_cylinder() {
         true => None,
-        false => firing(&above, &values, &engine)?,
+        false => known_firing::read(&above, &values, &engine)?,
     };
     if let Some(firing) = firing {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
@@ -469,34 +469,4 @@ fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
     orders.sort_unstable();
     orders.dedup();
     Ok(orders)
-}
-
-fn firing(
-    above: &Above<'_>,
-    values: &BTreeMap<String, BigRational>,
-    engine: &Engine,
-) -> Result<Option<Firing>, LayoutError> {
-    let cylinders = engine.cylinders();
-    let Some(cycle) = above.cycle else { return firing_order::without_cycle(above.order, above.angles).map(|()| None) };
-    match (above.order, above.angles) {
-        (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
-        (None, None) => Ok(None),
-        (Some(order), None) => {
-            let indices = order.get_ref().indices(cylinders, place(order))?;
-            let fits = |others: &[Cylinder]| {
-                let indices = order.get_ref().indices(others, None).ok()?;
-                Firing::from_order(&indices, cycle, others).ok()
-            };
-            let fired = Firing::from_order(&indices, cycle, cylinders).map(Some);
-            fired.map_err(|said| contradiction::of_order(said, engine, &indices, cycle, place(order), fits))
-        }
-        (None, Some(list)) => {
-            let angle = |text| firing_order::known_angle(text, values);
-            let angles = list.get_ref().iter().map(angle).collect::<Result<Vec<_>, _>>()?;
-            let fits = |others: &[Cylinder]| Firing::from_angles(&angles, cycle, others).ok();
-            let fired = Firing::from_angles(&angles, cycle, cylinders).map(Some);
-            fired.map_err(|said| contradiction::of_angles(said, engine, place(list), fits))
-        }
-        (Some(_), Some(list)) => Err(firing_order::both_given(list)),
-    }
 }

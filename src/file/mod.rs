@@ -20,6 +20,7 @@ mod gas_process;
 mod gas_table;
 mod geared_forms;
 mod geared_keys;
+mod known_firing;
 mod layout;
 mod linear;
 mod mechanism_keys;
