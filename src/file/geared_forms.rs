@@ -268,7 +268,9 @@ fn of_throws(
         })
     });
     let cylinders = cylinders.collect();
-    Ok(Expanded { form, cylinders, length_unit, positions_given: pins.positions_given, throws: Throws::Listed, geared })
+    let positions_given = pins.positions_given;
+    let throws = Throws::Listed;
+    Ok(Expanded { form, cylinders, length_unit, positions_given, throws, pin_offsets: None, geared })
 }
 
 fn degrees(angle: i64) -> Linear {

@@ -13,6 +13,7 @@ use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
 use super::convention_keys;
+use super::counterweight_keys;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
@@ -24,6 +25,7 @@ use super::geared_forms;
 use super::geared_keys;
 use super::known_firing;
 use super::mechanism_keys;
+use super::narrow;
 use super::numbering::cylinder_name;
 use super::quantities;
 use super::title_block_keys;
@@ -53,7 +55,7 @@ struct File {
     document: Option<Table<title_block_keys::Keys>>,
     mechanism: Option<Table<mechanism_keys::Keys>>,
     crankshaft: Option<Spanned<geared_keys::Tables>>,
-    counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
+    counterweight: Option<Spanned<Vec<Spanned<Table<counterweight_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     gas: Option<Spanned<Table<gas_keys::Keys>>>,
     flywheel: Option<Table<flywheel_keys::Keys>>,
@@ -65,6 +67,8 @@ struct File {
     flat: Option<Spanned<Table<forms::Flat>>>,
     boxer: Option<Spanned<Table<forms::Boxer>>>,
     fan: Option<Spanned<Table<forms::Fan>>>,
+    vr: Option<Spanned<Table<narrow::Vr>>>,
+    w: Option<Spanned<Table<narrow::W>>>,
     radial: Option<Spanned<Table<forms::Radial>>>,
     opposed_piston: Option<Spanned<Table<geared_forms::OpposedPiston>>>,
     u: Option<Spanned<Table<geared_forms::U>>>,
@@ -175,7 +179,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     }
     convention_keys::turn(&mut expanded.cylinders, convention);
     firing_throws::follow(&mut expanded, &above)?;
-    let dimensions = dimensions(&file, &mut expanded.cylinders)?;
+    let dimensions = dimensions(&file, &mut expanded)?;
     let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
@@ -214,7 +218,6 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         counterweights: &file.counterweight,
         balancers: &file.balancer,
         values: &values,
-        convention,
     };
     let valued = if values.is_empty() { None } else { Some(built(family.with(&values))?) };
     let Some(engine) = valued.as_ref().unwrap_or(&family).only() else {
@@ -266,12 +269,15 @@ pub(super) fn built<E>(engine: Result<E, BuildError>) -> Result<E, LayoutError> 
 }
 
 /// What the file says of crank, rods, masses and speed.
-fn dimensions(file: &File, cylinders: &mut [Cylinder<Linear, Linear>]) -> Result<Dimensions, LayoutError> {
+fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, LayoutError> {
     let tables = file.cylinder.iter().flat_map(|tables| tables.get_ref());
     let masses_given = tables.into_iter().any(|table| table.get_ref().0.reciprocating_mass.is_some());
     let mut dimensions = match &file.mechanism {
-        Some(table) => table.0.read(cylinders, masses_given)?,
-        None => Dimensions::default(),
+        Some(table) => table.0.read(&mut expanded.cylinders, masses_given, expanded.pin_offsets.as_ref())?,
+        None => match &expanded.pin_offsets {
+            None => Dimensions::default(),
+            Some(list) => return Err(mechanism_keys::offset_without_rod(list)),
+        },
     };
     if let Some(text) = &file.speed {
         let (speed, given) = mechanism_keys::speed(text)?;
@@ -345,13 +351,15 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
+    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above))));
     forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.square_four.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
+    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
@@ -412,7 +420,8 @@ fn general(
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
     let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, geared })
+    let pin_offsets = None;
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, pin_offsets, geared })
 }
 
 /// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins

@@ -33,7 +33,7 @@ pub(super) fn along(numbering: Option<&Column>) -> Result<Along, LayoutError> {
     }
 }
 
-/// Names the cylinders as the list says, bank after bank from the free end; numbered ones then stand in the order of their numbers.
+/// Names the cylinders as the list says, bank after bank from the free end.
 pub(super) fn name(
     mut cylinders: Vec<Cylinder<Linear, Linear>>,
     numbering: Option<&Column>,
@@ -57,10 +57,16 @@ pub(super) fn name(
             return Err(LayoutError::new(message, "every cylinder needs a name of its own", place(text)));
         }
     }
-    if cylinders.iter().all(|cylinder| number(cylinder).is_some()) {
-        cylinders.sort_by_key(number);
-    }
     Ok(cylinders)
+}
+
+/// In which order the cylinders stand: that of their numbers, where a list numbers all of them, else as they are.
+pub(super) fn in_order(cylinders: &[Cylinder<Linear, Linear>]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..cylinders.len()).collect();
+    if cylinders.iter().all(|cylinder| number(cylinder).is_some()) {
+        order.sort_by_key(|&index| number(&cylinders[index]));
+    }
+    order
 }
 
 fn number<A, L>(cylinder: &Cylinder<A, L>) -> Option<u32> {
