@@ -8,6 +8,7 @@ mod articulated;
 mod atlas;
 mod beam;
 mod bearings;
+mod book_words;
 mod certificate_cheats;
 mod certificate_words;
 mod citation;
