@@ -9,7 +9,8 @@ use crate::exact::PhasorSum;
 use crate::firing::{FiringStar, StarOrder};
 use crate::loads::BearingLoads;
 use crate::proof::Certificate;
-use crate::verdict::{OrderBalance, TorquePart, Verdict};
+use crate::remedy::Remedy;
+use crate::verdict::{OrderBalance, OrderVerdict, TorquePart, Verdict};
 
 /// Whether a claim holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -127,6 +128,10 @@ pub enum Finding {
     Mass(BigRational),
     /// What the main bearings feel.
     Bearings(Box<BearingLoads>),
+    /// Orders to which several kinds of rods contribute.
+    Whole(Vec<OrderVerdict>),
+    /// What takes an order away.
+    Remedy(Box<Remedy>),
     /// Counterweights, found for a claim that some can do it.
     Witness(Box<Witness>),
     /// Nothing could be found out, for this reason.

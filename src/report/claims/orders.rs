@@ -48,7 +48,8 @@ impl Asked<'_> {
             Statement::NoFreeMoment => true,
             Statement::Vanish { .. }
             | Statement::Order { .. }
-            | Statement::CanBalance(_)
+            | Statement::Shafts { .. }
+        | Statement::CanBalance(_)
             | Statement::CrankshaftMass(_)
             | Statement::BearingLoad(_)
             | Statement::WorstBearings(_)
@@ -73,6 +74,7 @@ fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
         Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::Moment),
         Statement::NoFreeMoment => true,
         Statement::Order { .. }
+        | Statement::Shafts { .. }
         | Statement::CanBalance(_)
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
