@@ -6,12 +6,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
 use crankstar::claim::{Published, parse_claims};
 use crankstar::engine::Engine;
-use crankstar::family;
+use crankstar::family::{self, OpenSum, When};
 use crankstar::file::{self, Layout};
 use crankstar::page::{Document, Format, Language};
-use crankstar::proof::{Sense, Vector, check_certificate};
+use crankstar::proof::{Sense, Vector, check_certificate, check_open_document};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report::{self, BuiltEngine, Contents};
 
@@ -86,7 +89,11 @@ fn built(name: &str) -> BuiltEngine {
     let find = |_: &str| Ok(engine(name));
     let facts = parse_claims("facts.toml", &text(name, "facts.toml"), &find);
     let facts = facts.unwrap_or_else(|error| panic!("{name}: {error}"));
-    BuiltEngine { name: name.to_owned(), engine: engine(name), facts }
+    let family = match file::parse_layout("engine.toml", &text(name, "engine.toml")) {
+        Ok(Layout::Known(engine, Some(open))) => family::classify(&open, engine.orders()).expect("orders"),
+        _ => Vec::new(),
+    };
+    BuiltEngine { name: name.to_owned(), engine: engine(name), family, facts }
 }
 
 /// The turns of the shafts that an order needs, with their sense.
@@ -169,18 +176,19 @@ fn sums_of_every_engine_are_those_of_the_time_domain() {
 }
 
 #[test]
-fn the_angle_of_the_v5_is_the_arc_cosine_of_a_quarter() {
-    // The reverse sum of order 1 is 4 cos φ − 1, so that the program's own sum changes sign about arccos(1/4) = 75.5225°.
-    let at = |degrees: &str| {
-        let layout = text("honda-rc211v", "engine.toml").replace("phi = 75.5", &format!("phi = {degrees}"));
-        let engine = file::parse("engine.toml", &layout).expect("it reads");
-        let sum = crankstar::order::star(&engine, crankstar::proof::Quantity::Force, 1, Some(Sense::Reverse));
-        crankstar::numbers::evaluate(&sum).re
-    };
-    for (angle, cosine) in [("75.5", 75.5_f64), ("75.522", 75.522), ("75.523", 75.523)] {
-        assert!((at(angle) - (4.0 * cosine.to_radians().cos() - 1.0)).abs() < 1e-12, "{angle}");
-    }
-    assert!(at("75.522") > 0.0 && at("75.523") < 0.0);
+fn the_angle_of_the_v5_is_the_arc_cosine_of_a_quarter_exactly() {
+    let layout = text("honda-rc211v", "engine.toml").replace("values = { phi = 75.5 }", "");
+    let Ok(Layout::Open(open)) = file::parse_layout("engine.toml", &layout) else { panic!("an angle is open") };
+    let orders = family::classify(&open, &[1]).expect("orders");
+    let [direct, reverse] = &orders[0].force;
+    assert!(direct.never());
+    let [OpenSum { when: When::Cosine(found), .. }] = reverse.sums.as_slice() else { panic!("{reverse:?}") };
+    assert_eq!((found.phi.abs(), found.cosine.to_string().as_str()), (BigRational::one(), "1/4"));
+    assert!(found.delta.is_zero() && found.turn.turns().is_zero());
+    // The angle as built is that one, rounded; 104.5° is what is left to half a turn.
+    assert!((0.25_f64.acos().to_degrees() - 75.5).abs() < 0.05);
+    let checked = check_open_document(&report::open_document(&open, &orders)).expect("it holds");
+    assert!(checked.counts.certificates() > 0);
 }
 
 fn report(layout: &str) -> BTreeMap<String, String> {

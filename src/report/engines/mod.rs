@@ -5,9 +5,11 @@ mod page;
 pub use page::engines_page;
 
 use super::claims::needs;
+use super::family_page::exact_angles;
 use super::residual;
 use crate::claim::{Answer, Claim, Claims, Published};
 use crate::engine::{Engine, Firing};
+use crate::family::OpenOrder;
 use crate::page::{Text, phrase};
 use crate::remedy::{self, Wish};
 use crate::verdict::Judgement;
@@ -22,6 +24,8 @@ pub struct BuiltEngine {
     pub name: String,
     /// The engine, as its layout file describes it.
     pub engine: Engine,
+    /// The family that it is a member of, judged, where its file gives values to unknowns.
+    pub family: Vec<OpenOrder>,
     /// What is known of it: sentences with their sources, and what has to be answered true for each.
     pub facts: Claims,
 }
@@ -71,7 +75,8 @@ impl BuiltEngine {
             true => Text::from("It fires evenly."),
             false => "It fires unevenly.".into(),
         });
-        let sentences = orders.chain(CURED.iter().filter_map(|order| self.needs(*order))).chain(firing);
+        let needs = CURED.iter().filter_map(|order| self.needs(*order));
+        let sentences = orders.chain(needs).chain(exact_angles(&self.family)).chain(firing);
         Text::joined(sentences, " ")
     }
 
