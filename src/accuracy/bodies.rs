@@ -57,7 +57,7 @@ impl<T: Real> Bodies<T> {
             let parts = match quantity {
                 Quantity::Force => along(mass_radius),
                 Quantity::Moment => along(mass_radius * engine.arm(cylinder)),
-                Quantity::Torque => vec![number(&(mass_radius * &cylinder.crank_radius))],
+                Quantity::Torque | Quantity::Roll => vec![number(&(mass_radius * &cylinder.crank_radius))],
             };
             let crank = Crank {
                 one: number(&one),
@@ -95,7 +95,7 @@ impl<T: Real> Bodies<T> {
         for (piston, direction) in self.pistons.iter().zip(cylinders) {
             let Motion { shaking, velocity } = piston.crank.motion(&direction);
             let load = match self.quantity {
-                Quantity::Torque => velocity.times(&shaking),
+                Quantity::Torque | Quantity::Roll => velocity.times(&shaking),
                 Quantity::Force | Quantity::Moment => shaking,
             };
             for (sum, part) in sums.iter_mut().zip(&piston.parts) {
@@ -118,7 +118,7 @@ pub(super) fn turning(engine: &Engine, quantity: Quantity) -> Vec<(Turn, BigRati
     }
     let weight = |mass: TurningMass| match quantity {
         Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - engine.reference_plane())),
-        Quantity::Force | Quantity::Torque => (mass.angle, mass.mass_radius),
+        Quantity::Force | Quantity::Torque | Quantity::Roll => (mass.angle, mass.mass_radius),
     };
     order::turning_masses(engine).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
 }

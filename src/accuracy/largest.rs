@@ -125,7 +125,7 @@ fn of_orders(spectrum: &Spectrum, quantity: Quantity) -> Largest {
     let waveform = spectrum.waveform(quantity);
     let peak = match quantity {
         Quantity::Force | Quantity::Moment => waveform.peak(),
-        Quantity::Torque => waveform.real_peak(),
+        Quantity::Torque | Quantity::Roll => waveform.real_peak(),
     };
     Largest::of(peak.value, peak.angle, spectrum.rest(quantity) + spectrum.doubt(quantity))
 }

@@ -70,7 +70,7 @@ impl Orders {
     /// Crank angle of the peak in degrees.
     pub fn angle(&self) -> f64 {
         let peak = match self.quantity {
-            Quantity::Torque => self.waveform.real_peak(),
+            Quantity::Torque | Quantity::Roll => self.waveform.real_peak(),
             Quantity::Force | Quantity::Moment => self.waveform.peak(),
         };
         peak.angle.unwrap_or(0.0)
@@ -78,7 +78,7 @@ impl Orders {
 
     pub fn peak(&self, waveform: &Waveform) -> f64 {
         match self.quantity {
-            Quantity::Torque => waveform.real_peak().value,
+            Quantity::Torque | Quantity::Roll => waveform.real_peak().value,
             Quantity::Force | Quantity::Moment => waveform.peak().value,
         }
     }

@@ -38,14 +38,14 @@ impl Doubles {
         let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let arm = |cylinder| match quantity {
             Quantity::Moment => float(&engine.arm(cylinder)),
-            Quantity::Force | Quantity::Torque => 1.0,
+            Quantity::Force | Quantity::Torque | Quantity::Roll => 1.0,
         };
         let mut pistons = Vec::new();
         for ((cylinder, mechanism), phase) in engine.moved().zip(phases(engine)) {
             let crank = order::crank(mechanism);
             let weight = float(&order::mass_radius(engine, cylinder)) * arm(cylinder);
             let part = match quantity {
-                Quantity::Torque => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
+                Quantity::Torque | Quantity::Roll => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
                 Quantity::Force | Quantity::Moment => numbers::direction(&cylinder.bank) * weight,
             };
             pistons.push(Piston { crank, phase: float(phase.turns()) * TAU, part });
@@ -60,7 +60,7 @@ impl Doubles {
         let length = |place: u32| {
             let theta = TAU * f64::from(place) / f64::from(angles);
             let load = |piston: &Piston| match self.quantity {
-                Quantity::Torque => piston.part * piston.crank.torque(theta + piston.phase),
+                Quantity::Torque | Quantity::Roll => piston.part * piston.crank.torque(theta + piston.phase),
                 Quantity::Force | Quantity::Moment => piston.part * -piston.crank.acceleration(theta + piston.phase),
             };
             let rotating = self.rotating * Complex::cis(theta);

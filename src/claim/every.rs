@@ -61,7 +61,7 @@ fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Quantity]) -> impl Iterat
     let of = |quantity: &Quantity| match quantity {
         Quantity::Force => Some(&order.force),
         Quantity::Moment => Some(&order.moment),
-        Quantity::Torque => None,
+        Quantity::Torque | Quantity::Roll => None,
     };
     quantities.iter().filter_map(of)
 }

@@ -3,7 +3,6 @@
 use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
-use crankstar::proof::Quantity;
 use crankstar::report;
 use crankstar::verdict;
 
@@ -54,8 +53,7 @@ impl Classify {
             Layout::Known(engine, _) => engine,
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
-        let torque = self.torque.then_some(Quantity::Torque);
-        let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
+        let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
             return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language()));

@@ -6,6 +6,7 @@ use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
+use crankstar::verdict;
 
 use super::failure::Failure;
 use super::loads::Auto;
@@ -46,7 +47,7 @@ impl Report {
             Layout::Known(engine, family) => {
                 let needed = self.auto.needed(engine)?;
                 let orders = needed.as_ref().map_or(&orders, |needed| &needed.kept);
-                let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
+                let judged = self.masses.judge(engine, orders, &verdict::quantities(engine, false))?;
                 let open = classified(family.as_deref(), orders)?;
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;

@@ -61,6 +61,11 @@ pub enum BuildError {
     },
     /// A counterweight on a throw that is not there.
     NoSuchThrow(usize),
+    /// A cylinder on a crankshaft that is not there.
+    NoSuchCrank {
+        /// The cylinder.
+        cylinder: String,
+    },
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -88,6 +93,9 @@ impl fmt::Display for BuildError {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::NoSuchCrank { cylinder } => {
+                write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
+            }
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
@@ -118,6 +126,9 @@ impl<A, L: Length> Draft<A, L> {
             not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
+            if cylinder.crank >= self.geared_cranks.len().max(1) {
+                return Err(BuildError::NoSuchCrank { cylinder: name.clone() });
+            }
             let mechanism = cylinder.mechanism.as_ref();
             if mechanism != turning && mechanism.is_some_and(|mechanism| !mechanism.turns_round()) {
                 return Err(BuildError::CannotTurnRound { cylinder: name.clone() });

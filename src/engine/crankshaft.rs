@@ -47,6 +47,8 @@ pub struct Counterweight {
     pub radius: BigRational,
     /// Position along the crankshaft, in the unit of the positions.
     pub position: BigRational,
+    /// Which crankshaft it is on, where several are geared together; else 0.
+    pub crank: usize,
 }
 
 impl Counterweight {

@@ -11,7 +11,8 @@ use crate::exact::Turn;
 pub struct Cylinder<A = Turn, L = BigRational> {
     /// What it is called in the firing order: `1`, `L2`; where it is empty, its number.
     pub name: String,
-    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end.
+    /// Crank-throw angle β, from the reference throw, anticlockwise seen from the free end; on a crank that turns against the
+    /// reference that of the equivalent crank which turns with it ([`GearedCrank`](super::GearedCrank)).
     pub throw: A,
     /// Angle α of the cylinder axis, from the reference direction.
     pub bank: A,
@@ -27,6 +28,8 @@ pub struct Cylinder<A = Turn, L = BigRational> {
     pub mechanism: Option<Mechanism>,
     /// Which pin of the crankshaft it works on: cylinders with the same number share it, or the parts of a split one.
     pub pin: usize,
+    /// Which crankshaft it works on, where several are geared together; else 0.
+    pub crank: usize,
 }
 
 impl<A, L> Cylinder<A, L> {
@@ -42,6 +45,7 @@ impl<A, L> Cylinder<A, L> {
             crank_radius: BigRational::one(),
             mechanism: None,
             pin,
+            crank: 0,
         }
     }
 
@@ -73,6 +77,7 @@ impl<A, L> Cylinder<A, L> {
             crank_radius: self.crank_radius.clone(),
             mechanism: self.mechanism.clone(),
             pin: self.pin,
+            crank: self.crank,
         })
     }
 }

@@ -9,6 +9,7 @@ use super::firing::{Cycle, Firing};
 use super::flywheel::Flywheel;
 use super::form::Form;
 use super::gas::Gas;
+use super::geared::GearedCrank;
 use super::length::LengthUnit;
 use super::model::Effects;
 use super::open_firing::OpenFiring;
@@ -39,6 +40,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub form: Form,
     /// The cylinders.
     pub cylinders: Vec<Cylinder<A, L>>,
+    /// The crankshafts, where several are geared together; none where there is one, in the middle.
+    pub geared_cranks: Vec<GearedCrank>,
     /// The plane that moments are taken about.
     pub reference_plane: ReferencePlane<L>,
     /// What positions are counted in.
@@ -92,6 +95,7 @@ impl<A, L> Draft<A, L> {
             source: None,
             form: Form::General,
             cylinders: Vec::new(),
+            geared_cranks: Vec::new(),
             reference_plane: ReferencePlane::Middle,
             length_unit: LengthUnit::default(),
             positions_given: true,
@@ -122,6 +126,7 @@ impl<A, L> Draft<A, L> {
             source: self.source.clone(),
             form: self.form,
             cylinders,
+            geared_cranks: self.geared_cranks.clone(),
             reference_plane,
             length_unit: self.length_unit,
             positions_given: self.positions_given,

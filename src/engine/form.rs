@@ -15,6 +15,25 @@ pub enum Form {
     Fan,
     /// Cylinders all round a common throw.
     Radial,
+    /// Two pistons in each cylinder, on two crankshafts.
+    OpposedPiston,
+    /// Two engines in line side by side.
+    U,
+    /// Two flat engines, one above the other.
+    H,
+    /// Rows of three cylinders with two pistons each, on three crankshafts.
+    Delta,
     /// One table per cylinder.
     General,
+}
+
+impl Form {
+    /// Whether two pistons share each cylinder, so that it is not each piston that fires.
+    pub fn has_two_pistons_in_a_cylinder(self) -> bool {
+        match self {
+            Form::OpposedPiston | Form::Delta => true,
+            Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Radial => false,
+            Form::U | Form::H | Form::General => false,
+        }
+    }
 }

@@ -13,6 +13,7 @@ mod firing;
 mod flywheel;
 mod form;
 mod gas;
+mod geared;
 mod length;
 mod linear;
 mod mechanism;
@@ -37,6 +38,7 @@ pub use gas::{
     At, Chamber, CompressorStage, DeadCentre, Gas, GasMistake, Heat, IdealCycle, Ignition, MOST_ROWS, PressureLaw,
     PressureTable, Setting,
 };
+pub use geared::GearedCrank;
 pub use length::{Length, LengthUnit};
 pub use linear::Linear;
 pub use mechanism::{Mechanism, Rod};

@@ -59,7 +59,7 @@ impl Rod {
     fn has_order(&self, quantity: Quantity, order: u32) -> bool {
         match (quantity, order) {
             (_, 0) => false,
-            (Quantity::Torque, _) => order == 2 || !self.ratio.is_zero(),
+            (Quantity::Torque | Quantity::Roll, _) => order == 2 || !self.ratio.is_zero(),
             (Quantity::Force | Quantity::Moment, 1) => true,
             (Quantity::Force | Quantity::Moment, _) => {
                 !self.ratio.is_zero() && (order.is_multiple_of(2) || !self.offset.is_zero())
@@ -78,7 +78,7 @@ impl<A, L> Engine<A, L> {
 /// Whether a piston with one of these mechanisms has an order.
 pub(super) fn pistons_have_order(mechanisms: &[&Mechanism], quantity: Quantity, order: u32) -> bool {
     match (mechanisms.is_empty(), quantity) {
-        (true, Quantity::Torque) => order > 0,
+        (true, Quantity::Torque | Quantity::Roll) => order > 0,
         (true, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
         (false, _) => mechanisms.iter().any(|mechanism| mechanism.has_order(quantity, order)),
     }

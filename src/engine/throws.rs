@@ -8,8 +8,10 @@ use crate::exact::Turn;
 /// One throw: a crankpin between its webs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Throw {
-    /// Its angle β.
+    /// Its angle β: where its pin stands at θ = 0.
     pub angle: Turn,
+    /// Which crankshaft it is on, where several are geared together; else 0.
+    pub crank: usize,
     /// Where it stands: the middle between its outermost cylinders.
     pub position: BigRational,
     /// Crank radius, in multiples of that of the layout.
@@ -32,8 +34,10 @@ pub fn throws(engine: &Engine) -> Vec<Throw> {
     let mut throws: Vec<(usize, Throw)> = Vec::new();
     for index in order {
         let cylinder = &engine.cylinders()[index];
+        let angle = engine.pin_angle(cylinder);
         let shares = |(pin, throw): &(usize, Throw)| {
-            *pin == cylinder.pin && throw.angle == cylinder.throw && throw.crank_radius == cylinder.crank_radius
+            let own = (&throw.angle, throw.crank, &throw.crank_radius);
+            *pin == cylinder.pin && own == (&angle, cylinder.crank, &cylinder.crank_radius)
         };
         // The throws of a pin stand together at the end of the list.
         let candidates = throws.iter_mut().rev().take_while(|(pin, _)| *pin == cylinder.pin);
@@ -42,7 +46,8 @@ pub fn throws(engine: &Engine) -> Vec<Throw> {
             None => throws.push((
                 cylinder.pin,
                 Throw {
-                    angle: cylinder.throw.clone(),
+                    angle: angle.clone(),
+                    crank: cylinder.crank,
                     position: cylinder.position.clone(),
                     crank_radius: cylinder.crank_radius.clone(),
                     cylinders: vec![index],

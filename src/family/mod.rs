@@ -152,7 +152,7 @@ fn weight(family: &Family, cylinder: &Cylinder<Linear, Linear>, quantity: Quanti
     match quantity {
         Quantity::Moment => family.arm(cylinder).scaled(&cylinder.weight()),
         Quantity::Force => Linear::constant(cylinder.weight()),
-        Quantity::Torque => Linear::constant(cylinder.weight() * &cylinder.crank_radius),
+        Quantity::Torque | Quantity::Roll => Linear::constant(cylinder.weight() * &cylinder.crank_radius),
     }
 }
 

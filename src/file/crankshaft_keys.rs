@@ -42,7 +42,7 @@ pub(super) struct CounterweightKeys {
 
 /// The tables of a file that speak of what turns, and what they refer to.
 pub(super) struct Tables<'a> {
-    pub crankshaft: &'a Option<Spanned<Table<Keys>>>,
+    pub crankshaft: Option<(&'a Keys, Range<usize>)>,
     pub counterweights: &'a Option<Spanned<Vec<Spanned<Table<CounterweightKeys>>>>>,
     pub balancers: &'a Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     pub values: &'a BTreeMap<String, BigRational>,
@@ -51,7 +51,7 @@ pub(super) struct Tables<'a> {
 impl Tables<'_> {
     /// The place of the first of them, if there is any.
     pub fn place(&self) -> Option<Range<usize>> {
-        let crankshaft = self.crankshaft.as_ref().map(Spanned::span);
+        let crankshaft = self.crankshaft.as_ref().map(|(_, span)| span.clone());
         crankshaft.or(self.counterweights.as_ref().map(Spanned::span)).or(self.balancers.as_ref().map(Spanned::span))
     }
 
@@ -60,15 +60,15 @@ impl Tables<'_> {
         let throws = throws(&engine);
         let mut unit = engine.length_unit();
         // Balance factors are about what turns without counterweights.
-        let bare = match self.crankshaft {
+        let bare = match &self.crankshaft {
             None => engine,
-            Some(table) => {
-                let crankshaft = self.masses(&table.get_ref().0, &engine, &throws, &mut unit)?;
+            Some((keys, _)) => {
+                let crankshaft = self.masses(keys, &engine, &throws, &mut unit)?;
                 built(Draft { crankshaft, ..engine.into_draft() }.build())?
             }
         };
         let mut crankshaft = bare.crankshaft().clone();
-        let asked = self.crankshaft.as_ref().and_then(|table| table.get_ref().0.balance_factor.as_ref());
+        let asked = self.crankshaft.as_ref().and_then(|(keys, _)| keys.balance_factor.as_ref());
         match (asked, self.counterweights) {
             (Some(_), Some(list)) => {
                 let message = "both a balance factor and counterweights are given";
@@ -143,7 +143,7 @@ impl Tables<'_> {
         throws: &[Throw],
         unit: &mut LengthUnit,
     ) -> Result<(Vec<Counterweight>, Vec<BigRational>), LayoutError> {
-        let keys = self.crankshaft.as_ref().map(|table| &table.get_ref().0);
+        let keys = self.crankshaft.as_ref().map(|(keys, _)| keys);
         let Some((keys, radii)) = keys.and_then(|keys| Some((keys, keys.counterweight_radius.as_ref()?))) else {
             let right = "add counterweight_radius, the distance of their centres of gravity from the axis";
             return Err(LayoutError::new(
@@ -172,6 +172,7 @@ impl Tables<'_> {
                 mass,
                 radius: radii[index].clone(),
                 position,
+                crank: throw.crank,
             };
             match offsets.as_ref().map(|offsets| &offsets[index]).filter(|offset| !offset.is_zero()) {
                 Some(offset) => {
@@ -213,7 +214,9 @@ impl Tables<'_> {
             }
         };
         on_the_shaft(engine, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
-        Ok(Counterweight { throw, angle, mass: mass(&keys.mass)?, radius: positive_metres(&keys.radius)?, position })
+        let crank = throw.map_or(0, |throw| throws[throw].crank);
+        let (mass, radius) = (mass(&keys.mass)?, positive_metres(&keys.radius)?);
+        Ok(Counterweight { throw, angle, mass, radius, position, crank })
     }
 
     /// A length along the crankshaft, in the unit of the positions.

@@ -143,6 +143,22 @@ pub(super) fn without_cycle(
     }
 }
 
+/// Where two pistons share a cylinder, it is not pistons that fire.
+pub(super) fn without_pistons_of_their_own(
+    order: &Option<Spanned<FiringOrder>>,
+    angles: &Option<Spanned<Vec<Text>>>,
+) -> Result<(), LayoutError> {
+    let given = order.as_ref().and_then(place).or(angles.as_ref().and_then(place));
+    match given {
+        None => Ok(()),
+        Some(span) => Err(LayoutError::new(
+            "when the cylinders fire, in an engine with two pistons in each",
+            "leave it out: forces and moments do not need it, and the gas of opposed pistons is not judged",
+            Some(span),
+        )),
+    }
+}
+
 pub(super) fn both_given(angles: &Spanned<Vec<Text>>) -> LayoutError {
     LayoutError::new(
         "both a firing order and firing angles are given",

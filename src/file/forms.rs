@@ -11,6 +11,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::firing_order::FiringOrder;
+use super::geared_keys::Geared;
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Text, place};
 use crate::engine::{Cycle, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
@@ -22,6 +23,8 @@ pub(super) struct Expanded {
     pub length_unit: LengthUnit,
     /// Whether the positions are those of the file; else the cylinders stand one spacing apart.
     pub positions_given: bool,
+    /// The crankshafts, where several are geared together.
+    pub geared: Vec<Geared>,
 }
 
 /// `[inline]`: all cylinder axes at angle 0.
@@ -100,9 +103,9 @@ struct Bank {
 }
 
 /// The pins along the crankshaft: throw and position.
-struct Pins {
-    pins: Vec<(Linear, Linear)>,
-    positions_given: bool,
+pub(super) struct Pins {
+    pub pins: Vec<(Linear, Linear)>,
+    pub positions_given: bool,
 }
 
 impl Inline {
@@ -243,7 +246,13 @@ impl Radial {
             })
         });
         let positions_given = rows == 1 || self.row_spacing.is_some();
-        Ok(Expanded { form: Form::Radial, cylinders: cylinders.collect(), length_unit: unit, positions_given })
+        Ok(Expanded {
+            form: Form::Radial,
+            cylinders: cylinders.collect(),
+            length_unit: unit,
+            positions_given,
+            geared: Vec::new(),
+        })
     }
 }
 
@@ -282,11 +291,11 @@ fn fan(
         Cylinder::new(throw.plus(&bank.split), bank.angle.clone(), position.plus(&bank.offset), pin)
     });
     let positions_given = pins.positions_given;
-    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given })
+    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given, geared: Vec::new() })
 }
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.
-fn pins(
+pub(super) fn pins(
     throws: Vec<Linear>,
     throws_place: Range<usize>,
     spacing: &Option<Text>,
@@ -319,7 +328,7 @@ fn pins(
     Ok(Pins { pins: throws.into_iter().zip(positions).collect(), positions_given })
 }
 
-fn unit_length() -> Linear {
+pub(super) fn unit_length() -> Linear {
     Linear::constant(one())
 }
 

@@ -17,6 +17,8 @@ use super::firing_order::{self, FiringOrder};
 use super::flywheel_keys;
 use super::forms::{self, Expanded};
 use super::gas_keys;
+use super::geared_forms;
+use super::geared_keys;
 use super::mechanism_keys;
 use super::quantities;
 use super::title_block_keys;
@@ -43,7 +45,7 @@ struct File {
     effects: Option<Vec<Text>>,
     document: Option<Table<title_block_keys::Keys>>,
     mechanism: Option<Table<mechanism_keys::Keys>>,
-    crankshaft: Option<Spanned<Table<crankshaft_keys::Keys>>>,
+    crankshaft: Option<Spanned<geared_keys::Tables>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     gas: Option<Spanned<Table<gas_keys::Keys>>>,
@@ -57,6 +59,11 @@ struct File {
     boxer: Option<Spanned<Table<forms::Boxer>>>,
     fan: Option<Spanned<Table<forms::Fan>>>,
     radial: Option<Spanned<Table<forms::Radial>>>,
+    opposed_piston: Option<Spanned<Table<geared_forms::OpposedPiston>>>,
+    u: Option<Spanned<Table<geared_forms::U>>>,
+    square_four: Option<Spanned<Table<geared_forms::SquareFour>>>,
+    h: Option<Spanned<Table<geared_forms::H>>>,
+    delta: Option<Spanned<Table<geared_forms::Delta>>>,
 }
 
 #[derive(Deserialize)]
@@ -68,6 +75,7 @@ struct CylinderTable {
     position: Text,
     reciprocating_mass: Option<Text>,
     pin: Option<Text>,
+    crankshaft: Option<Text>,
 }
 
 /// What a layout file describes.
@@ -141,7 +149,11 @@ pub(super) fn read_layout(
 fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let mut expanded = expand(&file, cycle)?;
+    if expanded.form.has_two_pistons_in_a_cylinder() {
+        firing_order::without_pistons_of_their_own(&file.firing_order, &file.firing_angles)?;
+    }
     let dimensions = dimensions(&file, &mut expanded.cylinders)?;
+    let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
     let plane = file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
@@ -153,6 +165,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
         cylinders: expanded.cylinders,
+        geared_cranks,
         reference_plane: plane.map_or(ReferencePlane::Middle, ReferencePlane::Named),
         length_unit,
         positions_given: expanded.positions_given,
@@ -173,7 +186,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     let family = built(draft.build())?;
     check_values(&file.values, &family)?;
     let turning = crankshaft_keys::Tables {
-        crankshaft: &file.crankshaft,
+        crankshaft: file.crankshaft.as_ref().and_then(geared_keys::masses),
         counterweights: &file.counterweight,
         balancers: &file.balancer,
         values: &values,
@@ -211,7 +224,11 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    if let Some(firing) = firing(&file.firing_order, &file.firing_angles, &values, cycle, engine.cylinders())? {
+    let firing = match engine.form().has_two_pistons_in_a_cylinder() {
+        true => None,
+        false => firing(&file.firing_order, &file.firing_angles, &values, cycle, engine.cylinders())?,
+    };
+    if let Some(firing) = firing {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
     }
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
@@ -292,7 +309,12 @@ fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Family) -> Resu
 /// The one form that the file uses, as cylinders.
 fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
-    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables))));
+    let several = geared_keys::several(file.crankshaft.as_ref());
+    if let Some(table) = several.first().filter(|_| file.cylinder.is_none()) {
+        let right = "[[crankshaft]] goes with [[cylinder]] tables, which name theirs; a short form has its own, and takes [crankshaft]";
+        return Err(LayoutError::new("crankshafts that no cylinder can name", right, place(table)));
+    }
+    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables, several))));
     let order = file.firing_order.as_ref();
     forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), order, cycle))));
     forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
@@ -300,7 +322,12 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan] or [radial] says what the engine is";
+    forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.square_four.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
@@ -310,19 +337,32 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     }
 }
 
-fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expanded, LayoutError> {
+fn general(
+    list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>,
+    several: &[Spanned<Table<geared_keys::Keys>>],
+) -> Result<Expanded, LayoutError> {
     let tables = list.get_ref();
     if tables.is_empty() || tables.len() > MOST_CYLINDERS {
         let message = format!("{} cylinders", tables.len());
         return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), place(list)));
     }
     let mut length_unit = LengthUnit::Spacing;
-    let cylinders = tables.iter().enumerate().map(|(index, table)| {
-        let table = &table.get_ref().0;
+    let cranks = geared_keys::read(several)?;
+    let cylinders = tables.iter().enumerate().map(|(index, spanned)| {
+        let table = &spanned.get_ref().0;
         let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
         let position = quantities::length(&table.position, &mut length_unit)?;
-        let cylinder = Cylinder::new(quantities::angle(&table.throw)?, quantities::angle(&table.bank)?, position, pin);
+        let (throw, bank) = (quantities::angle(&table.throw)?, quantities::angle(&table.bank)?);
+        let crank = geared_keys::named(&cranks, table.crankshaft.as_ref(), || place(spanned))?;
+        let throw = match cranks.get(crank) {
+            Some((geared, phase)) => {
+                geared_keys::equivalent(&throw.plus(&Linear::constant(phase.clone())), &bank, geared.sense)
+            }
+            None => throw,
+        };
+        let cylinder = Cylinder::new(throw, bank, position, pin);
         Ok(Cylinder {
+            crank,
             name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
             reciprocating_mass: table
                 .reciprocating_mass
@@ -334,15 +374,17 @@ fn general(list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>) -> Result<Expande
     let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true })
+    let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, geared })
 }
 
-/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position; then the pins
+/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins
 /// are numbered from 0 without gaps.
 fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
-    let mut pins: BTreeMap<Linear, usize> = BTreeMap::new();
+    let mut pins: BTreeMap<(usize, Linear), usize> = BTreeMap::new();
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
-        cylinder.pin = *pins.entry(cylinder.position.clone()).or_insert(MOST_CYLINDERS + 1 + index);
+        let place = (cylinder.crank, cylinder.position.clone());
+        cylinder.pin = *pins.entry(place).or_insert(MOST_CYLINDERS + 1 + index);
     }
     let mut numbers: Vec<usize> = cylinders.iter().map(|cylinder| cylinder.pin).collect();
     numbers.sort_unstable();

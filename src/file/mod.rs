@@ -14,6 +14,8 @@ mod forms;
 mod gas_keys;
 mod gas_process;
 mod gas_table;
+mod geared_forms;
+mod geared_keys;
 mod layout;
 mod linear;
 mod mechanism_keys;

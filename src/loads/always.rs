@@ -20,7 +20,7 @@ use crate::proof::{Quantity, Sense};
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
     let alone = match quantity {
-        Quantity::Torque => order::torque(engine, 2).vanishes(),
+        Quantity::Torque | Quantity::Roll => order::torque(engine, 2).vanishes(),
         Quantity::Force | Quantity::Moment => {
             let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
             let vanishes = |order, sense| order::all_masses(engine, quantity, order, sense).vanishes();
@@ -38,7 +38,7 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSu
         let weight = mass_radius(engine, cylinder);
         let (group, term) = match quantity {
             _ if rod.ratio.is_zero() => continue,
-            Quantity::Torque => {
+            Quantity::Torque | Quantity::Roll => {
                 ((rod.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
             }
             Quantity::Force | Quantity::Moment => {

@@ -6,7 +6,7 @@ use super::{Missing, Swing, Vector, scale};
 use crate::engine::{Engine, Mechanism};
 use crate::motion::{Coefficient, SliderCrank};
 use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
-use crate::proof::{Quantity, Sense};
+use crate::proof::Sense;
 
 /// Forces from here on are refused: their sums and squares would leave the range of decimals.
 const LARGEST: f64 = 1e150;
@@ -62,7 +62,7 @@ impl Motion {
         let mut mechanisms = self.cranks.keys();
         let (Some(mechanism), None) = (mechanisms.next(), mechanisms.next()) else { return None };
         let (factor, sign) = Factor::of_force(Some(mechanism), order);
-        if !factor.exists(Quantity::Force, order) {
+        if !factor.exists(order) {
             return None;
         }
         if factor == Factor::One {

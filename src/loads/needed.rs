@@ -80,7 +80,7 @@ impl Choice {
         let waveform = spectrum.waveform(quantity);
         let peak = match quantity {
             Quantity::Force | Quantity::Moment => waveform.peak(),
-            Quantity::Torque => waveform.real_peak(),
+            Quantity::Torque | Quantity::Roll => waveform.real_peak(),
         };
         Choice { lengths: spectrum.lengths(quantity), rest, peak: (peak.value - rest).max(0.0) }
     }

@@ -60,7 +60,7 @@ impl<'a> Spectrum<'a> {
         match quantity {
             Quantity::Force => swings(|order| &order.force),
             Quantity::Moment => swings(|order| &order.moment),
-            Quantity::Torque => {
+            Quantity::Torque | Quantity::Roll => {
                 let left = self.torque.iter().filter(|order| !order.vector.vanishes());
                 left.map(|order| (order.order, order.vector.value.norm() + order.vector.doubt())).collect()
             }
@@ -75,7 +75,7 @@ impl<'a> Spectrum<'a> {
         match quantity {
             Quantity::Force => swings(|order| &order.force),
             Quantity::Moment => swings(|order| &order.moment),
-            Quantity::Torque => Waveform::new(self.torque.iter().map(TorqueOrder::harmonic)),
+            Quantity::Torque | Quantity::Roll => Waveform::new(self.torque.iter().map(TorqueOrder::harmonic)),
         }
     }
 
@@ -87,7 +87,7 @@ impl<'a> Spectrum<'a> {
         match quantity {
             Quantity::Force => swings(|order| &order.force),
             Quantity::Moment => swings(|order| &order.moment),
-            Quantity::Torque => {
+            Quantity::Torque | Quantity::Roll => {
                 let doubts = self.torque.iter().map(|order| &order.vector);
                 doubts.map(|vector| vector.doubt() + ROUNDING * vector.value.norm()).sum()
             }

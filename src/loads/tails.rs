@@ -50,13 +50,13 @@ impl Tails {
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(engine, quantity, &|tail| match quantity {
             Quantity::Force | Quantity::Moment => tail.force(order),
-            Quantity::Torque => tail.torque(order),
+            Quantity::Torque | Quantity::Roll => tail.torque(order),
         });
         let [force, moment] = faster_shafts(engine, order).map(|size| rounded_up(&size));
         let shafts = match quantity {
             Quantity::Force => force,
             Quantity::Moment => moment,
-            Quantity::Torque => 0.0,
+            Quantity::Torque | Quantity::Roll => 0.0,
         };
         (pistons + shafts) * SLACK
     }
@@ -83,7 +83,7 @@ impl Tails {
             let shaking = 1.0 + tail.force(0);
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
-                Quantity::Torque => shaking * shaking,
+                Quantity::Torque | Quantity::Roll => shaking * shaking,
             }
         })
     }
@@ -97,7 +97,7 @@ impl Tails {
             let weight = match quantity {
                 Quantity::Force => weight,
                 Quantity::Moment => weight * engine.arm(cylinder).abs(),
-                Quantity::Torque => weight * &cylinder.crank_radius,
+                Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius,
             };
             *weights.entry(mechanism).or_insert_with(BigRational::zero) += weight;
         }

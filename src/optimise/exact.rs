@@ -106,7 +106,7 @@ pub(super) fn counterweights(place: &Place, mass_radius: &PhasorSum, step: &BigR
         let mass = BigRational::from_integer(share) * step;
         let radius = &term.weight / &mass;
         let angle: Turn = term.angle.clone();
-        weights.push(Counterweight { throw: None, angle, mass, radius, position: place.position.clone() });
+        weights.push(Counterweight { throw: None, angle, mass, radius, position: place.position.clone(), crank: 0 });
     }
     weights
 }

@@ -44,6 +44,7 @@ pub fn uniform(engine: &Engine, factor: &BigRational) -> Option<Engine> {
             mass: &each / &place.radius,
             radius: place.radius.clone(),
             position: place.position.clone(),
+            crank: throw.crank,
         }));
     }
     engine.with_counterweights(weights).ok()

@@ -26,7 +26,7 @@ impl Coefficients {
         }
         let coefficient = match factor {
             Factor::One => return Some(exactly_one()),
-            Factor::Open => return None,
+            Factor::Open | Factor::OpenTorque => return None,
             Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order)),
             Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order)),
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order)),

@@ -30,7 +30,7 @@ impl Contribution {
     /// The term of a quantity: of the moment that of the force times the arm.
     pub(super) fn term_of(&self, engine: &Engine, quantity: Quantity) -> Term {
         match quantity {
-            Quantity::Force | Quantity::Torque => self.term.clone(),
+            Quantity::Force | Quantity::Torque | Quantity::Roll => self.term.clone(),
             Quantity::Moment => self.weighed(|position| lever(engine, quantity, position)).1,
         }
     }
@@ -126,13 +126,14 @@ impl<'a> Sources<'a> {
             let term = one.term_of(self.engine, quantity);
             (one.source, one.factor, term)
         };
-        match sense {
-            Some(sense) => self.of_force(order, sense).map(term).collect(),
-            None => self.of_torque(order).map(term).collect(),
+        match (sense, quantity) {
+            (Some(sense), _) => self.of_force(order, sense).map(term).collect(),
+            (None, Quantity::Roll) => self.of_roll(order).into_iter().map(term).collect(),
+            (None, _) => self.of_torque(order).map(term).collect(),
         }
     }
 
-    fn cylinders(&self) -> impl Iterator<Item = (usize, &'a Cylinder)> {
+    pub(super) fn cylinders(&self) -> impl Iterator<Item = (usize, &'a Cylinder)> {
         let has_pistons = MassGroup::Reciprocating.is_among(self.masses);
         self.engine.cylinders().iter().enumerate().filter(move |_| has_pistons)
     }
@@ -141,19 +142,19 @@ impl<'a> Sources<'a> {
 /// What every mass of an engine adds to the force of one order and sense, where its factor is not zero.
 pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let all = Sources::new(engine, Masses::All);
-    let there = all.of_force(order, sense).filter(|one| one.factor.exists(Quantity::Force, order));
+    let there = all.of_force(order, sense).filter(|one| one.factor.exists(order));
     there.collect()
 }
 
 /// What a force at this position counts for: 1 in the force, its arm about the reference plane in the moment.
 ///
 /// # Panics
-/// For the torque, which no position enters.
+/// For the torque and the roll moment, which no position enters.
 pub fn lever(engine: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
     match quantity {
         Quantity::Force => BigRational::one(),
         Quantity::Moment => position - engine.reference_plane(),
-        Quantity::Torque => unreachable!("the torque has sums of its own"),
+        Quantity::Torque | Quantity::Roll => unreachable!("the torque has sums of its own, and so has the roll moment"),
     }
 }
 
@@ -169,7 +170,12 @@ pub fn torque(engine: &Engine, order: u32) -> OrderSum {
 
 fn sum_of(sources: &Sources, quantity: Quantity, order: u32, sense: Option<Sense>) -> OrderSum {
     let terms = sources.terms(quantity, order, sense).into_iter();
-    OrderSum::new(terms.filter(|(_, factor, _)| factor.exists(quantity, order)).map(|(_, factor, term)| (factor, term)))
+    OrderSum::new(terms.filter(|(_, factor, _)| factor.exists(order)).map(|(_, factor, term)| (factor, term)))
+}
+
+/// The roll moment of one order of all masses on the frame, in multiples of m r².
+pub fn roll(engine: &Engine, order: u32) -> OrderSum {
+    sum_of(&Sources::new(engine, Masses::All), Quantity::Roll, order, None)
 }
 
 /// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.

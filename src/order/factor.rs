@@ -20,8 +20,10 @@ pub enum Factor {
     ///
     /// [`SliderCrank::side_part`]: crate::motion::SliderCrank::side_part
     Side(Mechanism),
-    /// c_k or t_k of the rods of an engine that names none: they are centric and alike.
+    /// c_k of the rods of an engine that names none: they are centric and alike.
     Open,
+    /// t_k of such rods.
+    OpenTorque,
 }
 
 impl Factor {
@@ -57,19 +59,17 @@ impl Factor {
 
     /// What the inertia torque of a cylinder with this mechanism stands before.
     pub fn of_torque(mechanism: Option<&Mechanism>) -> Factor {
-        mechanism.map_or(Factor::Open, |mechanism| Factor::Torque(mechanism.clone()))
+        mechanism.map_or(Factor::OpenTorque, |mechanism| Factor::Torque(mechanism.clone()))
     }
 
-    /// Whether it is not zero in an order of a quantity: whether the order exists.
-    pub fn exists(&self, quantity: Quantity, order: u32) -> bool {
+    /// Whether it is not zero in an order: whether the order exists.
+    pub fn exists(&self, order: u32) -> bool {
         match self {
-            Factor::One => true,
-            Factor::Motion(mechanism) | Factor::Torque(mechanism) => mechanism.has_order(quantity, order),
+            Factor::One | Factor::OpenTorque => true,
+            Factor::Motion(mechanism) => mechanism.has_order(Quantity::Force, order),
+            Factor::Torque(mechanism) => mechanism.has_order(Quantity::Torque, order),
             Factor::Side(mechanism) => super::coefficients::crank(mechanism).has_side_part(order),
-            Factor::Open => match quantity {
-                Quantity::Force | Quantity::Moment => order == 1 || order.is_multiple_of(2),
-                Quantity::Torque => true,
-            },
+            Factor::Open => order == 1 || order.is_multiple_of(2),
         }
     }
 
@@ -80,7 +80,7 @@ impl Factor {
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
             Factor::Open => Some(order.is_multiple_of(4)),
             Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
-            Factor::Torque(_) | Factor::Side(_) => None,
+            Factor::Torque(_) | Factor::Side(_) | Factor::OpenTorque => None,
         }
     }
 }

@@ -18,7 +18,7 @@ pub struct Group {
     pub sources: Vec<Source>,
 }
 
-/// All terms of one order, of the force and the moment or of the torque.
+/// All terms of one order, of the force and the moment, of the torque or of the roll moment.
 #[derive(Clone, Debug)]
 pub struct OrderTerms<'a> {
     engine: &'a Engine,
@@ -32,29 +32,29 @@ impl<'a> Sources<'a> {
     /// The terms of an order of the force and the moment.
     pub fn force_terms(&self, order: u32) -> OrderTerms<'a> {
         let of = |sense| (Some(sense), self.of_force(order, sense).collect());
-        OrderTerms::new(self.engine(), order, Quantity::Force, vec![of(Sense::Direct), of(Sense::Reverse)])
+        OrderTerms::new(self.engine(), order, vec![of(Sense::Direct), of(Sense::Reverse)])
     }
 
     /// The terms of an order of the inertia torque.
     pub fn torque_terms(&self, order: u32) -> OrderTerms<'a> {
-        OrderTerms::new(self.engine(), order, Quantity::Torque, vec![(None, self.of_torque(order).collect())])
+        OrderTerms::new(self.engine(), order, vec![(None, self.of_torque(order).collect())])
+    }
+
+    /// The terms of an order of the roll moment.
+    pub fn roll_terms(&self, order: u32) -> OrderTerms<'a> {
+        OrderTerms::new(self.engine(), order, vec![(None, self.of_roll(order))])
     }
 }
 
 impl<'a> OrderTerms<'a> {
-    fn new(
-        engine: &'a Engine,
-        order: u32,
-        quantity: Quantity,
-        by_sense: Vec<(Option<Sense>, Vec<Contribution>)>,
-    ) -> Self {
+    fn new(engine: &'a Engine, order: u32, by_sense: Vec<(Option<Sense>, Vec<Contribution>)>) -> Self {
         let mut groups: Vec<Group> = Vec::new();
         for Contribution { source, factor, .. } in by_sense.iter().flat_map(|(_, all)| all) {
             match groups.iter_mut().find(|group| group.factor == *factor) {
                 Some(group) if group.sources.contains(source) => {}
                 Some(group) => group.sources.push(*source),
                 None => {
-                    let exists = factor.exists(quantity, order);
+                    let exists = factor.exists(order);
                     groups.push(Group { factor: factor.clone(), exists, sources: vec![*source] });
                 }
             }

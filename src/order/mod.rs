@@ -13,6 +13,7 @@ mod masses;
 mod path;
 mod phase;
 mod pin;
+mod roll;
 mod source;
 mod sum;
 mod turning;
@@ -21,7 +22,7 @@ pub use crate::proof::Masses;
 pub use coefficients::{Coefficients, crank, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{
-    Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, star, torque,
+    Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, roll, star, torque,
 };
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};

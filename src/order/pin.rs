@@ -22,7 +22,7 @@ use super::source::Source;
 use super::turning::mass_radius;
 use crate::engine::{Cylinder, Engine, Mechanism};
 use crate::exact::{Term, Turn};
-use crate::proof::{Masses, Quantity, Sense};
+use crate::proof::{Masses, Sense};
 
 /// What the rods of an engine that names them hand on to their crankpins in one order and sense: inertia of the piston with its
 /// side force, and the rotating part of the rod; several terms per cylinder.
@@ -69,7 +69,7 @@ fn of_piston(cylinder: &Cylinder, mechanism: &Mechanism, order: u32, sense: Sens
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
     let (factor, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order);
-    if factor.exists(Quantity::Force, order) && order > 0 {
+    if factor.exists(order) && order > 0 {
         let k = i64::from(order);
         let part = match sense {
             Sense::Direct => BigRational::new((k - 1).into(), k.into()),

@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 
 use super::source::Source;
 use crate::engine::{self, Cylinder, Engine};
-use crate::exact::Turn;
+use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
 /// A mass that turns at a multiple of the crank speed.
@@ -23,6 +23,9 @@ pub struct TurningMass {
     pub angle: Turn,
     /// Where it stands along the crankshaft.
     pub position: BigRational,
+    /// Where the axis that it turns about stands in the plane across the crankshaft, in crank radii: the sum of these; none in the
+    /// middle.
+    pub axis: Vec<Term>,
 }
 
 impl TurningMass {
@@ -41,29 +44,36 @@ impl TurningMass {
 /// All masses of an engine that turn and weigh something.
 pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     let crankshaft = engine.crankshaft();
-    let on_the_crank = |source, mass_radius, angle: &Turn, position: &BigRational| TurningMass {
+    let cranks = engine.geared_cranks();
+    let on_the_crank = |source, mass_radius, angle: &Turn, (position, crank): (&BigRational, usize)| TurningMass {
         source,
         order: 1,
-        sense: Sense::Direct,
+        sense: cranks.get(crank).map_or(Sense::Direct, |crank| crank.sense),
         mass_radius,
         angle: angle.clone(),
         position: position.clone(),
+        axis: cranks.get(crank).map_or_else(Vec::new, |crank| crank.axis.clone()),
     };
     let radius = unit_radius(engine);
     let rods = engine.cylinders().iter().enumerate().map(|(index, at)| {
-        on_the_crank(Source::BigEnd(index), &at.rotating_mass * &radius * &at.crank_radius, &at.throw, &at.position)
+        let size = &at.rotating_mass * &radius * &at.crank_radius;
+        on_the_crank(Source::BigEnd(index), size, &engine.pin_angle(at), (&at.position, at.crank))
     });
     let named = !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty();
     let throws = if named { engine::throws(engine) } else { Vec::new() };
     let pins = throws.iter().zip(&crankshaft.pins).enumerate().map(|(index, (at, mass))| {
-        on_the_crank(Source::Pin(index), mass * &radius * &at.crank_radius, &at.angle, &at.position)
+        on_the_crank(Source::Pin(index), mass * &radius * &at.crank_radius, &at.angle, (&at.position, at.crank))
     });
-    let webs =
-        throws.iter().zip(&crankshaft.webs).enumerate().map(|(index, (at, web))| {
-            on_the_crank(Source::Webs(index), &web.mass * &web.radius, &at.angle, &at.position)
-        });
+    let webs = throws.iter().zip(&crankshaft.webs).enumerate().map(|(index, (at, web))| {
+        on_the_crank(Source::Webs(index), &web.mass * &web.radius, &at.angle, (&at.position, at.crank))
+    });
     let weights = crankshaft.counterweights.iter().enumerate().map(|(index, weight)| {
-        on_the_crank(Source::Counterweight(index), weight.mass_radius(), &weight.angle, &weight.position)
+        on_the_crank(
+            Source::Counterweight(index),
+            weight.mass_radius(),
+            &weight.angle,
+            (&weight.position, weight.crank),
+        )
     });
     let shafts = crankshaft.balancers.iter().enumerate().map(|(index, shaft)| TurningMass {
         source: Source::Balancer(index),
@@ -72,6 +82,11 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
         mass_radius: shaft.mass_radius.clone(),
         angle: shaft.angle.clone(),
         position: shaft.position.clone(),
+        axis: [(&shaft.height, Turn::zero()), (&shaft.offset, Turn::fraction(1, 4))]
+            .into_iter()
+            .filter(|(distance, _)| !distance.is_zero())
+            .map(|(distance, angle)| Term { angle, weight: distance / &radius })
+            .collect(),
     });
     let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);

@@ -14,8 +14,24 @@ pub enum Coefficient {
     One,
     /// The one that all rods have, where none is named.
     Common,
-    /// That of this rod: c_k of the force, t_k of the torque.
+    /// c_k of this rod.
     Rod(RodClaim),
+    /// t_k of the torque, which all rods have where none is named.
+    #[serde(skip)]
+    CommonTorque,
+    /// t_k of this rod.
+    #[serde(skip)]
+    Torque(RodClaim),
+}
+
+impl Coefficient {
+    /// Whether it is that of rods which are not named.
+    pub(super) fn is_open(&self) -> bool {
+        match self {
+            Coefficient::Common | Coefficient::CommonTorque => true,
+            Coefficient::One | Coefficient::Rod(_) | Coefficient::Torque(_) => false,
+        }
+    }
 }
 
 /// The number that a cylinder's term is multiplied by.
@@ -53,8 +69,8 @@ impl Factor {
     /// In the inertia torque, where only an infinitely long rod lacks orders: it has the second and no other.
     pub fn of_torque(rod: &RodStatement, order: u32) -> Self {
         let (coefficient, is_zero) = match rod {
-            RodStatement::Unknown => (Coefficient::Common, false),
-            RodStatement::Known(rod) => (Coefficient::Rod(rod.clone()), rod.ratio.is_zero() && order != 2),
+            RodStatement::Unknown => (Coefficient::CommonTorque, false),
+            RodStatement::Known(rod) => (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2),
         };
         Factor { coefficient, is_zero, sign: BigRational::one() }
     }

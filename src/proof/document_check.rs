@@ -40,8 +40,24 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     }
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_turning_masses(document)?;
+    check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
     document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })
+}
+
+/// Where axes stand and which way cranks turn counts for the roll moment alone: elsewhere nothing is said of it.
+fn check_axes(document: &Document) -> Result<(), Fault> {
+    let why = "it stands in documents with the roll moment alone, which nothing else could check";
+    if document.quantities.contains(&Quantity::Roll) {
+        return Ok(());
+    }
+    if let Some(index) = document.cylinders.iter().position(|cylinder| cylinder.crankshaft.is_some()) {
+        return Err(Fault::new(format!("cylinders[{index}].crankshaft"), why));
+    }
+    match document.turning_masses.iter().position(|mass| !mass.axis.is_empty()) {
+        Some(index) => Err(Fault::new(format!("turning_masses[{index}].axis"), why)),
+        None => Ok(()),
+    }
 }
 
 fn check_turning_masses(document: &Document) -> Result<(), Fault> {
@@ -140,7 +156,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
 /// Each order of force and moment has a shape, in the order of the verdicts.
 fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> Result<(), Fault> {
     let mut claims = document.shapes.iter();
-    for (index, one) in judged.iter().filter(|one| one.quantity != Quantity::Torque).enumerate() {
+    for (index, one) in judged.iter().filter(|one| one.quantity.senses().len() == 2).enumerate() {
         let about = About { quantity: one.quantity, order: one.order, sense: None, of: Vec::new() };
         let place = format!("shapes[{index}] {}", about.place());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, "this shape is missing")) };
@@ -159,7 +175,7 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
 fn check_theorems(document: &Document, audit: &Audit) -> Result<(), Fault> {
     let about = |quantity: &Quantity| match quantity {
         Quantity::Force | Quantity::Moment => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),
-        Quantity::Torque => Vec::new(),
+        Quantity::Torque | Quantity::Roll => Vec::new(),
     };
     let asked = document.quantities.iter().filter(|_| document.all_orders).flat_map(about);
     let mut claims = document.theorems.iter();

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::audit::{Fault, Reason};
 use super::fraction;
+use super::verdict::Vector;
 
 /// A cylinder as the phasors see it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -32,6 +33,20 @@ pub struct Cylinder {
     pub crank_radius: BigRational,
     /// Its rod.
     pub rod: RodStatement,
+    /// Its crankshaft, where several are geared together; its throw and rod are then those of the equivalent crank that turns with
+    /// the reference.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub crankshaft: Option<CrankClaim>,
+}
+
+/// One of several crankshafts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CrankClaim {
+    /// Whether it turns with the reference or against it.
+    pub sense: Sense,
+    /// Where its axis stands in the plane across it: the sum of these, in multiples of the common radius.
+    pub axis: Vec<Vector>,
 }
 
 /// What is said of a rod.
@@ -101,6 +116,10 @@ pub struct TurningMassClaim {
     /// Mass times radius, in multiples of m r, as a cylinder's mass times its crank radius is.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
+    /// Where the axis that it turns about stands in the plane across it, in multiples of the common radius: the sum of these; none
+    /// where that is the middle.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub axis: Vec<Vector>,
 }
 
 /// What a verdict is about.
@@ -113,11 +132,13 @@ pub enum Quantity {
     Moment,
     /// The inertia torque on the crankshaft.
     Torque,
+    /// The roll moment on the frame, about the middle of the engine.
+    Roll,
 }
 
 impl Quantity {
     /// All of them, in the order of the documents.
-    pub const ALL: [Quantity; 3] = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+    pub const ALL: [Quantity; 4] = [Quantity::Force, Quantity::Moment, Quantity::Torque, Quantity::Roll];
 
     /// The word of the JSON document.
     pub fn name(self) -> &'static str {
@@ -125,6 +146,7 @@ impl Quantity {
             Quantity::Force => "force",
             Quantity::Moment => "moment",
             Quantity::Torque => "torque",
+            Quantity::Roll => "roll",
         }
     }
 
@@ -132,7 +154,7 @@ impl Quantity {
     pub(super) fn senses(self) -> &'static [Option<Sense>] {
         match self {
             Quantity::Force | Quantity::Moment => &[Some(Sense::Direct), Some(Sense::Reverse)],
-            Quantity::Torque => &[None],
+            Quantity::Torque | Quantity::Roll => &[None],
         }
     }
 }
@@ -193,7 +215,7 @@ pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<()
     if seen.is_empty() { Err(Fault::new("cylinders", "an engine has one at least")) } else { Ok(()) }
 }
 
-/// Checks that the orders asked for are rising and exist, and the quantities are in the order force, moment, torque.
+/// Checks that the orders asked for are rising and exist, and the quantities are in the order force, moment, torque, roll.
 pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(), Fault> {
     if orders.is_empty() {
         return Err(Fault::new("orders", "the list is empty, there is nothing to check"));
@@ -206,7 +228,7 @@ pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(),
     }
     match quantities.windows(2).all(|pair| pair[0] < pair[1]) {
         true => Ok(()),
-        false => Err(Fault::new("quantities", "they stand in the order force, moment, torque, each once")),
+        false => Err(Fault::new("quantities", "they stand in the order force, moment, torque, roll, each once")),
     }
 }
 

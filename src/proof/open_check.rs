@@ -62,7 +62,7 @@ fn check_head(document: &OpenDocument) -> Result<(), Fault> {
     }
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_asked(&document.orders, &document.quantities)?;
-    if document.quantities.contains(&Quantity::Torque) {
+    if document.quantities.iter().any(|quantity| quantity.senses().len() == 1) {
         return Err(Fault::new("quantities", "this format knows force and moment, and not the torque of a family"));
     }
     let linears = document.cylinders.iter().flat_map(|cylinder| {
@@ -181,7 +181,7 @@ fn weights(
             }
             Ok(weights)
         }
-        Quantity::Torque => Err("the torque of a family is not known to this format".into()),
+        Quantity::Torque | Quantity::Roll => Err("the torque of a family is not known to this format".into()),
     }
 }
 

@@ -232,7 +232,7 @@ impl RemedyDocument {
         let mut sums: BTreeMap<Coefficient, Vec<(BigRational, BigRational)>> = BTreeMap::new();
         let arm = |position: &BigRational| match quantity {
             Quantity::Moment => position - &self.reference_plane,
-            Quantity::Force | Quantity::Torque => BigRational::one(),
+            Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
         };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         for cylinder in &self.cylinders {

@@ -53,19 +53,13 @@ impl<'a> Motion<'a> {
     }
 
     /// The coefficient of an order, in units of `2^−bits`; that of rods which are not named is not known.
-    pub fn coefficient(
-        &self,
-        coefficient: &Coefficient,
-        quantity: Quantity,
-        order: u32,
-        bits: u32,
-    ) -> Result<Option<Complex>, Refusal> {
-        let rod = match coefficient {
+    pub fn coefficient(&self, coefficient: &Coefficient, order: u32, bits: u32) -> Result<Option<Complex>, Refusal> {
+        let (rod, is_torque) = match coefficient {
             Coefficient::One => return Ok(Some(one(bits))),
-            Coefficient::Common => return Ok(None),
-            Coefficient::Rod(rod) => rod,
+            Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
+            Coefficient::Rod(rod) => (rod, false),
+            Coefficient::Torque(rod) => (rod, true),
         };
-        let is_torque = quantity == Quantity::Torque;
         let key = (rod.clone(), order, is_torque, bits);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(Some(known.clone()));
@@ -93,7 +87,7 @@ pub fn coefficient_bounds(
     let audit = Audit::new();
     let number = match quantity {
         Quantity::Force | Quantity::Moment => force(rod, order, bits, &audit),
-        Quantity::Torque => torque(rod, order, bits, &audit),
+        Quantity::Torque | Quantity::Roll => torque(rod, order, bits, &audit),
     }?;
     let bounds = |Ball { middle, doubt }: &Ball| {
         [middle - doubt, middle + doubt].map(|bound| BigRational::new(bound, BigInt::one() << bits))
@@ -102,14 +96,14 @@ pub fn coefficient_bounds(
 }
 
 /// How many bits below 1 the bound of a coefficient stands.
-pub(super) fn smallness(coefficient: &Coefficient, quantity: Quantity, order: u32) -> Result<u64, Refusal> {
-    match coefficient {
-        Coefficient::Rod(rod) if rod.ratio.is_positive() => {
-            let strip = if quantity == Quantity::Torque { Strip::of_velocity(rod) } else { Strip::of_root(rod) };
-            Ok(strip?.decay(order))
-        }
-        Coefficient::Rod(_) | Coefficient::One | Coefficient::Common => Ok(0),
-    }
+pub(super) fn smallness(coefficient: &Coefficient, order: u32) -> Result<u64, Refusal> {
+    let strip = match coefficient {
+        Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
+        Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
+        Coefficient::Rod(_) | Coefficient::Torque(_) => return Ok(0),
+        Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),
+    };
+    Ok(strip?.decay(order))
 }
 
 fn one(bits: u32) -> Complex {

@@ -9,11 +9,14 @@ use num_traits::One;
 use super::coefficient::{Coefficient, Factor};
 use super::document::Document;
 use super::engine::{Cylinder, Masses, Quantity, Sense, TurningMassClaim};
+use super::roll;
 use super::verdict::{Vector, phase};
 
 /// What makes a force: a cylinder, with the sign of its term, or a mass that turns.
 pub(super) enum Source<'a> {
     Cylinder(&'a Cylinder, BigRational),
+    /// The torque on the crank of a cylinder.
+    Torque(&'a Cylinder),
     Turning(&'a TurningMassClaim),
 }
 
@@ -42,22 +45,37 @@ impl Document {
         let mut groups = Groups::default();
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
         for cylinder in cylinders {
-            let factor = match quantity {
-                Quantity::Force | Quantity::Moment => Factor::of_force(&cylinder.rod, order),
-                Quantity::Torque => Factor::of_torque(&cylinder.rod, order),
+            let force = Factor::of_force(&cylinder.rod, order);
+            let torque = Factor::of_torque(&cylinder.rod, order);
+            let has_force = match quantity {
+                Quantity::Force | Quantity::Moment => true,
+                Quantity::Roll => !roll::arms(cylinder).is_empty(),
+                Quantity::Torque => false,
             };
-            groups.add(factor.coefficient, factor.is_zero, Source::Cylinder(cylinder, factor.sign));
+            if has_force {
+                groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.sign));
+            }
+            match quantity {
+                Quantity::Force | Quantity::Moment => {}
+                Quantity::Torque | Quantity::Roll => {
+                    groups.add(torque.coefficient, torque.is_zero, Source::Torque(cylinder));
+                }
+            }
         }
-        let is_there = self.masses.turn() && quantity != Quantity::Torque;
-        let turning = self.turning_masses.iter().filter(|mass| is_there && mass.order == order);
-        for mass in turning {
+        let is_there = |mass: &TurningMassClaim| match quantity {
+            Quantity::Force | Quantity::Moment => true,
+            Quantity::Roll => !mass.axis.is_empty(),
+            Quantity::Torque => false,
+        };
+        let turning = self.turning_masses.iter().filter(|mass| self.masses.turn() && mass.order == order);
+        for mass in turning.filter(|mass| is_there(mass)) {
             groups.add(Coefficient::One, false, Source::Turning(mass));
         }
         groups.or_empty()
     }
 
     /// Names and terms of a group in one sense (theory, section 3): weights m r, the moment's times the arm, the torque's
-    /// times r; `2k²` times the mass-radius of a mass that turns.
+    /// times r; `2k²` times the mass-radius of a mass that turns. Those of the roll moment: [`roll`].
     pub(super) fn terms(
         &self,
         group: &Group<'_>,
@@ -67,27 +85,37 @@ impl Document {
     ) -> Vec<(String, Vector)> {
         let lever = |position: &BigRational| match quantity {
             Quantity::Moment => position - &self.reference_plane,
-            Quantity::Force | Quantity::Torque => BigRational::one(),
+            Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
         };
-        let term = |source: &Source<'_>| match source {
-            Source::Cylinder(cylinder, sign) => {
-                let radius = &cylinder.crank_radius;
-                let by = match quantity {
-                    Quantity::Torque => radius.clone(),
-                    Quantity::Force | Quantity::Moment => lever(&cylinder.position),
-                };
-                let weight = &cylinder.reciprocating_mass * radius * by * sign;
-                let angle = phase(&cylinder.throw, &cylinder.bank, order, sense);
-                Some((cylinder.name.clone(), Vector { angle, weight }))
+        let is_roll = quantity == Quantity::Roll;
+        let terms = |source: &Source<'_>| match source {
+            Source::Cylinder(cylinder, sign) if is_roll => {
+                (cylinder.name.clone(), roll::of_force(cylinder, order, sign))
             }
+            Source::Cylinder(cylinder, sign) => {
+                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * lever(&cylinder.position) * sign;
+                let angle = phase(&cylinder.throw, &cylinder.bank, order, sense);
+                (cylinder.name.clone(), vec![Vector { angle, weight }])
+            }
+            Source::Torque(cylinder) if is_roll => (cylinder.name.clone(), roll::of_torque(cylinder, order)),
+            Source::Torque(cylinder) => {
+                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * &cylinder.crank_radius;
+                let angle = phase(&cylinder.throw, &cylinder.bank, order, None);
+                (cylinder.name.clone(), vec![Vector { angle, weight }])
+            }
+            Source::Turning(mass) if is_roll => (mass.name.clone(), roll::of_turning(mass)),
             Source::Turning(mass) => {
                 let twice_the_square = BigRational::from_integer(BigInt::from(order) * order * 2);
                 let weight = twice_the_square * &mass.mass_radius * lever(&mass.position);
                 let vector = Vector { angle: mass.angle.clone(), weight };
-                (Some(mass.sense) == sense).then(|| (mass.name.clone(), vector))
+                (mass.name.clone(), if Some(mass.sense) == sense { vec![vector] } else { Vec::new() })
             }
         };
-        group.sources.iter().filter_map(term).collect()
+        let named = |source| {
+            let (name, terms): (String, Vec<Vector>) = terms(source);
+            terms.into_iter().map(move |term| (name.clone(), term))
+        };
+        group.sources.iter().flat_map(named).collect()
     }
 }
 

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, Reason};
 use super::ball::Complex;
-use super::coefficient::Coefficient;
 use super::decimals::{Decimal, enclose, scale};
 use super::engine::{Quantity, Sense};
 use super::judged::{Judged, JudgedGroup};
@@ -69,7 +68,7 @@ pub(super) fn check_whole(
     motion: &Motion<'_>,
 ) -> Result<Option<bool>, Reason> {
     let left = judged.left(sense);
-    let is_open = left.len() > 1 && left.iter().any(|group| group.coefficient == Coefficient::Common);
+    let is_open = left.len() > 1 && left.iter().any(|group| group.coefficient.is_open());
     match (claim.outcome, left.len()) {
         (WholeOutcome::Zero, 0) => Ok(Some(true)),
         (_, 0) => Err("it is `zero`: no sum is left before a coefficient that is not".into()),
@@ -151,7 +150,7 @@ impl Enclosure {
             senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect();
         let smallness: Vec<u64> = left
             .iter()
-            .map(|(group, _)| smallness(&group.coefficient, judged.quantity, judged.order))
+            .map(|(group, _)| smallness(&group.coefficient, judged.order))
             .collect::<Result<_, Refusal>>()?;
         let below_one = smallness.into_iter().min().unwrap_or_default();
         let bits = below_one.checked_add(u64::from(bits) + GUARD).and_then(|bits| u32::try_from(bits).ok());
@@ -171,8 +170,7 @@ impl Enclosure {
         let audit: &Audit = motion.audit();
         let is_reverse = judged.quantity.senses()[sense] == Some(Sense::Reverse);
         judged.left(sense).into_iter().try_fold(Complex::zero(), |whole, group| {
-            let (quantity, order) = (judged.quantity, judged.order);
-            let coefficient = motion.coefficient(&group.coefficient, quantity, order, self.bits)?;
+            let coefficient = motion.coefficient(&group.coefficient, judged.order, self.bits)?;
             let coefficient = coefficient.ok_or("the rods are not known")?;
             let coefficient = if is_reverse { coefficient.conjugate() } else { coefficient };
             let sum = enclose(&group.sums[sense].0, &self.scale, &audit.circle(self.bits), audit)?;

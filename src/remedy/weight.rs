@@ -102,6 +102,6 @@ fn rational_weights<'a>(
         let angle: Turn = if negative { term.angle.opposite() } else { term.angle.clone() };
         let mass = &term.weight * unit / radius;
         let mass = if negative { -mass } else { mass };
-        Counterweight { throw: None, angle, mass, radius: radius.clone(), position: position.clone() }
+        Counterweight { throw: None, angle, mass, radius: radius.clone(), position: position.clone(), crank: 0 }
     })
 }

@@ -7,8 +7,8 @@ use crate::exact::Term;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Sources};
 use crate::proof::{
-    self, Coefficient, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim,
-    TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
+    self, Coefficient, CrankClaim, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement,
+    ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
@@ -22,6 +22,8 @@ pub fn document(
     every_order: Option<&Theorem>,
 ) -> Document {
     let asked: Vec<Quantity> = Quantity::ALL.into_iter().filter(|quantity| quantities.contains(quantity)).collect();
+    // Where axes stand counts for the roll moment alone.
+    let with_roll = quantities.contains(&Quantity::Roll);
     let of_order = |order| asked.iter().flat_map(move |&quantity| verdicts(engine, order, quantity));
     let whole = |order| asked.iter().flat_map(move |&quantity| wholes(order, quantity));
     let shapes = |order: &OrderVerdict| {
@@ -36,8 +38,8 @@ pub fn document(
         quantities: quantities.to_vec(),
         all_orders: every_order.is_some(),
         reference_plane: engine.reference_plane().clone(),
-        cylinders: engine.cylinders().iter().map(|one| cylinder(engine, one)).collect(),
-        turning_masses: turning_masses(engine, masses),
+        cylinders: engine.cylinders().iter().map(|one| cylinder(engine, one, with_roll)).collect(),
+        turning_masses: turning_masses(engine, masses, with_roll),
         verdicts: orders.iter().flat_map(of_order).collect(),
         wholes: orders.iter().flat_map(whole).collect(),
         shapes: orders.iter().flat_map(shapes).collect(),
@@ -45,7 +47,7 @@ pub fn document(
     }
 }
 
-fn turning_masses(engine: &Engine, masses: Masses) -> Vec<TurningMassClaim> {
+fn turning_masses(engine: &Engine, masses: Masses, with_roll: bool) -> Vec<TurningMassClaim> {
     let claim = |mass: &order::TurningMass| TurningMassClaim {
         name: mass.source.name(engine),
         order: mass.order,
@@ -53,11 +55,13 @@ fn turning_masses(engine: &Engine, masses: Masses) -> Vec<TurningMassClaim> {
         position: mass.position.clone(),
         angle: mass.angle.turns().clone(),
         mass_radius: mass.mass_radius.clone(),
+        axis: if with_roll { vectors(&mass.axis) } else { Vec::new() },
     };
     Sources::new(engine, masses).turning().iter().map(claim).collect()
 }
 
-fn cylinder(engine: &Engine, cylinder: &engine::Cylinder) -> Cylinder {
+fn cylinder(engine: &Engine, cylinder: &engine::Cylinder, with_roll: bool) -> Cylinder {
+    let crank = engine.crank_of(cylinder).filter(|_| with_roll);
     Cylinder {
         name: cylinder.name.clone(),
         throw: cylinder.throw.turns().clone(),
@@ -66,6 +70,7 @@ fn cylinder(engine: &Engine, cylinder: &engine::Cylinder) -> Cylinder {
         reciprocating_mass: order::mass_radius(engine, cylinder) / &cylinder.crank_radius,
         crank_radius: cylinder.crank_radius.clone(),
         rod: rod_statement(cylinder),
+        crankshaft: crank.map(|crank| CrankClaim { sense: crank.sense, axis: vectors(&crank.axis) }),
     }
 }
 
@@ -83,7 +88,7 @@ pub(super) fn rod_claim(rod: &Rod) -> RodClaim {
 pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
-        Factor::Open => Coefficient::Common,
+        Factor::Open | Factor::OpenTorque => Coefficient::Common,
         Factor::Motion(Mechanism::SliderCrank(rod))
         | Factor::Torque(Mechanism::SliderCrank(rod))
         | Factor::Side(Mechanism::SliderCrank(rod)) => Coefficient::Rod(rod_claim(rod)),
@@ -99,8 +104,9 @@ pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
 fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<VerdictClaim> {
     let claim = |verdict: &Verdict, class: &Option<Class>| verdict_claim(engine, verdict, class.is_some());
     match quantity {
-        Quantity::Torque => {
-            let parts = order.torque.iter().flat_map(|torque| &torque.parts);
+        Quantity::Torque | Quantity::Roll => {
+            let asked = if quantity == Quantity::Torque { &order.torque } else { &order.roll };
+            let parts = asked.iter().flat_map(|torque| &torque.parts);
             parts.map(|part| claim(&part.verdict, &part.class)).collect()
         }
         Quantity::Force | Quantity::Moment => {
@@ -150,8 +156,9 @@ fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
     };
     let both = [Some(proof::Sense::Direct), Some(proof::Sense::Reverse)];
     match quantity {
-        Quantity::Torque => {
-            let torque = order.torque.iter().filter(|torque| torque.parts.len() > 1);
+        Quantity::Torque | Quantity::Roll => {
+            let asked = if quantity == Quantity::Torque { &order.torque } else { &order.roll };
+            let torque = asked.iter().filter(|torque| torque.parts.len() > 1);
             torque.map(|torque| claim((&None, &torque.outcome))).collect()
         }
         _ if order.parts.len() < 2 => Vec::new(),

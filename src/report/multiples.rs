@@ -60,7 +60,7 @@ pub fn multiples(columns: &[Column]) -> Vec<Figure> {
 /// Direct and reverse stars of all columns share their scale; moments only where they are in one unit.
 fn scale(columns: &[Column], stars: &[Vec<Star>], of: &Column, quantity: Quantity, senses: usize) -> Scale {
     let (alike, rows): (&dyn Fn(&Column) -> bool, _) = match quantity {
-        Quantity::Force | Quantity::Torque => (&|_| true, 0..senses),
+        Quantity::Force | Quantity::Torque | Quantity::Roll => (&|_| true, 0..senses),
         Quantity::Moment => (&|column| column.engine.length_unit() == of.engine.length_unit(), senses..2 * senses),
     };
     let alike = columns.iter().zip(stars).filter(|(column, _)| alike(column));

@@ -74,7 +74,7 @@ fn class_words(class: &Class) -> String {
             };
             format!(", λ {}{offset}", equals(&rod.ratio))
         }
-        Factor::One | Factor::Open => String::new(),
+        Factor::One | Factor::Open | Factor::OpenTorque => String::new(),
     };
     format!("{}{rod}", class_sources(class))
 }
@@ -148,6 +148,31 @@ pub(super) fn torque(torque: &TorqueVerdict) -> Text {
     }
 }
 
+/// The roll moment of an order in a few words: zero, or what the forces leave by their arms and what the torques leave.
+pub(super) fn roll(roll: &TorqueVerdict) -> Text {
+    let parts = || roll.parts.iter().filter(|part| part.exists && !part.verdict.vanishes());
+    let [of_torques, of_arms] = [true, false].map(|torques| {
+        let is_meant = |part: &&TorquePart| torques == is_of_torques(part);
+        parts().filter(is_meant).map(|part| modulus(&part.verdict).into()).collect::<Vec<Text>>()
+    });
+    let joined = |parts: Vec<Text>| Text::joined(parts, " and ");
+    match (of_arms.is_empty(), of_torques.is_empty()) {
+        _ if !roll.exists() => DOES_NOT_EXIST.into(),
+        (true, true) => Text::zero(),
+        (false, true) => phrase!("arms {}", joined(of_arms)),
+        (true, false) => phrase!("torque {}", joined(of_torques)),
+        (false, false) => phrase!("arms {}, torque {}", joined(of_arms), joined(of_torques)),
+    }
+}
+
+/// Whether a part of the roll moment is of torques; else of forces with their arms.
+pub(super) fn is_of_torques(part: &TorquePart) -> bool {
+    match part.class.as_ref().map(|class| &class.factor) {
+        Some(Factor::Torque(_) | Factor::OpenTorque) | None => true,
+        Some(Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open) => false,
+    }
+}
+
 /// The same of one of its sums.
 pub(super) fn torque_part(part: &TorquePart) -> Text {
     if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
@@ -166,6 +191,11 @@ pub fn moment_summary(order: &OrderBalance) -> String {
 /// What the summaries are counted in.
 pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless it stands after ≈: forces in \
                           m r ω² c_k, moments in that times the unit of the positions.";
+
+/// What the torque and the roll moment are counted in, where crankshafts are geared together.
+pub(super) const ROLL_LEGEND: &str = "Torque: that of all crankshafts at the reference one, in m r² ω² t_k. Roll: what the frame feels about the middle of the engine, \
+                               of the forces by their arms in crank radii, in m r² ω² c_k, and of the torques, in m r² ω² t_k; one alone \
+                               is the amplitude.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {

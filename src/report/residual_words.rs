@@ -26,6 +26,7 @@ fn letter(balance: &Balance) -> &'static str {
         Quantity::Force => "P",
         Quantity::Moment => "C",
         Quantity::Torque => "Q",
+        Quantity::Roll => "R",
     }
 }
 
@@ -83,7 +84,7 @@ fn difference(balance: &Balance, relation: &str) -> Text {
 fn planar(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "="), line_bearing(balance), largest(balance));
     match balance.direct.quantity {
-        Quantity::Force | Quantity::Torque => phrase!(
+        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!(
             "What is left is **planar**: both vectors are equally long ({}, proved), so the force swings along the line at {}; its \
              largest value is {}.",
             difference,
@@ -103,7 +104,7 @@ fn planar(balance: &Balance) -> Text {
 fn elliptical(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "\\ne"), line_bearing(balance), largest(balance));
     match balance.direct.quantity {
-        Quantity::Force | Quantity::Torque => phrase!(
+        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!(
             "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the force runs round an ellipse; \
              its largest value is {}, along the line at {}.",
             difference,

@@ -35,20 +35,24 @@ pub(super) fn summary(engine: &Engine, orders: &[OrderVerdict], with_firmness: F
     table
 }
 
-/// Orders × (force, moment, torque): what is left, exactly.
+/// Orders × (force, moment, torque, roll moment): what is left, exactly.
 pub(super) fn verdicts(orders: &[OrderVerdict]) -> Table {
     let with_torque = orders.iter().any(|order| order.torque.is_some());
+    let with_roll = orders.iter().any(|order| order.roll.is_some());
     let mut header = vec!["Order", "Force", "Moment"];
     header.extend(with_torque.then_some("Torque"));
+    header.extend(with_roll.then_some("Roll"));
     let mut table = Table::new(header);
     for order in orders {
         let mut cells: Vec<Text> = [order.order.into()].into_iter().chain(residual::whole(order)).collect();
         cells.extend(with_torque.then(|| order.torque.as_ref().map_or_else(Text::default, residual::torque)));
+        cells.extend(with_roll.then(|| order.roll.as_ref().map_or_else(Text::default, residual::roll)));
         table.push(cells);
         for part in order.parts.iter().filter(|part| part.class.is_some()) {
             let mut cells: Vec<Text> =
                 vec![residual::order_name(part).into(), residual::force(part), residual::moment(part)];
             cells.extend(with_torque.then(Text::default));
+            cells.extend(with_roll.then(Text::default));
             table.push(cells);
         }
     }

@@ -225,7 +225,7 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
     let mut coefficient = |factor: &Factor| match factor {
         Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
         // Of rods that are not given, amplitudes are in multiples of c_k.
-        Factor::One | Factor::Open => Complex::new(1.0, 0.0),
+        Factor::One | Factor::Open | Factor::OpenTorque => Complex::new(1.0, 0.0),
         Factor::Torque(_) | Factor::Side(_) => {
             unreachable!("shaking forces have no coefficient of torque or side force")
         }

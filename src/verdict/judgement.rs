@@ -20,6 +20,15 @@ pub struct Judgement {
     pub not_as_built: Option<NotComparable>,
 }
 
+/// What is judged of an engine: force and moment, the torque where it is asked for; where crankshafts are geared together, the torque
+/// and the roll moment in any case.
+pub fn quantities(engine: &Engine, with_torque: bool) -> Vec<Quantity> {
+    let is_geared = !engine.geared_cranks().is_empty();
+    let torque = (with_torque || is_geared).then_some(Quantity::Torque);
+    let roll = is_geared.then_some(Quantity::Roll);
+    [Quantity::Force, Quantity::Moment].into_iter().chain(torque).chain(roll).collect()
+}
+
 /// Why an engine is not judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotJudged {

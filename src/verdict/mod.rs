@@ -9,7 +9,7 @@ mod whole;
 
 pub use balance::{Balance, Class, JudgedStar, Verdict};
 pub use firmness::{Disturbance, Firmness, FirmnessOutcome, firmness};
-pub use judgement::{Judgement, NotJudged};
+pub use judgement::{Judgement, NotJudged, quantities};
 pub use reason::{
     Component, Reason, Size, corners, drawn_polygons, mirror_axis, mirror_partners, opposed_partners, reason,
 };
@@ -34,8 +34,10 @@ pub struct OrderVerdict {
     pub force: WholeOrder,
     /// The moment about the reference plane; a free couple where the force of this order vanishes.
     pub moment: WholeOrder,
-    /// The inertia torque, where it was asked for.
+    /// The inertia torque, where it was asked for; that of crankshafts that are geared together at the reference one.
     pub torque: Option<TorqueVerdict>,
+    /// The roll moment on the frame about the middle of the engine, where it was asked for.
+    pub roll: Option<TorqueVerdict>,
 }
 
 /// Force and moment of sources whose terms stand before one number.
@@ -53,7 +55,7 @@ pub struct OrderBalance {
     pub moment: Balance,
 }
 
-/// The inertia torque of one order.
+/// The inertia torque of one order, or the roll moment: what has one vector.
 #[derive(Clone, Debug)]
 pub struct TorqueVerdict {
     /// The sums by what they stand before, and whether that is not zero.
@@ -62,12 +64,12 @@ pub struct TorqueVerdict {
     pub outcome: Outcome,
 }
 
-/// The inertia torque of the cylinders that one mechanism moves.
+/// What stands before one number of it.
 #[derive(Clone, Debug)]
 pub struct TorquePart {
     /// Whether its coefficient is not zero.
     pub exists: bool,
-    /// Which cylinders it is about; none where it is about all.
+    /// Which sources it is about; none where it is about all.
     pub class: Option<Class>,
     /// The verdict.
     pub verdict: Verdict,
@@ -114,11 +116,11 @@ pub fn classify(
     are_orders(orders)?;
     let sources = Sources::new(engine, masses);
     let known = Coefficients::default();
-    let with_torque = quantities.contains(&Quantity::Torque);
-    Ok(orders.iter().map(|&order| of_order(&sources, order, with_torque, &known)).collect())
+    Ok(orders.iter().map(|&order| of_order(&sources, order, quantities, &known)).collect())
 }
 
-fn of_order(sources: &Sources, order: u32, with_torque: bool, known: &Coefficients) -> OrderVerdict {
+fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coefficients) -> OrderVerdict {
+    let about_the_axis = |quantity| quantities.contains(&quantity).then(|| one_vector(sources, quantity, order, known));
     let terms = sources.force_terms(order);
     let groups = terms.groups();
     let class = |group: &Group| (groups.len() > 1).then(|| Class::new(sources, group));
@@ -146,7 +148,8 @@ fn of_order(sources: &Sources, order: u32, with_torque: bool, known: &Coefficien
         masses: sources.masses(),
         force: whole(|part| &part.force),
         moment: whole(|part| &part.moment),
-        torque: with_torque.then(|| torque_of(sources, order, known)),
+        torque: about_the_axis(Quantity::Torque),
+        roll: about_the_axis(Quantity::Roll),
         parts,
     }
 }
@@ -166,13 +169,17 @@ fn of_one(balance: &Balance) -> WholeOrder {
     }
 }
 
-fn torque_of(sources: &Sources, order: u32, known: &Coefficients) -> TorqueVerdict {
-    let terms = sources.torque_terms(order);
+/// Of the torque or the roll moment.
+fn one_vector(sources: &Sources, quantity: Quantity, order: u32, known: &Coefficients) -> TorqueVerdict {
+    let terms = match quantity {
+        Quantity::Roll => sources.roll_terms(order),
+        Quantity::Force | Quantity::Moment | Quantity::Torque => sources.torque_terms(order),
+    };
     let groups = terms.groups();
     let part = |group: &Group| TorquePart {
         exists: group.exists,
         class: (groups.len() > 1).then(|| Class::new(sources, group)),
-        verdict: Verdict::new(&terms, group, Quantity::Torque, None),
+        verdict: Verdict::new(&terms, group, quantity, None),
     };
     let parts: Vec<TorquePart> = groups.iter().map(part).collect();
     let outcome = match parts.as_slice() {
@@ -201,5 +208,5 @@ pub fn torque(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueVerdict>, Not
     are_orders(orders)?;
     let sources = Sources::new(engine, Masses::Reciprocating);
     let known = Coefficients::default();
-    Ok(orders.iter().map(|&order| torque_of(&sources, order, &known)).collect())
+    Ok(orders.iter().map(|&order| one_vector(&sources, Quantity::Torque, order, &known)).collect())
 }

@@ -78,6 +78,7 @@ fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
             Quantity::Force => mass * radius,
             Quantity::Moment => mass * radius * (&cylinder.position - layout.reference_plane()),
             Quantity::Torque => mass * radius * radius,
+            Quantity::Roll => unreachable!("it is not asked for"),
         };
         (angle, weight)
     };

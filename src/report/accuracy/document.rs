@@ -119,7 +119,7 @@ fn name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "force",
         Quantity::Moment => "moment",
-        Quantity::Torque => "inertia torque",
+        Quantity::Torque | Quantity::Roll => "inertia torque",
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
     match quantity {
         Quantity::Force => (units.force, factor(loads::Scale::force)),
         Quantity::Moment => (units.moment, factor(loads::Scale::force)),
-        Quantity::Torque => (units.torque, factor(loads::Scale::torque)),
+        Quantity::Torque | Quantity::Roll => (units.torque, factor(loads::Scale::torque)),
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)])
     let words = match quantity {
         Quantity::Force => "{}: what the orders leave of the peak force",
         Quantity::Moment => "{}: what the orders leave of the peak moment",
-        Quantity::Torque => "{}: what the orders leave of the peak inertia torque",
+        Quantity::Torque | Quantity::Roll => "{}: what the orders leave of the peak inertia torque",
     };
     let title = phrase!(words, engine.title());
     let x = Axis::linear("Highest order kept");

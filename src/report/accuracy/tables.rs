@@ -65,7 +65,7 @@ fn measured_caption(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "Measured error of the peak force:",
         Quantity::Moment => "Measured error of the peak moment:",
-        Quantity::Torque => "Measured error of the peak inertia torque:",
+        Quantity::Torque | Quantity::Roll => "Measured error of the peak inertia torque:",
     }
 }
 
@@ -73,7 +73,9 @@ fn guaranteed_caption(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "Guaranteed bound of the error of the peak force, roundings of the sums apart",
         Quantity::Moment => "Guaranteed bound of the error of the peak moment, roundings of the sums apart",
-        Quantity::Torque => "Guaranteed bound of the error of the peak inertia torque, roundings of the sums apart",
+        Quantity::Torque | Quantity::Roll => {
+            "Guaranteed bound of the error of the peak inertia torque, roundings of the sums apart"
+        }
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
     match study.quantity {
         Quantity::Force => phrase!("Peak force, {}", case.label()),
         Quantity::Moment => phrase!("Peak moment, {}", case.label()),
-        Quantity::Torque => phrase!("Peak inertia torque, {}", case.label()),
+        Quantity::Torque | Quantity::Roll => phrase!("Peak inertia torque, {}", case.label()),
     }
 }
 
@@ -37,7 +37,7 @@ pub(super) fn file_name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "force",
         Quantity::Moment => "moment",
-        Quantity::Torque => "inertia-torque",
+        Quantity::Torque | Quantity::Roll => "inertia-torque",
     }
 }
 
@@ -46,7 +46,7 @@ fn multiple(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "m r ω²",
         Quantity::Moment => "m r ω² times the unit of the positions",
-        Quantity::Torque => "m r² ω²",
+        Quantity::Torque | Quantity::Roll => "m r² ω²",
     }
 }
 
@@ -59,7 +59,7 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
         return Some(match study.quantity {
             Quantity::Force => "The force vanishes at every order, proved: there is no peak to compare.".into(),
             Quantity::Moment => "The moment vanishes at every order, proved: there is no peak to compare.".into(),
-            Quantity::Torque => {
+            Quantity::Torque | Quantity::Roll => {
                 "The inertia torque vanishes at every order, proved: there is no peak to compare.".into()
             }
         });
@@ -71,7 +71,7 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
         Quantity::Moment => {
             "The moment vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
-        Quantity::Torque => {
+        Quantity::Torque | Quantity::Roll => {
             "The inertia torque vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
     };
@@ -118,7 +118,9 @@ pub(super) fn orders_needed(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Text
         let words = match quantity {
             Quantity::Force => "{}: the peak force is within 0.1 %, guaranteed, with the orders up to {}.",
             Quantity::Moment => "{}: the peak moment is within 0.1 %, guaranteed, with the orders up to {}.",
-            Quantity::Torque => "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::Torque | Quantity::Roll => {
+                "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}."
+            }
         };
         (!needed.is_empty()).then(|| phrase!(words, engine.title(), needed))
     };

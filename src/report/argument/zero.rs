@@ -37,10 +37,10 @@ pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
             "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel pair by pair.",
             Text::joined(pairs, ", of ")
         ),
-        (Quantity::Force | Quantity::Torque, 1) => {
+        (Quantity::Force | Quantity::Torque | Quantity::Roll, 1) => {
             phrase!("By opposed pairs: the vectors of {} are equally long and opposite, and cancel.", listed(pairs))
         }
-        (Quantity::Force | Quantity::Torque, _) => phrase!(
+        (Quantity::Force | Quantity::Torque | Quantity::Roll, _) => phrase!(
             "By opposed pairs: the vectors of {} are equally long and opposite, and cancel pair by pair.",
             Text::joined(pairs, ", of ")
         ),
@@ -108,7 +108,7 @@ pub(super) fn polygons(engine: &Engine, star: JudgedStar<'_>) -> Text {
 fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
     Star::new(star).has_turned.then(|| match star.quantity {
         Quantity::Moment => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
-        Quantity::Force | Quantity::Torque => {
+        Quantity::Force | Quantity::Torque | Quantity::Roll => {
             "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
         }
     })

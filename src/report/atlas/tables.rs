@@ -100,7 +100,7 @@ fn cell(engine: &EngineRow, order: &Order, quantity: Quantity) -> Text {
 fn part(order: &Order, quantity: Quantity) -> &Left {
     match quantity {
         Quantity::Force => &order.force,
-        Quantity::Moment | Quantity::Torque => &order.moment,
+        Quantity::Moment | Quantity::Torque | Quantity::Roll => &order.moment,
     }
 }
 

@@ -203,7 +203,7 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
 fn coefficient(factor: &Factor) -> String {
     let (letter, Mechanism::SliderCrank(rod)) = match factor {
         Factor::One => return "1".to_owned(),
-        Factor::Open => return "c_k".to_owned(),
+        Factor::Open | Factor::OpenTorque => return "c_k".to_owned(),
         Factor::Motion(mechanism) => ("c_k", mechanism),
         Factor::Torque(mechanism) => ("t_k", mechanism),
         // Without an offset it is all there is of n_k in an odd order.

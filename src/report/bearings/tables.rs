@@ -107,7 +107,7 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
 /// The rod whose motion a sum stands before.
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
-        Factor::One | Factor::Open => None,
+        Factor::One | Factor::Open | Factor::OpenTorque => None,
         Factor::Motion(Mechanism::SliderCrank(rod))
         | Factor::Torque(Mechanism::SliderCrank(rod))
         | Factor::Side(Mechanism::SliderCrank(rod)) => Some(rod),
@@ -118,7 +118,7 @@ fn rod(factor: &Factor) -> Option<&Rod> {
 fn number(factor: &Factor) -> Option<char> {
     match factor {
         Factor::One => None,
-        Factor::Motion(_) | Factor::Open => Some('c'),
+        Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
         Factor::Torque(_) => Some('t'),
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),

@@ -42,14 +42,14 @@ impl Unit {
         }
         let Some(scale) = &loads.scale else {
             let (name, tex) = match (quantity, arm) {
-                (Quantity::Torque, _) => ("m r² ω²", "m\\,r^2\\,\\omega^2"),
+                (Quantity::Torque | Quantity::Roll, _) => ("m r² ω²", "m\\,r^2\\,\\omega^2"),
                 (_, Arm::Metre) => ("m r ω²·1 m", "m\\,r\\,\\omega^2\\,m"),
                 (_, Arm::Spacing) => ("m r ω² a", "m\\,r\\,\\omega^2\\,a"),
             };
             return Unit { name, tex, factor: 1.0 };
         };
         match (quantity, arm) {
-            (Quantity::Torque, _) => Unit { name: "N·m", tex: "N\\,m", factor: scale.torque() },
+            (Quantity::Torque | Quantity::Roll, _) => Unit { name: "N·m", tex: "N\\,m", factor: scale.torque() },
             (_, Arm::Metre) => Unit { name: "N·m", tex: "N\\,m", factor: scale.force() },
             (_, Arm::Spacing) => Unit { name: "N·a", tex: "N\\,a", factor: scale.force() },
         }

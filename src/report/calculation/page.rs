@@ -79,12 +79,12 @@ fn comes_to(engine: &Engine, loads: &Loads, quantity: Quantity, largest: &Larges
     let unit = Unit::of(engine, loads, quantity);
     let (waveform, [pointing, turning]) = match quantity {
         Quantity::Moment => (&loads.moment, MOMENT),
-        Quantity::Force | Quantity::Torque => (&loads.force, FORCE),
+        Quantity::Force | Quantity::Torque | Quantity::Roll => (&loads.force, FORCE),
     };
     let peak = waveform.peak();
     let swing = |order: &crate::loads::OrderLoads| match quantity {
         Quantity::Moment => order.moment.doubt(),
-        Quantity::Force | Quantity::Torque => order.force.doubt(),
+        Quantity::Force | Quantity::Torque | Quantity::Roll => order.force.doubt(),
     };
     let doubt: f64 = loads.orders.iter().map(swing).sum();
     if *largest == Largest::Zero || doubt > WELL_KNOWN * peak.value {

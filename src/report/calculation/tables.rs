@@ -67,7 +67,7 @@ pub(super) fn ellipses(engine: &Engine, loads: &Loads) -> Table {
 fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Quantity) -> Vec<Text> {
     let (name, swing) = match quantity {
         Quantity::Force => ("force", &order.force),
-        Quantity::Moment | Quantity::Torque => ("moment", &order.moment),
+        Quantity::Moment | Quantity::Torque | Quantity::Roll => ("moment", &order.moment),
     };
     let unit = Unit::of(engine, loads, quantity);
     let mut row = vec![order.order.into(), name.into(), amounts::largest(swing, unit)];

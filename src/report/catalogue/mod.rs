@@ -58,6 +58,7 @@ fn family(form: Form) -> (&'static str, &'static str) {
         Form::Flat | Form::Boxer => ("stars-boxer", "Boxer engines"),
         Form::Fan => ("stars-w", "W engines"),
         Form::Radial => ("stars-radial", "Radial engines"),
+        Form::OpposedPiston | Form::U | Form::H | Form::Delta => ("stars-geared", "Engines with several crankshafts"),
         Form::General => ("stars-other", "Other engines"),
     }
 }

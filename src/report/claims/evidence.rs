@@ -21,7 +21,7 @@ fn one(evidence: &Evidence) -> Text {
                 (Quantity::Moment, Some(Sense::Direct)) => "Moment, order {}, direct",
                 (Quantity::Moment, Some(Sense::Reverse)) => "Moment, order {}, reverse",
                 (Quantity::Moment, None) => "Moment, order {}",
-                (Quantity::Torque, _) => "Torque, order {}",
+                (Quantity::Torque | Quantity::Roll, _) => "Torque, order {}",
             };
             phrase!(words, verdict.order)
         }

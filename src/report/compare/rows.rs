@@ -61,7 +61,7 @@ fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> Text {
     let swing = |loads: &OrderLoads| match quantity {
         _ if !loads.exists(engine.engine) => DOES_NOT_EXIST.into(),
         Quantity::Force => calculation::largest(&loads.force, unit),
-        Quantity::Moment | Quantity::Torque => calculation::largest(&loads.moment, unit),
+        Quantity::Moment | Quantity::Torque | Quantity::Roll => calculation::largest(&loads.moment, unit),
     };
     loads.orders.iter().find(|loads| loads.order == order).map_or_else(Text::default, swing)
 }

@@ -122,7 +122,7 @@ fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Quantity) -> 
     let coefficient = if coefficient { format!(" c_{{{order}}}") } else { String::new() };
     let mass = if engine.has_unit_masses() { "m\\,r\\,\\omega^2" } else { "\\mathrm{kg}\\;r\\,\\omega^2" };
     let arm = match (quantity, engine.length_unit()) {
-        (Quantity::Force | Quantity::Torque, _) => "",
+        (Quantity::Force | Quantity::Torque | Quantity::Roll, _) => "",
         (Quantity::Moment, LengthUnit::Metre) => "\\cdot\\mathrm{m}",
         (Quantity::Moment, LengthUnit::Spacing) => "\\,a",
     };
@@ -247,6 +247,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
         }
     }
     page.push(Block::Note(residual::LEGEND.into()));
+    page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
     page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());

@@ -3,6 +3,7 @@
 use super::super::table;
 use super::super::typeset;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
+use super::geared;
 use super::orders::StarOf;
 use crate::engine::{Cycle, Engine, Firing};
 use crate::page::{Block, Picture, Text, phrase};
@@ -18,6 +19,7 @@ pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> 
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let side = Picture { name: "side-view".to_owned(), caption: side_view_caption(engine), figure: side_view(engine) };
     let mut blocks = vec![Block::Heading(1, "The engine".into()), side.into(), table::cylinders(engine).into()];
+    blocks.extend(geared::section(engine));
     blocks.extend(engine.firing().map(|firing| Block::Paragraph(fires(engine, firing))));
     let source = engine.source().map(|source| phrase!("Source of the crank star: {}.", source));
     blocks.extend(source.map(Block::Paragraph));

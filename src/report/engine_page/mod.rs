@@ -4,6 +4,7 @@ mod answer;
 mod conventions;
 mod cures;
 mod engine;
+mod geared;
 mod orders;
 mod torque;
 
@@ -109,6 +110,7 @@ pub fn engine_page(subject: Contents) -> Document {
     }
     page.blocks.extend(orders::section(engine, &stars));
     page.blocks.extend(torque::section(engine, judged, known));
+    page.blocks.extend(torque::roll_section(engine, judged));
     page.blocks.extend(known.into_iter().flat_map(|numbers| calculation::working(engine, numbers)));
     page.blocks.extend(conventions::section(engine));
     page.push(Block::Heading(1, "Layout file".into()));
@@ -141,6 +143,7 @@ fn results(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Ve
         blocks.extend([table.into(), Block::Paragraph("The same, exactly:".into())]);
     }
     blocks.push(table::summary(engine, &judged.orders, firmness).into());
+    blocks.extend(torque::results(judged));
     if let Some(pistons) = &judged.pistons {
         blocks.push(Block::Paragraph("The pistons alone:".into()));
         blocks.push(table::summary(engine, pistons, table::Firmness::Shown).into());

@@ -140,6 +140,7 @@ fn symbol(verdict: &Verdict) -> String {
         Quantity::Force => "P",
         Quantity::Moment => "C",
         Quantity::Torque => "Q",
+        Quantity::Roll => "R",
     };
     match verdict.sense {
         Some(Sense::Direct) => format!("{letter}_{{{}}}^{{+}}", verdict.order),

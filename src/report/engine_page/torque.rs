@@ -1,19 +1,20 @@
-//! How is the inertia torque proved, where the file asks for it?
+//! How are the inertia torque, where the file asks for it, and the roll moment of geared crankshafts proved?
 
 use super::super::calculation::Numbers;
 use super::super::star::{torque_figure, torque_legend};
 use super::super::{argument, residual};
 use super::orders::{certified, value};
-use crate::engine::Engine;
-use crate::page::{Block, Fold, Picture, Text, phrase};
+use crate::engine::{Engine, WHY_NOT};
+use crate::page::{Block, Fold, Picture, Table, Text, phrase};
 use crate::verdict::{self, Judgement, TorquePart};
 
+const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j \\mp t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
 
 /// The verdicts: at the orders that it has numbers of, else at the first and those of force and moment; one per mechanism where
 /// they differ.
 fn verdicts(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Vec<TorquePart> {
-    if !engine.effects().torque {
+    if !engine.effects().torque && engine.geared_cranks().is_empty() {
         return Vec::new();
     }
     let orders: Vec<u32> = match numbers.and_then(|numbers| numbers.loads.torque.as_ref()) {
@@ -52,6 +53,56 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
             blocks: vec![Block::List(certificates)],
         }),
     ]
+}
+
+/// Torque and roll moment of crankshafts that are geared together, order by order; nothing where there is one.
+pub(super) fn results(judged: &Judgement) -> Vec<Block> {
+    let mut table = Table::new(["Order", "Torque", "Roll"]);
+    for order in &judged.orders {
+        if let (Some(torque), Some(roll)) = (&order.torque, &order.roll) {
+            table.push(vec![order.order.into(), residual::torque(torque), residual::roll(roll)]);
+        }
+    }
+    match table.rows.is_empty() {
+        true => Vec::new(),
+        false => vec![table.into(), Block::Note(residual::ROLL_LEGEND.into())],
+    }
+}
+
+/// The proofs of the roll moment; none where there is one crankshaft.
+pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    let parts: Vec<&TorquePart> =
+        judged.orders.iter().filter_map(|order| order.roll.as_ref()).flat_map(|roll| &roll.parts).collect();
+    if parts.is_empty() {
+        return Vec::new();
+    }
+    let certificates = parts.iter().map(|part| certified(&part.verdict)).collect();
+    vec![
+        Block::Heading(1, "Roll moment".into()),
+        Block::Paragraph(
+            "The roll moment of order k about the middle of the engine, in multiples of m r² ω², with arms in crank radii; the upper sign is \
+             that of a crank which turns with the reference:"
+                .into(),
+        ),
+        Block::Formula(ROLL.to_owned(), None),
+        Block::List(parts.iter().map(|part| roll_argued(engine, part)).collect()),
+        Block::Folded(Fold {
+            summary: "Roll moment: the certificates".into(),
+            blocks: vec![Block::List(certificates)],
+        }),
+    ]
+}
+
+fn roll_argued(engine: &Engine, part: &TorquePart) -> Text {
+    let verdict = &part.verdict;
+    let argument = argument::argument(engine, verdict);
+    match (residual::is_of_torques(part), part.exists) {
+        (_, false) => {
+            phrase!("**Order {}, forces by their arms:** the order does not exist. {}", verdict.order, WHY_NOT)
+        }
+        (true, true) => phrase!("**Order {}, torques:** {}. {}", verdict.order, value(verdict), argument),
+        (false, true) => phrase!("**Order {}, forces by their arms:** {}. {}", verdict.order, value(verdict), argument),
+    }
 }
 
 fn argued(engine: &Engine, part: &TorquePart) -> Text {

@@ -36,7 +36,7 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
         let unit = unit(family, quantity)?;
         let axis = match quantity {
             Quantity::Force => format!("Force in {unit}"),
-            Quantity::Moment | Quantity::Torque => format!("Moment in {unit}"),
+            Quantity::Moment | Quantity::Torque | Quantity::Roll => format!("Moment in {unit}"),
         };
         // As many plots as needed, with about as many curves in each.
         let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);
@@ -158,8 +158,8 @@ fn heading(quantity: Quantity, chunk: &[OfOrder]) -> String {
     match (quantity, chunk.len()) {
         (Quantity::Force, 1) => format!("Force, order {orders}"),
         (Quantity::Force, _) => format!("Force, orders {orders}"),
-        (Quantity::Moment | Quantity::Torque, 1) => format!("Moment, order {orders}"),
-        (Quantity::Moment | Quantity::Torque, _) => format!("Moment, orders {orders}"),
+        (Quantity::Moment | Quantity::Torque | Quantity::Roll, 1) => format!("Moment, order {orders}"),
+        (Quantity::Moment | Quantity::Torque | Quantity::Roll, _) => format!("Moment, orders {orders}"),
     }
 }
 

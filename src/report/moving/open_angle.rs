@@ -112,7 +112,7 @@ impl<'a> OpenAngle<'a> {
         let [direct, reverse] = match verdict.quantity {
             Quantity::Force => &order.force,
             Quantity::Moment => &order.moment,
-            Quantity::Torque => return None,
+            Quantity::Torque | Quantity::Roll => return None,
         };
         Some(match verdict.sense? {
             Sense::Direct => direct,

@@ -73,7 +73,7 @@ fn heading(verdict: &Verdict) -> String {
         (Quantity::Moment, Some(Sense::Direct)) => format!("Moment, direct, order {order}"),
         (Quantity::Moment, Some(Sense::Reverse)) => format!("Moment, reverse, order {order}"),
         (Quantity::Moment, None) => format!("Moment, order {order}"),
-        (Quantity::Torque, _) => format!("Torque, order {order}"),
+        (Quantity::Torque | Quantity::Roll, _) => format!("Torque, order {order}"),
     }
 }
 

@@ -37,7 +37,7 @@ impl Scale {
             (Quantity::Force, _) => ("{} m r", "{} $m r$"),
             (Quantity::Moment, LengthUnit::Spacing) => ("{} m r a", "{} $m r a$"),
             (Quantity::Moment, LengthUnit::Metre) => ("{} m r · metre", "{} $m r$ · metre"),
-            (Quantity::Torque, _) => ("{} m r²", "{} $m r^2$"),
+            (Quantity::Torque | Quantity::Roll, _) => ("{} m r²", "{} $m r^2$"),
         };
         Scale::filling(stars, unit)
     }

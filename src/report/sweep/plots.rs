@@ -48,7 +48,7 @@ fn caption(sweep: &Sweep, quantity: Quantity, order: u32) -> Text {
     let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
     match quantity {
         Quantity::Moment => phrase!("Moment of order {}. {}", order, shown),
-        Quantity::Force | Quantity::Torque => phrase!("Force of order {}. {}", order, shown),
+        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!("Force of order {}. {}", order, shown),
     }
 }
 

@@ -64,7 +64,7 @@ fn name(quantity: Quantity, order: u32) -> Text {
     match quantity {
         Quantity::Force => phrase!("Force of order {}", order),
         Quantity::Moment => phrase!("Moment of order {}", order),
-        Quantity::Torque => phrase!("Torque of order {}", order),
+        Quantity::Torque | Quantity::Roll => phrase!("Torque of order {}", order),
     }
 }
 

@@ -56,7 +56,7 @@ pub(super) fn extremes(sweep: &Sweep, findings: &[Finding]) -> Table {
 fn in_unit(sweep: &Sweep, quantity: Quantity) -> Text {
     match quantity {
         Quantity::Moment => phrase!("moment in {}", unit(sweep, quantity)),
-        Quantity::Force | Quantity::Torque => phrase!("force in {}", unit(sweep, quantity)),
+        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!("force in {}", unit(sweep, quantity)),
     }
 }
 
@@ -74,7 +74,9 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
         let tables: Vec<Block> = tables.flatten().collect();
         let summary = match quantity {
             Quantity::Moment => phrase!("The moment at each of the {} points", sweep.points.len()),
-            Quantity::Force | Quantity::Torque => phrase!("The force at each of the {} points", sweep.points.len()),
+            Quantity::Force | Quantity::Torque | Quantity::Roll => {
+                phrase!("The force at each of the {} points", sweep.points.len())
+            }
         };
         folds.extend((!tables.is_empty()).then_some(Fold { summary, blocks: tables }));
     }

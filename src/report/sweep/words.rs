@@ -78,7 +78,7 @@ pub(super) fn quantity_name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Force => "force",
         Quantity::Moment => "moment",
-        Quantity::Torque => "torque",
+        Quantity::Torque | Quantity::Roll => "torque",
     }
 }
 

@@ -61,6 +61,7 @@ pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
     let positions: BTreeSet<&BigRational> = match engine.form() {
         Form::Radial => engine.cylinders().iter().map(|cylinder| &cylinder.position).collect(),
         Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::General => BTreeSet::new(),
+        Form::OpposedPiston | Form::U | Form::H | Form::Delta => BTreeSet::new(),
     };
     if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
 }

@@ -6,7 +6,7 @@ use crankstar::proof::{Document, Quantity};
 use crankstar::verdict::{self, OrderBalance, OrderVerdict, Theorem};
 
 pub fn quantities(torque: bool) -> Vec<Quantity> {
-    Quantity::ALL.into_iter().filter(|quantity| torque || *quantity != Quantity::Torque).collect()
+    [Quantity::Force, Quantity::Moment].into_iter().chain(torque.then_some(Quantity::Torque)).collect()
 }
 
 /// One verdict per order.

@@ -25,12 +25,13 @@ pub fn cylinder(name: &str, [throw, bank, position]: [&str; 3], rod: Option<[&st
         reciprocating_mass: BigRational::one(),
         crank_radius: BigRational::one(),
         rod: rod.map_or(RodStatement::Unknown, known),
+        crankshaft: None,
     }
 }
 
 pub fn turning(name: &str, order: u32, sense: Sense, [position, angle, mass_radius]: [&str; 3]) -> TurningMassClaim {
     let [position, angle, mass_radius] = [position, angle, mass_radius].map(ratio);
-    TurningMassClaim { name: name.to_owned(), order, sense, position, angle, mass_radius }
+    TurningMassClaim { name: name.to_owned(), order, sense, position, angle, mass_radius, axis: Vec::new() }
 }
 
 pub fn document(
@@ -85,9 +86,9 @@ pub fn senses(quantity: Quantity) -> Vec<Option<Sense>> {
 fn before(rod: &RodStatement, quantity: Quantity, order: u32) -> (Coefficient, bool, i64) {
     let odd = order % 2 == 1;
     match (rod, quantity) {
-        (RodStatement::Unknown, Quantity::Torque) => (Coefficient::Common, false, 1),
+        (RodStatement::Unknown, Quantity::Torque) => (Coefficient::CommonTorque, false, 1),
         (RodStatement::Known(rod), Quantity::Torque) => {
-            (Coefficient::Rod(rod.clone()), rod.ratio.is_zero() && order != 2, 1)
+            (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2, 1)
         }
         (RodStatement::Unknown, _) if order == 1 => (Coefficient::One, false, 1),
         (RodStatement::Unknown, _) => (Coefficient::Common, odd, 1),
@@ -167,15 +168,14 @@ fn sums(document: &Document, quantity: Quantity, order: u32) -> Vec<Sums> {
 }
 
 /// The coefficient as the room `motion` has it.
-pub fn number(coefficient: &Coefficient, quantity: Quantity, order: u32) -> Option<Complex<f64>> {
-    let rod = match coefficient {
-        Coefficient::One => return Some(Complex::one()),
-        Coefficient::Common => return None,
-        Coefficient::Rod(rod) => rod,
-    };
-    let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).expect("it turns round");
-    let number = if quantity == Quantity::Torque { crank.torque_coefficient(order) } else { crank.coefficient(order) };
-    Some(number.to_complex())
+pub fn number(coefficient: &Coefficient, order: u32) -> Option<Complex<f64>> {
+    let crank = |rod: &RodClaim| SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).expect("it turns round");
+    match coefficient {
+        Coefficient::One => Some(Complex::one()),
+        Coefficient::Common | Coefficient::CommonTorque => None,
+        Coefficient::Rod(rod) => Some(crank(rod).coefficient(order).to_complex()),
+        Coefficient::Torque(rod) => Some(crank(rod).torque_coefficient(order).to_complex()),
+    }
 }
 
 fn weights(left: &[&Sums], place: usize) -> f64 {
@@ -186,7 +186,7 @@ fn weights(left: &[&Sums], place: usize) -> f64 {
 /// The whole in floats, and how long it would be if nothing cancelled; none where a rod is not known.
 fn total(left: &[&Sums], quantity: Quantity, order: u32, place: usize) -> Option<(Complex<f64>, f64)> {
     left.iter().try_fold((Complex::zero(), 0.0), |(sum, reach), group| {
-        let c = number(&group.coefficient, quantity, order)?;
+        let c = number(&group.coefficient, order)?;
         let c = if senses(quantity)[place] == Some(Sense::Reverse) { c.conj() } else { c };
         let own: f64 = weights(&[group], place);
         Some((sum + c * evaluate(&group.sums[place]), reach + c.norm() * own))

@@ -1,0 +1,70 @@
+//! Which crankshafts are geared together, where do they stand, and which way do they turn?
+//!
+//! A piston moves alike on a crank that turns against the reference and on the mirror image of that crank in its cylinder's axis, which
+//! turns with it: throw `2α − β` and offset `−δ` in place of β and δ (theory, section 14). A [`Cylinder`]
+//! holds the throw and the rod of this equivalent crank, so that forces, moments and the output torque need no case of their own;
+//! where its pin stands is [`Engine::pin_angle`].
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::cylinder::Cylinder;
+use super::model::Engine;
+use crate::exact::{Term, Turn};
+use crate::proof::Sense;
+use crate::text::Untrusted;
+
+/// One of several crankshafts, geared together one to one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GearedCrank {
+    /// What it is called.
+    pub name: Untrusted,
+    /// Direct: it turns anticlockwise, as the only crankshaft of an engine does; reverse: against that.
+    pub sense: Sense,
+    /// Where its axis stands in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine.
+    pub axis: Vec<Term>,
+}
+
+impl GearedCrank {
+    /// A crankshaft whose axis stands so high along the reference direction and so far to its left (along 90°), in crank radii.
+    pub fn at(name: &str, sense: Sense, height: BigRational, offset: BigRational) -> Self {
+        let terms =
+            [Term { angle: Turn::zero(), weight: height }, Term { angle: Turn::fraction(1, 4), weight: offset }];
+        let axis = terms.into_iter().filter(|term| !term.weight.is_zero()).collect();
+        GearedCrank { name: Untrusted::new(name), sense, axis }
+    }
+
+    /// One whose axis stands at this distance, in crank radii, in this direction.
+    pub fn towards(name: &str, sense: Sense, distance: BigRational, angle: Turn) -> Self {
+        let axis = if distance.is_zero() { Vec::new() } else { vec![Term { angle, weight: distance }] };
+        GearedCrank { name: Untrusted::new(name), sense, axis }
+    }
+}
+
+impl<A, L> Engine<A, L> {
+    /// The crankshafts that are geared together; none where there is one, in the middle, that turns anticlockwise.
+    pub fn geared_cranks(&self) -> &[GearedCrank] {
+        &self.draft().geared_cranks
+    }
+
+    /// The crankshaft that a cylinder works on, where several are geared together.
+    pub fn crank_of(&self, cylinder: &Cylinder<A, L>) -> Option<&GearedCrank> {
+        self.geared_cranks().get(cylinder.crank)
+    }
+
+    /// Which way the crank of a cylinder turns.
+    pub fn sense_of(&self, cylinder: &Cylinder<A, L>) -> Sense {
+        self.crank_of(cylinder).map_or(Sense::Direct, |crank| crank.sense)
+    }
+}
+
+impl Engine {
+    /// Where the crankpin of a cylinder stands at θ = 0: its throw, or on a crank that turns against the reference the mirror image
+    /// of it in the cylinder's axis.
+    pub fn pin_angle(&self, cylinder: &Cylinder) -> Turn {
+        match self.sense_of(cylinder) {
+            Sense::Direct => cylinder.throw.clone(),
+            Sense::Reverse => &cylinder.bank.times(2) - &cylinder.throw,
+        }
+    }
+}

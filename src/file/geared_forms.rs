@@ -1,0 +1,273 @@
+//! How do people describe engines with several crankshafts? Opposed pistons, H, U, square four, delta: each becomes cylinders.
+//!
+//! A phase is how far the pistons of a crankshaft are ahead of those of the first one, each in the sense that it turns in; what
+//! stands in a [`Cylinder`] is the equivalent crank that turns with the reference (theory, section 14).
+
+use num_rational::BigRational;
+use serde::Deserialize;
+
+use super::error::LayoutError;
+use super::forms::{Expanded, pins};
+use super::geared_keys::{Axis, Distance, Geared, sense};
+use super::quantities::{List, angles, misread, optional_angle};
+use super::written::{Text, place};
+use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::exact::Turn;
+use crate::proof::Sense;
+
+/// `[opposed_piston]`: two pistons in each cylinder, on a crankshaft below and one above.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OpposedPiston {
+    throws: List,
+    lead: Text,
+    leading: Option<Text>,
+    sense: Option<Text>,
+    distance: Option<Text>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+}
+
+/// `[u]`: two engines in line side by side.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct U {
+    throws: List,
+    sense: Text,
+    phase: Option<Text>,
+    distance: Option<Text>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+}
+
+/// `[square_four]`: a U of two cylinders in each row, whose throws stand 180° apart.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SquareFour {
+    in_phase: Text,
+    sense: Text,
+    distance: Option<Text>,
+    spacing: Option<Text>,
+}
+
+/// `[h]`: two flat engines on shared pins, one above the other.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct H {
+    throws: List,
+    sense: Text,
+    phase: Option<Text>,
+    distance: Option<Text>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+}
+
+/// `[delta]`: rows of three cylinders with two pistons each, on crankshafts in the corners of a triangle.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Delta {
+    rows: List,
+    against: Option<List>,
+    circumradius: Option<Text>,
+    spacing: Option<Text>,
+    positions: Option<List>,
+}
+
+/// Half of what stands between two axes, where nothing is said of it, in crank radii: it is drawn so, and forces do not feel it.
+const HALF_BETWEEN: i64 = 4;
+/// Of the axes of a delta from its middle, in crank radii.
+const CIRCUMRADIUS: i64 = 6;
+
+/// One bank of pistons on one of the crankshafts.
+struct Bank {
+    crank: usize,
+    axis: Linear,
+    /// By how much the throw of the equivalent crank is ahead of that of the list.
+    ahead: Linear,
+    /// What stands behind the number in its cylinders' names.
+    suffix: &'static str,
+}
+
+impl Bank {
+    fn new(crank: usize, axis: i64, ahead: Linear) -> Self {
+        Bank { crank, axis: degrees(axis), ahead, suffix: "" }
+    }
+}
+
+impl OpposedPiston {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let lead = optional_angle(&Some(self.lead.clone()))?;
+        let (of_lower, of_upper) = match self.leading.as_ref().map(|text| (text, text.get_ref().0.as_str())) {
+            None | Some((_, "upper")) => (Linear::default(), lead),
+            Some((_, "lower")) => (lead, Linear::default()),
+            Some((text, other)) => {
+                let right = "\"upper\" or \"lower\": the crankshaft whose pistons open the exhaust".to_owned();
+                return Err(misread("leading crankshaft", other, right, text));
+            }
+        };
+        let upper = self.sense.as_ref().map_or(Ok(Sense::Direct), sense)?;
+        let banks = [
+            Bank { suffix: "a", ..Bank::new(0, 0, of_lower) },
+            Bank { suffix: "b", ..Bank::new(1, 180, degrees(180).plus(&of_upper)) },
+        ];
+        let cranks = above_each_other(["lower", "upper"], upper, self.distance.as_ref());
+        expand(Form::OpposedPiston, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
+    }
+}
+
+impl U {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, optional_angle(&self.phase)?)];
+        let cranks = side_by_side(sense(&self.sense)?, self.distance.as_ref());
+        expand(Form::U, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
+    }
+}
+
+impl SquareFour {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let phase = match self.in_phase.get_ref().0.as_str() {
+            "diagonals" => degrees(180),
+            "sides" => Linear::default(),
+            other => {
+                let right = "\"diagonals\" or \"sides\": which pistons move alike".to_owned();
+                return Err(misread("choice", other, right, &self.in_phase));
+            }
+        };
+        let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, phase)];
+        let cranks = side_by_side(sense(&self.sense)?, self.distance.as_ref());
+        let place = place(&self.in_phase).unwrap_or_default();
+        of_throws(Form::U, vec![degrees(0), degrees(180)], place, (&self.spacing, &None), &banks, cranks)
+    }
+}
+
+impl H {
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        let phase = optional_angle(&self.phase)?;
+        let banks = [
+            Bank::new(0, 90, Linear::default()),
+            Bank::new(0, -90, Linear::default()),
+            Bank::new(1, 90, phase.clone()),
+            Bank::new(1, -90, phase),
+        ];
+        let of_lower = sense(&self.sense)?;
+        let cranks = above_each_other(["upper", "lower"], of_lower, self.distance.as_ref());
+        expand(Form::H, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
+    }
+}
+
+impl Delta {
+    /// At a corner the cylinder of the exhaust piston points to the next corner, that of the inlet piston to the one before, 60° apart;
+    /// round the triangle the leads of the exhaust come to `60° (s_1 + s_2 + s_3)`, a third of it each.
+    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+        const CORNERS: [(&str, i64); 3] = [("A", 180), ("B", 300), ("C", 60)];
+        let mut senses = [Sense::Direct; 3];
+        match &self.against {
+            None => senses[0] = Sense::Reverse,
+            Some(list) => {
+                for text in list.get_ref() {
+                    let written = text.get_ref().0.as_str();
+                    let Some(corner) = CORNERS.iter().position(|(name, _)| *name == written) else {
+                        let right = "\"A\", the corner below, \"B\" or \"C\"".to_owned();
+                        return Err(misread("corner", written, right, text));
+                    };
+                    senses[corner] = Sense::Reverse;
+                }
+            }
+        }
+        let signs = senses.map(|sense| if sense == Sense::Direct { 1 } else { -1 });
+        let lead = 20 * signs.iter().sum::<i64>();
+        let mut banks = Vec::new();
+        let mut ahead = 0;
+        for (corner, (_, stands_at)) in CORNERS.into_iter().enumerate() {
+            if corner > 0 {
+                ahead += 60 * signs[corner] - lead;
+            }
+            let next = (corner + 1) % 3;
+            let (exhaust, inlet) = (stands_at + 150, stands_at + 330);
+            banks.push(Bank { suffix: EXHAUST[corner], ..Bank::new(corner, exhaust, degrees(ahead + exhaust)) });
+            banks.push(Bank { suffix: INLET[corner], ..Bank::new(next, inlet, degrees(ahead - lead + inlet)) });
+        }
+        let cranks = CORNERS.into_iter().zip(senses).map(|((name, angle), sense)| Geared {
+            name: name.to_owned(),
+            sense,
+            axis: Axis::Towards(
+                Distance::of(number(1), self.circumradius.as_ref(), CIRCUMRADIUS),
+                Turn::fraction(angle, 360),
+            ),
+        });
+        expand(Form::Delta, &self.rows, (&self.spacing, &self.positions), &banks, cranks.collect())
+    }
+}
+
+/// The exhaust pistons between corners A and B, B and C, C and A.
+const EXHAUST: [&str; 3] = ["ABe", "BCe", "CAe"];
+const INLET: [&str; 3] = ["ABi", "BCi", "CAi"];
+
+fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>) -> Vec<Geared> {
+    let of_first = if names[0] == "upper" { 1 } else { -1 };
+    let height = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance, 2 * HALF_BETWEEN);
+    let crank = |name: &str, sense, sign| Geared {
+        name: name.to_owned(),
+        sense,
+        axis: Axis::Across(height(sign), Distance::none()),
+    };
+    vec![crank(names[0], Sense::Direct, of_first), crank(names[1], of_second, -of_first)]
+}
+
+fn side_by_side(of_right: Sense, distance: Option<&Text>) -> Vec<Geared> {
+    let offset = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance, 2 * HALF_BETWEEN);
+    let crank = |name: &str, sense, sign| Geared {
+        name: name.to_owned(),
+        sense,
+        axis: Axis::Across(Distance::none(), offset(sign)),
+    };
+    vec![crank("left", Sense::Direct, 1), crank("right", of_right, -1)]
+}
+
+fn expand(
+    form: Form,
+    throws: &List,
+    places: (&Option<Text>, &Option<List>),
+    banks: &[Bank],
+    cranks: Vec<Geared>,
+) -> Result<Expanded, LayoutError> {
+    of_throws(form, angles(throws)?, throws.span(), places, banks, cranks)
+}
+
+fn of_throws(
+    form: Form,
+    throws: Vec<Linear>,
+    place: std::ops::Range<usize>,
+    (spacing, positions): (&Option<Text>, &Option<List>),
+    banks: &[Bank],
+    geared: Vec<Geared>,
+) -> Result<Expanded, LayoutError> {
+    let mut length_unit = LengthUnit::Spacing;
+    let pins = pins(throws, place, spacing, positions, super::forms::unit_length(), &mut length_unit)?;
+    let count = pins.pins.len();
+    if banks.len() * count > MOST_CYLINDERS {
+        let message = format!("{} pistons", banks.len() * count);
+        return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
+    }
+    let cylinders = banks.iter().flat_map(|bank| {
+        pins.pins.iter().enumerate().map(move |(pin, (throw, position))| {
+            let on = bank.crank * count + pin;
+            let mut cylinder = Cylinder::new(throw.plus(&bank.ahead), bank.axis.clone(), position.clone(), on);
+            cylinder.crank = bank.crank;
+            if !bank.suffix.is_empty() {
+                cylinder.name = format!("{}{}", pin + 1, bank.suffix);
+            }
+            cylinder
+        })
+    });
+    let cylinders = cylinders.collect();
+    Ok(Expanded { form, cylinders, length_unit, positions_given: pins.positions_given, geared })
+}
+
+fn degrees(angle: i64) -> Linear {
+    Linear::constant(BigRational::new(angle.into(), 360.into()))
+}
+
+fn number(number: i64) -> BigRational {
+    BigRational::from_integer(number.into())
+}

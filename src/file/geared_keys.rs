@@ -1,0 +1,233 @@
+//! How are several crankshafts written? `[[crankshaft]]`, and which of them a cylinder names.
+
+use num_rational::BigRational;
+use serde::Deserialize;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
+use serde_spanned::Spanned;
+
+use super::crankshaft_keys;
+use super::error::LayoutError;
+use super::quantities::{self, misread};
+use super::units;
+use super::written::{Table, Text, place};
+use crate::engine::{Cylinder, Dimensions, GearedCrank, Linear, Mechanism};
+use crate::exact::Turn;
+use crate::proof::Sense;
+
+/// What stands below `crankshaft`: the masses of the only one, or a list of those that are geared together.
+pub(super) enum Tables {
+    /// `[crankshaft]`.
+    Masses(Box<crankshaft_keys::Keys>),
+    /// `[[crankshaft]]`.
+    Geared(Vec<Spanned<Table<Keys>>>),
+}
+
+impl<'de> Deserialize<'de> for Tables {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OneOrSeveral;
+        impl<'de> Visitor<'de> for OneOrSeveral {
+            type Value = Tables;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("the table [crankshaft], or one [[crankshaft]] for each of several")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<Tables, A::Error> {
+                crankshaft_keys::Keys::deserialize(MapAccessDeserializer::new(keys)).map(Box::new).map(Tables::Masses)
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Tables, A::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(list)).map(Tables::Geared)
+            }
+        }
+        deserializer.deserialize_any(OneOrSeveral)
+    }
+}
+
+/// `[[crankshaft]]`: one of several that are geared together one to one.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    name: Text,
+    sense: Text,
+    height: Option<Text>,
+    offset: Option<Text>,
+    distance: Option<Text>,
+    angle: Option<Text>,
+    phase: Option<Text>,
+}
+
+/// A crankshaft whose axis is still as it was written.
+pub(super) struct Geared {
+    pub name: String,
+    pub sense: Sense,
+    pub axis: Axis,
+}
+
+/// Where an axis stands: lengths with a unit, or in crank radii.
+pub(super) enum Axis {
+    /// So high along the reference direction, and so far to its left.
+    Across(Distance, Distance),
+    /// So far in this direction.
+    Towards(Distance, Turn),
+}
+
+/// A length across the crankshaft, with the text that says it.
+pub(super) struct Distance {
+    /// Of what was written.
+    pub times: BigRational,
+    pub written: Option<Text>,
+    /// Where nothing was written: so many crank radii.
+    pub usual: BigRational,
+}
+
+impl Distance {
+    pub fn none() -> Self {
+        Distance { times: number(0), written: None, usual: number(0) }
+    }
+
+    pub fn of(times: BigRational, written: Option<&Text>, usual: i64) -> Self {
+        Distance { times, written: written.cloned(), usual: number(usual) }
+    }
+
+    /// In crank radii.
+    fn read(&self, crank_radius: Option<&BigRational>) -> Result<BigRational, LayoutError> {
+        let Some(text) = &self.written else { return Ok(&self.times * &self.usual) };
+        let written = &text.get_ref().0;
+        let length = units::length(written).map_err(|right| misread("length", written, right, text))?;
+        match (length.has_unit, crank_radius) {
+            (false, _) => Ok(&self.times * length.value),
+            (true, Some(radius)) => Ok(&self.times * length.value / radius),
+            (true, None) => Err(LayoutError::new(
+                format!("`{written}` between crankshafts whose crank radius is not known"),
+                "give stroke or crank_radius below [mechanism], or the distance in crank radii, without a unit",
+                place(text),
+            )),
+        }
+    }
+}
+
+/// The masses of the only crankshaft, with their place.
+pub(super) fn masses(tables: &Spanned<Tables>) -> Option<(&crankshaft_keys::Keys, std::ops::Range<usize>)> {
+    match tables.get_ref() {
+        Tables::Masses(keys) => Some((keys, tables.span())),
+        Tables::Geared(_) => None,
+    }
+}
+
+/// The tables of several crankshafts; none where there is one.
+pub(super) fn several(tables: Option<&Spanned<Tables>>) -> &[Spanned<Table<Keys>>] {
+    match tables.map(Spanned::get_ref) {
+        Some(Tables::Geared(tables)) => tables,
+        Some(Tables::Masses(_)) | None => &[],
+    }
+}
+
+/// Reads the tables of several crankshafts, and how far the throws of each are turned.
+pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRational)>, LayoutError> {
+    let mut names: Vec<&str> = Vec::new();
+    let one = |table: &Spanned<Table<Keys>>| {
+        let keys = &table.get_ref().0;
+        let axis = match (&keys.distance, &keys.angle) {
+            (None, None) => {
+                let across = |text: &Option<Text>| Distance::of(number(1), text.as_ref(), 0);
+                Axis::Across(across(&keys.height), across(&keys.offset))
+            }
+            (Some(distance), Some(angle)) if keys.height.is_none() && keys.offset.is_none() => {
+                let angle = Turn::new(quantities::known_angle(angle)?);
+                Axis::Towards(Distance::of(number(1), Some(distance), 0), angle)
+            }
+            _ => {
+                let right = "height and offset, or distance and angle: one of the two pairs";
+                return Err(LayoutError::new("the axis of a crankshaft is not told in one way", right, place(table)));
+            }
+        };
+        let phase = keys.phase.as_ref().map_or(Ok(number(0)), quantities::known_angle)?;
+        Ok((Geared { name: keys.name.get_ref().0.clone(), sense: sense(&keys.sense)?, axis }, phase))
+    };
+    for table in tables {
+        let name = &table.get_ref().0.name;
+        if names.contains(&name.get_ref().0.as_str()) {
+            let right = "a name of its own for each".to_owned();
+            return Err(misread("name of a second crankshaft", &name.get_ref().0, right, name));
+        }
+        names.push(&name.get_ref().0);
+    }
+    tables.iter().map(one).collect()
+}
+
+/// With or against the reference.
+pub(super) fn sense(text: &Text) -> Result<Sense, LayoutError> {
+    match text.get_ref().0.as_str() {
+        "with" => Ok(Sense::Direct),
+        "against" => Ok(Sense::Reverse),
+        other => {
+            let right = "\"with\" the reference, anticlockwise seen from the free end, or \"against\" it".to_owned();
+            Err(misread("sense of a crankshaft", other, right, text))
+        }
+    }
+}
+
+/// The crankshaft that a cylinder names; of several every cylinder names one.
+pub(super) fn named(
+    cranks: &[(Geared, BigRational)],
+    name: Option<&Text>,
+    cylinder: impl FnOnce() -> Option<std::ops::Range<usize>>,
+) -> Result<usize, LayoutError> {
+    let names = || cranks.iter().map(|(crank, _)| crank.name.as_str()).collect::<Vec<_>>().join(", ");
+    match (name, cranks.is_empty()) {
+        (None, true) => Ok(0),
+        (Some(text), true) => {
+            let right = "list the crankshafts in [[crankshaft]] tables, each with its name";
+            Err(LayoutError::new(format!("no crankshaft is called {}", text.get_ref().0), right, place(text)))
+        }
+        (None, false) => {
+            let right = format!("add crankshaft = \"…\", one of {}", names());
+            Err(LayoutError::new("a cylinder does not say which crankshaft it works on", right, cylinder()))
+        }
+        (Some(text), false) => {
+            let written = &text.get_ref().0;
+            let found = cranks.iter().position(|(crank, _)| crank.name == *written);
+            found.ok_or_else(|| misread("crankshaft", written, format!("one of {}", names()), text))
+        }
+    }
+}
+
+/// The throw of the equivalent crank that turns with the reference: on one against it the mirror image in the cylinder's axis.
+pub(super) fn equivalent(throw: &Linear, bank: &Linear, sense: Sense) -> Linear {
+    match sense {
+        Sense::Direct => throw.clone(),
+        Sense::Reverse => bank.scaled(&number(2)).minus(throw),
+    }
+}
+
+/// The crankshafts with their axes in crank radii; the rods of cylinders on one against the reference become those of the
+/// equivalent crank.
+pub(super) fn placed(
+    geared: &[Geared],
+    dimensions: &Dimensions,
+    cylinders: &mut [Cylinder<Linear, Linear>],
+) -> Result<Vec<GearedCrank>, LayoutError> {
+    for cylinder in cylinders.iter_mut() {
+        if geared.get(cylinder.crank).is_some_and(|crank| crank.sense == Sense::Reverse) {
+            match &mut cylinder.mechanism {
+                Some(Mechanism::SliderCrank(rod)) => rod.offset = -rod.offset.clone(),
+                None => {}
+            }
+        }
+    }
+    let radius = dimensions.crank_radius.as_ref();
+    let crank = |crank: &Geared| {
+        Ok(match &crank.axis {
+            Axis::Across(height, offset) => {
+                GearedCrank::at(&crank.name, crank.sense, height.read(radius)?, offset.read(radius)?)
+            }
+            Axis::Towards(distance, angle) => {
+                GearedCrank::towards(&crank.name, crank.sense, distance.read(radius)?, angle.clone())
+            }
+        })
+    };
+    geared.iter().map(crank).collect()
+}
+
+fn number(number: i64) -> BigRational {
+    BigRational::from_integer(number.into())
+}

@@ -1,0 +1,97 @@
+//! Which terms does each source add to an order of the roll moment on the frame?
+//!
+//! About the middle of the engine, in multiples of m r² ω² (theory, section 14): the force `f = Re Σ c_k e^{ik(θ+β−α)}` of a piston
+//! acts along a line that passes at an arm, and the torque T on its crank turns the frame with −T,
+//!
+//! `Re Σ_k e^{ikθ} (arm · c_k − s t_k) e^{ik(β−α)}`, s = ±1 for a crank that turns with or against the reference.
+//!
+//! The arm of a line whose crankshaft stands at distance d in the direction η is `d sin(α−η)`, two vectors of half the length:
+//! `d/2 (e^{i(α−η−90°)} + e^{−i(α−η−90°)})`. An offset e adds −e. A mass-radius U that turns about such an axis at n times the crank
+//! speed adds `n²Ud e^{i(γ−η−90°)}` with the crank, `n²Ud e^{−i(γ−η−90°)}` against it.
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::contribution::{Contribution, Sources};
+use super::factor::Factor;
+use super::phase::phase;
+use super::source::Source;
+use super::turning::mass_radius;
+use crate::engine::{Cylinder, Engine};
+use crate::exact::{Term, Turn};
+use crate::proof::Sense;
+
+impl Sources<'_> {
+    /// What each source adds to the roll moment of one order.
+    pub fn of_roll(&self, order: u32) -> Vec<Contribution> {
+        let pistons = self.cylinders().flat_map(|(index, cylinder)| {
+            let terms = of_cylinder(self.engine(), cylinder, order).into_iter();
+            terms.map(move |(factor, term)| Contribution {
+                source: Source::Piston(index),
+                position: cylinder.position.clone(),
+                factor,
+                term,
+            })
+        });
+        let turning = self.turning().iter().filter(|mass| mass.order == order).flat_map(|mass| {
+            let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into()) * &mass.mass_radius;
+            mass.axis.iter().map(move |axis| {
+                let ahead = &(&mass.angle - &axis.angle) - &Turn::fraction(1, 4);
+                let angle = match mass.sense {
+                    Sense::Direct => ahead,
+                    Sense::Reverse => -&ahead,
+                };
+                Contribution {
+                    source: mass.source,
+                    position: mass.position.clone(),
+                    factor: Factor::One,
+                    term: Term { angle, weight: &square * &axis.weight },
+                }
+            })
+        });
+        pistons.chain(turning).collect()
+    }
+}
+
+fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor, Term)> {
+    let star = phase(cylinder, order, None);
+    let weight = mass_radius(engine, cylinder);
+    let (force, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order);
+    let arms = arms(engine, cylinder).into_iter().map(|arm| {
+        let term = Term { angle: &star + &arm.angle, weight: &weight * &sign * arm.weight };
+        (force.clone(), term)
+    });
+    let sense = match engine.sense_of(cylinder) {
+        Sense::Direct => -BigRational::one(),
+        Sense::Reverse => BigRational::one(),
+    };
+    let torque = Term { angle: star.clone(), weight: &weight * &cylinder.crank_radius * sense };
+    arms.chain([(Factor::of_torque(cylinder.mechanism.as_ref()), torque)]).collect()
+}
+
+/// The arm of a cylinder's axis about the middle of the engine, in crank radii, as a sum of vectors.
+fn arms(engine: &Engine, cylinder: &Cylinder) -> Vec<Term> {
+    let half = BigRational::new(1.into(), 2.into());
+    let mut arms = Vec::new();
+    for axis in engine.crank_of(cylinder).into_iter().flat_map(|crank| &crank.axis) {
+        // Its cosine is the sine of α − η.
+        let turned = &(&cylinder.bank - &axis.angle) - &Turn::fraction(1, 4);
+        let weight = axis.weight.clone();
+        if turned == Turn::zero() || turned == Turn::fraction(1, 2) {
+            arms.push(Term { angle: turned, weight });
+        } else if turned != Turn::fraction(1, 4) && turned != Turn::fraction(3, 4) {
+            arms.push(Term { angle: -&turned, weight: &weight * &half });
+            arms.push(Term { angle: turned, weight: weight * &half });
+        }
+    }
+    if let Some(rod) = cylinder.rod().filter(|rod| !rod.offset.is_zero() && !rod.ratio.is_zero()) {
+        let offset = &rod.offset / &rod.ratio * &cylinder.crank_radius;
+        let weight = match engine.sense_of(cylinder) {
+            Sense::Direct => -offset,
+            // The rod is that of the equivalent crank, which lies on the other side.
+            Sense::Reverse => offset,
+        };
+        arms.push(Term { angle: Turn::zero(), weight });
+    }
+    arms
+}

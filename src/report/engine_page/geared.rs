@@ -1,0 +1,54 @@
+//! Which crankshafts has the engine, and how are those that turn against the reference judged?
+
+use super::super::typeset;
+use crate::engine::Engine;
+use crate::page::{Block, Table, Text, phrase};
+use crate::proof::Sense;
+
+/// The crankshafts, and the pins of the cylinders on them; nothing where there is one.
+pub(super) fn section(engine: &Engine) -> Vec<Block> {
+    let cranks = engine.geared_cranks();
+    if cranks.is_empty() {
+        return Vec::new();
+    }
+    let mut table = Table::new(["Crankshaft", "It turns", "Its axis, in crank radii", "Cylinders", "Pins at θ = 0"]);
+    for (index, crank) in cranks.iter().enumerate() {
+        let own: Vec<_> = engine.cylinders().iter().filter(|cylinder| cylinder.crank == index).collect();
+        let names: Vec<&str> = own.iter().map(|cylinder| cylinder.name.as_str()).collect();
+        let mut pins: Vec<String> = own.iter().map(|cylinder| typeset::angle(&engine.pin_angle(cylinder))).collect();
+        pins.dedup();
+        let axis = crank.axis.iter().map(|term| {
+            phrase!("{} at {}", typeset::short(&term.weight), typeset::degrees(&typeset::signed_degrees(&term.angle)))
+        });
+        table.push(vec![
+            (&crank.name).into(),
+            turns(crank.sense).into(),
+            if crank.axis.is_empty() { "in the middle".into() } else { Text::joined(axis, " + ") },
+            typeset::names(&names).into(),
+            pins.join(", ").into(),
+        ]);
+    }
+    let mut blocks = vec![table.into()];
+    if cranks.iter().any(|crank| crank.sense == Sense::Reverse) {
+        blocks.push(Block::Paragraph(
+            "A piston moves alike on a crank that turns against the reference and on the mirror image of that crank in the \
+             cylinder's axis, which turns with the reference: throw 2α − β in place of β. The throws of the table of cylinders are \
+             those of these equivalent cranks, so that force, moment and torque are judged as of one crankshaft."
+                .into(),
+        ));
+    }
+    blocks.push(Block::Paragraph(
+        "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
+         what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
+         turned round."
+            .into(),
+    ));
+    blocks
+}
+
+fn turns(sense: Sense) -> &'static str {
+    match sense {
+        Sense::Direct => "with the reference",
+        Sense::Reverse => "against the reference",
+    }
+}
