@@ -11,7 +11,7 @@ use crate::verdict::{self, OrderVerdict, WholeOrder};
 /// Answers whether orders vanish and which shape is left; sizes are not compared.
 pub(super) fn answer(engine: &Engine, statement: &Statement) -> Answer {
     match statement {
-        Statement::Order { subject, predicate } if subject.quantity != Quantity::Torque => {
+        Statement::Order { subject, predicate } if ![Quantity::Torque, Quantity::Roll].contains(&subject.quantity) => {
             one(engine, *subject, predicate)
         }
         Statement::Vanish { orders: Orders::Listed(orders), quantities } => listed(engine, orders, quantities),
@@ -46,7 +46,9 @@ fn one(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
             found => Some(found == *shape),
         },
         (Predicate::Is(_) | Predicate::Equals(..) | Predicate::Plane(_), _) => {
-            return Answer::nothing("the rods of the engine differ, so that sizes and directions of an order are not compared");
+            return Answer::nothing(
+                "the rods of the engine differ, so that sizes and directions of an order are not compared",
+            );
         }
     };
     Answer { status: status(holds), evidence: evidence(&order), finding: Finding::Whole(vec![order]) }
@@ -70,7 +72,7 @@ fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
 fn whole(order: &OrderVerdict, quantity: Quantity) -> &WholeOrder {
     match quantity {
         Quantity::Moment => &order.moment,
-        Quantity::Force | Quantity::Torque => &order.force,
+        Quantity::Force | Quantity::Torque | Quantity::Roll => &order.force,
     }
 }
 

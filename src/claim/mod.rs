@@ -38,7 +38,8 @@ pub use grammar::{ClaimError, parse_statement};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use statement::{
-    Angle, Balanced, Bearing, GasTorque, Orders, Possible, Predicate, Shafts, Statement, Subject, Tolerance, Unit, Value,
+    Angle, Balanced, Bearing, GasTorque, Orders, Possible, Predicate, Shafts, Statement, Subject, Tolerance, Unit,
+    Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};

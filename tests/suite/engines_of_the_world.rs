@@ -13,7 +13,7 @@ use crankstar::claim::{Published, parse_claims};
 use crankstar::engine::Engine;
 use crankstar::family::{self, OpenSum, When};
 use crankstar::file::{self, Layout};
-use crankstar::page::{Document, Format, Language};
+use crankstar::page::{Format, Language};
 use crankstar::proof::{Sense, Vector, check_certificate, check_open_document};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report::{self, BuiltEngine, Contents};
@@ -138,7 +138,8 @@ fn what_is_known_and_what_is_found_agree_but_where_a_reason_is_given() {
 #[test]
 fn every_fact_names_its_source_and_every_layout_is_short() {
     for name in names() {
-        let told = |fact: &Published| fact.text.is_some() && fact.source.as_ref().is_some_and(|at| !at.written().is_empty());
+        let told =
+            |fact: &Published| fact.text.is_some() && fact.source.as_ref().is_some_and(|at| !at.written().is_empty());
         assert!(built(&name).facts.statements.iter().all(told), "{name}");
         let layout = text(&name, "engine.toml");
         assert!(layout.lines().count() <= 20, "{name}: {}", layout.lines().count());
@@ -155,9 +156,11 @@ fn every_answer_to_a_fact_is_decided_and_its_certificates_hold() {
             assert_ne!(answer.status, crankstar::claim::Status::NotDecided, "{name}: {}", claim.says.written());
             for evidence in &answer.evidence {
                 let terms = evidence.sum().terms().iter();
-                let vectors: Vec<Vector> =
-                    terms.map(|term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() }).collect();
-                check_certificate(&vectors, evidence.vanishes(), evidence.certificate()).expect("the certificate holds");
+                let vectors: Vec<Vector> = terms
+                    .map(|term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() })
+                    .collect();
+                check_certificate(&vectors, evidence.vanishes(), evidence.certificate())
+                    .expect("the certificate holds");
             }
         }
     }
@@ -198,7 +201,14 @@ fn report(layout: &str) -> BTreeMap<String, String> {
             let judged = pages::judgement(&engine);
             let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
             let engine = &engine;
-            report::engine_page(Contents { engine, judged: &judged, family, needed: None, in_motion: false, accuracy: None })
+            report::engine_page(Contents {
+                engine,
+                judged: &judged,
+                family,
+                needed: None,
+                in_motion: false,
+                accuracy: None,
+            })
         }
         Layout::Open(_) => panic!("an engine that was built has no open angle"),
     };
@@ -226,10 +236,8 @@ fn the_index_of_engines_of_the_world_is_as_stored() {
 #[test]
 fn pages_of_engines_of_the_world_have_german_for_every_phrase() {
     let engines: Vec<BuiltEngine> = names().iter().map(|name| built(name)).collect();
-    let mut pages = vec![report::engines_page(&engines)];
-    pages.extend(engines.iter().flat_map(|built| [report::claims_page(&built.facts), report::claims_answer(&built.facts)]));
-    let phrases = pages.iter().flat_map(Document::phrases);
+    let page = report::engines_page(&engines);
     let missing: BTreeSet<&str> =
-        phrases.filter(|words| german::has_words(words) && !Language::De.knows(words)).collect();
+        page.phrases().into_iter().filter(|words| german::has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");
 }

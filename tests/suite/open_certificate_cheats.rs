@@ -200,7 +200,8 @@ fn evidence_that_is_not_needed_is_refused() {
 
 #[test]
 fn a_cosine_that_its_parts_do_not_have_is_refused() {
-    let with = |change: fn(&mut WhenClaim)| refused(V5, |document| change(&mut document.open_verdicts[REVERSE].sums[0].when));
+    let with =
+        |change: fn(&mut WhenClaim)| refused(V5, |document| change(&mut document.open_verdicts[REVERSE].sums[0].when));
     let other_value = with(|when| {
         let WhenClaim::Cosine { cosine, .. } = when else { panic!("{when:?}") };
         *cosine = fraction(1, 5);

@@ -97,7 +97,11 @@ const BESIDE: [(&str, &str, &str); 12] = [
     ),
     ("families", "Families", "{}: engines with open angles and lengths."),
     ("examples", "Examples", "{}: engines with numbers, in newtons."),
-    ("engines/README.md", "Engines of the world", "{}: engines that were built, what is known of them beside what is found."),
+    (
+        "engines/README.md",
+        "Engines of the world",
+        "{}: engines that were built, what is known of them beside what is found.",
+    ),
     ("claims/README.md", "Claims", "{}: published claims, checked."),
     (
         "firing/four-stroke.md",

@@ -49,7 +49,7 @@ impl Asked<'_> {
             Statement::Vanish { .. }
             | Statement::Order { .. }
             | Statement::Shafts { .. }
-        | Statement::CanBalance(_)
+            | Statement::CanBalance(_)
             | Statement::CrankshaftMass(_)
             | Statement::BearingLoad(_)
             | Statement::WorstBearings(_)

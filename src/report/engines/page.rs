@@ -35,7 +35,11 @@ fn counts(engines: &[BuiltEngine]) -> Vec<Text> {
     let agree = engines.iter().filter(|engine| engine.agrees()).count();
     let [all, hold] = engines.iter().map(BuiltEngine::agreement).fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
     vec![
-        phrase!("{} engines that were built, a report each; what is known of {} and what is found agree.", engines.len(), agree),
+        phrase!(
+            "{} engines that were built, a report each; what is known of {} and what is found agree.",
+            engines.len(),
+            agree
+        ),
         phrase!("Of {} statements that follow from what is known, {} are answered true.", all, hold),
     ]
 }
@@ -47,7 +51,15 @@ fn judged(engine: &BuiltEngine) -> Option<Judgement> {
 
 /// A row per engine.
 fn overview(engines: &[BuiltEngine]) -> Table {
-    let mut table = Table::new(["Engine", "Firing", "Force, order 1", "Moment, order 1", "Force, order 2", "Moment, order 2", "Agree"]);
+    let mut table = Table::new([
+        "Engine",
+        "Firing",
+        "Force, order 1",
+        "Moment, order 1",
+        "Force, order 2",
+        "Moment, order 2",
+        "Agree",
+    ]);
     for engine in engines {
         let mut row = vec![link(engine), firing(engine.engine.firing())];
         for order in judged(engine).iter().flat_map(|judged| &judged.orders) {

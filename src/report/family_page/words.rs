@@ -89,7 +89,8 @@ fn argument_of(found: &Cosine) -> String {
     };
     match turn == Turn::zero() {
         true => unknowns(&phi, &delta),
-        false => format!("{} + {}", unknowns(&phi, &delta), typeset::degrees(&typeset::signed_degrees(&turn))).replace("+ −", "− "),
+        false => format!("{} + {}", unknowns(&phi, &delta), typeset::degrees(&typeset::signed_degrees(&turn)))
+            .replace("+ −", "− "),
     }
 }
 
