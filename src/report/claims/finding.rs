@@ -74,7 +74,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
 /// What is left of an order to which several kinds of rods contribute.
 fn of_several_rods(order: &OrderVerdict) -> Text {
     let [force, moment] = residual::whole(order);
-    phrase!("Order {}: force {}, moment {}.", order.order, force, moment)
+    phrase!("Order {}: force {}; moment: {}.", order.order, force, moment)
 }
 
 /// What takes an order away, in a word or two.

@@ -69,7 +69,7 @@ impl BuiltEngine {
     fn found(&self, judged: &Judgement) -> Text {
         let orders = judged.orders.iter().filter(|order| order.exists()).map(|order| {
             let [force, moment] = residual::whole(order);
-            phrase!("Order {}: force {}, moment {}.", order.order, force, moment)
+            phrase!("Order {}: force {}; moment: {}.", order.order, force, moment)
         });
         let firing = self.engine.firing().map(|firing| match firing.is_even() {
             true => Text::from("It fires evenly."),
