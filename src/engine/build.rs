@@ -16,7 +16,7 @@ use super::model::Engine;
 use super::order::{NotAnOrder, are_orders, pistons_have_order};
 use super::throws::throws;
 use super::torsion::NoShaft;
-use crate::proof::Quantity;
+use crate::proof::{Quantity, Sense};
 
 /// An engine has at most so many cylinders.
 pub const MOST_CYLINDERS: usize = 2000;
@@ -66,6 +66,10 @@ pub enum BuildError {
         /// The cylinder.
         cylinder: String,
     },
+    /// What is known of one crankshaft alone, in an engine with several that are geared together.
+    OneCrankshaftAlone(&'static str),
+    /// The first of several crankshafts turns against the reference, which is its sense.
+    FirstCrank,
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -96,6 +100,10 @@ impl fmt::Display for BuildError {
             BuildError::NoSuchCrank { cylinder } => {
                 write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
             }
+            BuildError::OneCrankshaftAlone(what) => {
+                write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone, as yet")
+            }
+            BuildError::FirstCrank => f.write_str("the first of several crankshafts turns with the reference"),
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
@@ -138,6 +146,19 @@ impl<A, L: Length> Draft<A, L> {
         let without = self.cylinders.iter().find(|cylinder| cylinder.mechanism.is_none());
         if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {
             return Err(BuildError::MechanismMissing { cylinder: cylinder.name.clone() });
+        }
+        if let Some(first) = self.geared_cranks.first() {
+            if first.sense == Sense::Reverse {
+                return Err(BuildError::FirstCrank);
+            }
+            let lacking = [
+                ("gas", self.gas.is_some()),
+                ("main bearings", !self.bearings.is_empty()),
+                ("a shaft that twists", self.torsion.is_some()),
+            ];
+            if let Some((what, _)) = lacking.into_iter().find(|(_, given)| *given) {
+                return Err(BuildError::OneCrankshaftAlone(what));
+            }
         }
         if let Some(gas) = &self.gas {
             gas.check(self.cylinders.len(), self.cycle).map_err(BuildError::Gas)?;

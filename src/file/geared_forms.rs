@@ -35,7 +35,7 @@ pub(super) struct U {
     throws: List,
     sense: Text,
     phase: Option<Text>,
-    distance: Option<Text>,
+    distance: Text,
     spacing: Option<Text>,
     positions: Option<List>,
 }
@@ -46,7 +46,7 @@ pub(super) struct U {
 pub(super) struct SquareFour {
     in_phase: Text,
     sense: Text,
-    distance: Option<Text>,
+    distance: Text,
     spacing: Option<Text>,
 }
 
@@ -57,7 +57,7 @@ pub(super) struct H {
     throws: List,
     sense: Text,
     phase: Option<Text>,
-    distance: Option<Text>,
+    distance: Text,
     spacing: Option<Text>,
     positions: Option<List>,
 }
@@ -68,15 +68,14 @@ pub(super) struct H {
 pub(super) struct Delta {
     rows: List,
     against: Option<List>,
-    circumradius: Option<Text>,
+    circumradius: Text,
     spacing: Option<Text>,
     positions: Option<List>,
 }
 
-/// Half of what stands between two axes, where nothing is said of it, in crank radii: it is drawn so, and forces do not feel it.
-const HALF_BETWEEN: i64 = 4;
-/// Of the axes of a delta from its middle, in crank radii.
-const CIRCUMRADIUS: i64 = 6;
+/// Between the axes of opposed pistons where nothing is said of it, in crank radii: they are drawn so. Their cylinders lie on the line from
+/// axis to axis, so that nothing that is judged feels it.
+const BETWEEN_OPPOSED: i64 = 11;
 
 /// One bank of pistons on one of the crankshafts.
 struct Bank {
@@ -110,7 +109,10 @@ impl OpposedPiston {
             Bank { suffix: "a", ..Bank::new(0, 0, of_lower) },
             Bank { suffix: "b", ..Bank::new(1, 180, degrees(180).plus(&of_upper)) },
         ];
-        let cranks = above_each_other(["lower", "upper"], upper, self.distance.as_ref());
+        let cranks = above_each_other(["lower", "upper"], upper, |half| match &self.distance {
+            Some(distance) => Distance::of(half, distance),
+            None => Distance::usual(half * number(BETWEEN_OPPOSED)),
+        });
         expand(Form::OpposedPiston, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
@@ -118,7 +120,7 @@ impl OpposedPiston {
 impl U {
     pub fn expand(&self) -> Result<Expanded, LayoutError> {
         let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, optional_angle(&self.phase)?)];
-        let cranks = side_by_side(sense(&self.sense)?, self.distance.as_ref());
+        let cranks = side_by_side(sense(&self.sense)?, &self.distance);
         expand(Form::U, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
@@ -134,7 +136,7 @@ impl SquareFour {
             }
         };
         let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, phase)];
-        let cranks = side_by_side(sense(&self.sense)?, self.distance.as_ref());
+        let cranks = side_by_side(sense(&self.sense)?, &self.distance);
         let place = place(&self.in_phase).unwrap_or_default();
         of_throws(Form::U, vec![degrees(0), degrees(180)], place, (&self.spacing, &None), &banks, cranks)
     }
@@ -150,7 +152,7 @@ impl H {
             Bank::new(1, -90, phase),
         ];
         let of_lower = sense(&self.sense)?;
-        let cranks = above_each_other(["upper", "lower"], of_lower, self.distance.as_ref());
+        let cranks = above_each_other(["upper", "lower"], of_lower, |half| Distance::of(half, &self.distance));
         expand(Form::H, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
@@ -190,10 +192,7 @@ impl Delta {
         let cranks = CORNERS.into_iter().zip(senses).map(|((name, angle), sense)| Geared {
             name: name.to_owned(),
             sense,
-            axis: Axis::Towards(
-                Distance::of(number(1), self.circumradius.as_ref(), CIRCUMRADIUS),
-                Turn::fraction(angle, 360),
-            ),
+            axis: Axis::Towards(Distance::of(number(1), &self.circumradius), Turn::fraction(angle, 360)),
         });
         expand(Form::Delta, &self.rows, (&self.spacing, &self.positions), &banks, cranks.collect())
     }
@@ -203,9 +202,9 @@ impl Delta {
 const EXHAUST: [&str; 3] = ["ABe", "BCe", "CAe"];
 const INLET: [&str; 3] = ["ABi", "BCi", "CAi"];
 
-fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>) -> Vec<Geared> {
+fn above_each_other(names: [&str; 2], of_second: Sense, times: impl Fn(BigRational) -> Distance) -> Vec<Geared> {
     let of_first = if names[0] == "upper" { 1 } else { -1 };
-    let height = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance, 2 * HALF_BETWEEN);
+    let height = |sign: i64| times(BigRational::new(sign.into(), 2.into()));
     let crank = |name: &str, sense, sign| Geared {
         name: name.to_owned(),
         sense,
@@ -214,8 +213,8 @@ fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>)
     vec![crank(names[0], Sense::Direct, of_first), crank(names[1], of_second, -of_first)]
 }
 
-fn side_by_side(of_right: Sense, distance: Option<&Text>) -> Vec<Geared> {
-    let offset = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance, 2 * HALF_BETWEEN);
+fn side_by_side(of_right: Sense, distance: &Text) -> Vec<Geared> {
+    let offset = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance);
     let crank = |name: &str, sense, sign| Geared {
         name: name.to_owned(),
         sense,

@@ -70,32 +70,36 @@ pub(super) enum Axis {
     Towards(Distance, Turn),
 }
 
-/// A length across the crankshaft, with the text that says it.
-pub(super) struct Distance {
-    /// Of what was written.
-    pub times: BigRational,
-    pub written: Option<Text>,
-    /// Where nothing was written: so many crank radii.
-    pub usual: BigRational,
+/// A length across the crankshaft: so many times what was written, or so many crank radii.
+pub(super) enum Distance {
+    Times(BigRational, Text),
+    Radii(BigRational),
 }
 
 impl Distance {
     pub fn none() -> Self {
-        Distance { times: number(0), written: None, usual: number(0) }
+        Distance::Radii(number(0))
     }
 
-    pub fn of(times: BigRational, written: Option<&Text>, usual: i64) -> Self {
-        Distance { times, written: written.cloned(), usual: number(usual) }
+    pub fn usual(radii: BigRational) -> Self {
+        Distance::Radii(radii)
+    }
+
+    pub fn of(times: BigRational, written: &Text) -> Self {
+        Distance::Times(times, written.clone())
     }
 
     /// In crank radii.
     fn read(&self, crank_radius: Option<&BigRational>) -> Result<BigRational, LayoutError> {
-        let Some(text) = &self.written else { return Ok(&self.times * &self.usual) };
+        let (times, text) = match self {
+            Distance::Radii(radii) => return Ok(radii.clone()),
+            Distance::Times(times, text) => (times, text),
+        };
         let written = &text.get_ref().0;
         let length = units::length(written).map_err(|right| misread("length", written, right, text))?;
         match (length.has_unit, crank_radius) {
-            (false, _) => Ok(&self.times * length.value),
-            (true, Some(radius)) => Ok(&self.times * length.value / radius),
+            (false, _) => Ok(times * length.value),
+            (true, Some(radius)) => Ok(times * length.value / radius),
             (true, None) => Err(LayoutError::new(
                 format!("`{written}` between crankshafts whose crank radius is not known"),
                 "give stroke or crank_radius below [mechanism], or the distance in crank radii, without a unit",
@@ -128,12 +132,15 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
         let keys = &table.get_ref().0;
         let axis = match (&keys.distance, &keys.angle) {
             (None, None) => {
-                let across = |text: &Option<Text>| Distance::of(number(1), text.as_ref(), 0);
+                let across = |text: &Option<Text>| match text {
+                    Some(text) => Distance::of(number(1), text),
+                    None => Distance::none(),
+                };
                 Axis::Across(across(&keys.height), across(&keys.offset))
             }
             (Some(distance), Some(angle)) if keys.height.is_none() && keys.offset.is_none() => {
                 let angle = Turn::new(quantities::known_angle(angle)?);
-                Axis::Towards(Distance::of(number(1), Some(distance), 0), angle)
+                Axis::Towards(Distance::of(number(1), distance), angle)
             }
             _ => {
                 let right = "height and offset, or distance and angle: one of the two pairs";
@@ -150,6 +157,12 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
             return Err(misread("name of a second crankshaft", &name.get_ref().0, right, name));
         }
         names.push(&name.get_ref().0);
+    }
+    if let Some(first) =
+        tables.first().map(|table| &table.get_ref().0.sense).filter(|sense| sense.get_ref().0 == "against")
+    {
+        let right = "\"with\": the first crankshaft is the one that angles are counted with".to_owned();
+        return Err(misread("sense of the first crankshaft", "against", right, first));
     }
     tables.iter().map(one).collect()
 }

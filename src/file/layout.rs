@@ -149,6 +149,17 @@ pub(super) fn read_layout(
 fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let mut expanded = expand(&file, cycle)?;
+    if !expanded.geared.is_empty() {
+        let given = [
+            ("gas", file.gas.as_ref().and_then(place)),
+            ("main bearings", file.bearings.as_ref().and_then(place)),
+            ("a shaft that twists", file.torsion.as_ref().and_then(place)),
+        ];
+        if let Some((what, span)) = given.into_iter().find(|(_, span)| span.is_some()) {
+            let message = format!("{what} in an engine with several crankshafts");
+            return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone, as yet", span));
+        }
+    }
     if expanded.form.has_two_pistons_in_a_cylinder() {
         firing_order::without_pistons_of_their_own(&file.firing_order, &file.firing_angles)?;
     }

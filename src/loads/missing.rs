@@ -21,6 +21,8 @@ pub enum Missing {
     Motion(String),
     /// A number that is no order.
     Order(NotAnOrder),
+    /// Several crankshafts that are geared together.
+    SeveralCrankshafts,
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -42,6 +44,9 @@ impl fmt::Display for Missing {
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
+            Missing::SeveralCrankshafts => {
+                f.write_str("the loads of pins and bearings are known of one crankshaft alone; this engine has several")
+            }
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),

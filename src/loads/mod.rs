@@ -57,7 +57,7 @@ pub struct Loads {
     /// What the main bearings feel, as a continuous beam and by the determinate approximation, at these orders and those that
     /// they need besides; none where the file gives no bearings.
     pub bearings: Option<[BearingLoads; 2]>,
-    /// The roll moment on the frame, −torque and the balancer shafts, where the engine has any and the file asks for the
+    /// The roll moment on the frame, where it is not the torque alone turned round and the file asks for the
     /// torque.
     pub roll: Option<Torque>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
@@ -144,8 +144,10 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
         }
     };
     let torque = engine.effects().torque.then(|| torque(engine, &motion, torque_orders));
-    let has_shafts = !engine.crankshaft().balancers.is_empty();
-    let roll = (engine.effects().torque && has_shafts).then(|| roll::roll(engine, &motion, torque_orders));
+    let has_arms =
+        !engine.crankshaft().balancers.is_empty() || engine.has_offset() || !engine.geared_cranks().is_empty();
+    let has_roll = engine.effects().torque && has_arms && order::has_arms(engine);
+    let roll = has_roll.then(|| roll::roll(engine, &motion, torque_orders));
     Ok(Loads {
         groups,
         force,

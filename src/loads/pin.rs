@@ -57,6 +57,9 @@ pub struct PinOrder {
 /// What the layout lacks.
 pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     engine::are_orders(orders)?;
+    if !engine.geared_cranks().is_empty() {
+        return Err(Missing::SeveralCrankshafts);
+    }
     let motion = Motion::new(engine)?;
     let mut by_pin: Vec<Vec<PinOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {

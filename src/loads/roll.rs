@@ -1,18 +1,13 @@
-//! How does the frame roll? With what answers the inertia torque, and with the balancer shafts beside the crankshaft.
-//!
-//! The torque T on the crankshaft turns the frame with −T. A shaft whose axis stands at `p = height + i·offset` pulls there
-//! with its force F, and turns the frame with `Im(p̄ F)`: for a mass-radius U at angle γ of a shaft at +n that is
-//! `n²Uω² Re(−i p̄ e^{iγ} e^{inθ})`, at −n `n²Uω² Re(i p e^{−iγ} e^{inθ})`.
+//! How does the frame roll? With what answers the inertia torque, and with the forces whose lines pass beside its middle: those of
+//! pistons with an offset or on several crankshafts, and of balancer shafts (theory, sections 12 and 14).
 
 use num_complex::Complex;
-use num_rational::BigRational;
 
 use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform};
 use crate::engine::Engine;
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::PhasorSum;
 use crate::motion::Coefficient;
-use crate::order::{self, exactly_one, unit_mass, unit_radius};
-use crate::proof::Sense;
+use crate::order;
 
 /// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
 pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
@@ -27,38 +22,9 @@ pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
 }
 
 fn of_order(engine: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
-    let minus = BigRational::from_integer((-1).into());
-    let shafts = shafts(engine, order);
-    let torque = order::torque(engine, order);
-    let mut pairs: Vec<(Coefficient, &PhasorSum)> = torque
-        .parts()
-        .iter()
-        .map(|(factor, sum)| {
-            let t = motion.coefficient(factor, order);
-            (Coefficient { re: t.re.times(&minus), im: t.im.times(&minus) }, sum)
-        })
-        .collect();
-    if !shafts.vanishes() {
-        pairs.push((exactly_one(), &shafts));
-    }
+    let roll = order::roll(engine, order);
+    let parts = roll.parts().iter();
+    let pairs: Vec<(Coefficient, &PhasorSum)> =
+        parts.map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
     TorqueOrder { order, coefficient: None, vector: Vector::of(&pairs, false) }
-}
-
-/// What the shafts of an order add, in multiples of m r²; their crank radius is known where there are any.
-fn shafts(engine: &Engine, order: u32) -> PhasorSum {
-    let radius = unit_radius(engine);
-    let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into());
-    let share = square / (unit_mass(engine) * &radius * &radius);
-    let shafts = engine.crankshaft().balancers.iter().filter(|shaft| shaft.order == order);
-    let terms = shafts.flat_map(|shaft| {
-        let (angle, quarter) = match shaft.sense {
-            Sense::Direct => (shaft.angle.clone(), Turn::fraction(3, 4)),
-            Sense::Reverse => (-&shaft.angle, Turn::fraction(1, 4)),
-        };
-        let size = &shaft.mass_radius * &share;
-        let high = Term { angle: &angle + &quarter, weight: &size * &shaft.height };
-        let aside = Term { angle: angle.opposite(), weight: size * &shaft.offset };
-        [high, aside]
-    });
-    PhasorSum::new(terms.collect())
 }

@@ -53,6 +53,11 @@ impl Sources<'_> {
     }
 }
 
+/// Whether each cylinder's axis passes the middle at some distance: that of an endless rod with an offset is none.
+pub fn has_arms(engine: &Engine) -> bool {
+    engine.rods().all(|rod| rod.offset.is_zero() || !rod.ratio.is_zero())
+}
+
 fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor, Term)> {
     let star = phase(cylinder, order, None);
     let weight = mass_radius(engine, cylinder);

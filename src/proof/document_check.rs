@@ -1,9 +1,11 @@
 //! Does all that a document of verdicts says hold together?
 
+use num_traits::Zero;
+
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, Sense, check_asked, check_names};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_names};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;
@@ -49,7 +51,17 @@ fn check_head(document: &Document) -> Result<(), Fault> {
 fn check_axes(document: &Document) -> Result<(), Fault> {
     let why = "it stands in documents with the roll moment alone, which nothing else could check";
     if document.quantities.contains(&Quantity::Roll) {
-        return Ok(());
+        let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
+            RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
+            RodStatement::Unknown => false,
+        });
+        return match endless {
+            None => Ok(()),
+            Some(index) => {
+                let why = "an endless rod with an offset has no arm, and its engine no roll moment";
+                Err(Fault::new(format!("cylinders[{index}].rod"), why))
+            }
+        };
     }
     if let Some(index) = document.cylinders.iter().position(|cylinder| cylinder.crankshaft.is_some()) {
         return Err(Fault::new(format!("cylinders[{index}].crankshaft"), why));

@@ -40,7 +40,9 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     blocks.push(Block::Paragraph(
         "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
          what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
-         turned round."
+         turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
+         torque that changes; with one flywheel at the reference crankshaft the frame feels the torque turned round in place of the sum of \
+         those on the cranks."
             .into(),
     ));
     blocks

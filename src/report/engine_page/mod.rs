@@ -78,7 +78,8 @@ pub fn engine_page(subject: Contents) -> Document {
     page.blocks.extend(title_block(engine));
     page.push(Block::Answer(answer::lines(engine, judged, known.map(|numbers| &numbers.loads), theorem.as_ref().ok())));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
-    if in_motion {
+    // The moving part knows one crankshaft.
+    if in_motion && engine.geared_cranks().is_empty() {
         page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
     }
     page.blocks.extend(results(engine, judged, known));

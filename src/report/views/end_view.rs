@@ -5,9 +5,10 @@ use super::super::plot::labels::Labels;
 use super::MOST_LABELS;
 use super::below::write_below;
 use super::crop::cropped;
-use super::linkage::{Linkage, linkages};
+use super::linkage::{Linkage, Linkages, linkages};
 use super::names::{name_banks, name_pins, name_pistons};
 use crate::engine::Engine;
+use crate::proof::Sense;
 
 /// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
 pub(super) const SKIRT: f64 = 1.7;
@@ -21,24 +22,39 @@ const ROWS: [(Ink, Dash); 3] = [(Ink::Blue, Dash::Solid), (Ink::Orange, Dash::Da
 
 /// The engine from its free end at θ = 0: angle 0 upwards, angles anticlockwise, cylinders that coincide drawn once.
 pub fn end_view(engine: &Engine) -> Figure {
-    let linkages = linkages(engine);
-    let half = half_bore(&linkages);
+    let Linkages { all, axes } = linkages(engine);
+    let has_labels = all.len() <= MOST_LABELS;
+    let mut whole = Figure::new(0.0, 0.0);
+    for (own, (crank, axis)) in all.chunk_by(|a, b| a.crank == b.crank).zip(axes.into_iter().enumerate()) {
+        let sense = engine.geared_cranks().get(crank).map_or(Sense::Direct, |crank| crank.sense);
+        let heads = !engine.form().has_two_pistons_in_a_cylinder();
+        whole.place(of_crankshaft(own, sense, heads, has_labels), axis);
+    }
+    let mut figure = cropped(whole);
+    write_below(&mut figure, engine);
+    cropped(figure)
+}
+
+/// One crankshaft with its pistons, its axis at the origin.
+fn of_crankshaft(linkages: &[Linkage], sense: Sense, heads: bool, has_labels: bool) -> Figure {
+    let half = half_bore(linkages);
     let mut figure = Figure::new(0.0, 0.0);
     let mut labels = Labels::anywhere();
-    draw_cylinders(&mut figure, &mut labels, &linkages, half);
+    draw_cylinders(&mut figure, &mut labels, linkages, half, heads);
     // The row at the free end lies upon the others.
     for linkage in linkages.iter().rev() {
         draw_rod(&mut figure, &mut labels, linkage, half);
     }
-    draw_crank(&mut figure, &mut labels, &linkages);
-    if linkages.len() <= MOST_LABELS {
-        name_pins(&mut figure, &mut labels, &linkages);
-        name_pistons(&mut figure, &mut labels, &linkages, half);
-        name_banks(&mut figure, &mut labels, &linkages, half);
+    draw_crank(&mut figure, &mut labels, linkages, sense);
+    if has_labels {
+        name_pins(&mut figure, &mut labels, linkages);
+        name_pistons(&mut figure, &mut labels, linkages, half);
+        // Where two pistons share a cylinder, the room between them is theirs.
+        if heads {
+            name_banks(&mut figure, &mut labels, linkages, half);
+        }
     }
-    let mut figure = cropped(figure);
-    write_below(&mut figure, engine);
-    cropped(figure)
+    figure
 }
 
 /// Half the bore: neighbouring banks leave each other room where the pistons are lowest.
@@ -55,7 +71,7 @@ fn half_bore(linkages: &[Linkage]) -> f64 {
 }
 
 /// Axes through the crankshaft's plane, and cylinders with their heads; each once.
-fn draw_cylinders(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], half: f64) {
+fn draw_cylinders(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], half: f64, heads: bool) {
     let mut drawn: Vec<Point> = Vec::new();
     for linkage in linkages {
         let Linkage { along, across, foot, stroke: (low, high), .. } = linkage;
@@ -72,7 +88,13 @@ fn draw_cylinders(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]
         let bottom = foot + along * (low - SKIRT);
         let walls = vec![bottom + side, head + side, head - side, bottom - side];
         labels.avoid_path(&walls);
-        figure.path(walls, Stroke::solid(Ink::Grey, 0.35));
+        match heads {
+            true => figure.path(walls, Stroke::solid(Ink::Grey, 0.35)),
+            // The cylinder goes on to the other piston.
+            false => {
+                walls.chunks(2).for_each(|wall| figure.path(wall.to_vec(), Stroke::solid(Ink::Grey, 0.35)));
+            }
+        }
     }
 }
 
@@ -92,7 +114,7 @@ fn draw_rod(figure: &mut Figure, labels: &mut Labels, linkage: &Linkage, half: f
 }
 
 /// The circle of the pins, the throws, the pins and the shaft, and which way it turns.
-fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]) {
+fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], sense: Sense) {
     let mut radii: Vec<f64> = linkages.iter().map(|linkage| linkage.pin.norm()).collect();
     radii.sort_by(f64::total_cmp);
     radii.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
@@ -113,7 +135,10 @@ fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]) {
     labels.avoid_sign(Point::default(), 2.0);
     draw_offsets(figure, linkages);
     if let Some(farthest) = radii.last().filter(|radius| **radius > 3.0) {
-        let arc = turning(linkages, farthest * 0.62);
+        let mut arc = turning(linkages, farthest * 0.62);
+        if sense == Sense::Reverse {
+            arc.reverse();
+        }
         labels.avoid_path(&arc);
         if let [.., before, last] = arc[..] {
             figure.arrow(before, last, Stroke::solid(Ink::Grey, 0.3));

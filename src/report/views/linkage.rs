@@ -7,8 +7,9 @@ use num_traits::ToPrimitive;
 
 use super::super::figure::Point;
 use super::super::star::towards;
-use crate::engine::{Cylinder, Engine, Form, Mechanism};
+use crate::engine::{Cylinder, Engine, Form, GearedCrank, Mechanism};
 use crate::exact::Turn;
+use crate::proof::Sense;
 
 /// The rod ratio that is drawn where the engine has none.
 pub(super) const USUAL_RATIO: f64 = 1.0 / 3.5;
@@ -34,6 +35,15 @@ pub(super) struct Linkage<'a> {
     pub stroke: (f64, f64),
     /// Of a radial with several rows: which, from the free end.
     pub row: usize,
+    /// Which of several crankshafts: all points are seen from its axis.
+    pub crank: usize,
+}
+
+/// All linkages, and where the axes of the crankshafts stand.
+pub(super) struct Linkages<'a> {
+    pub all: Vec<Linkage<'a>>,
+    /// One in the middle where there is one crankshaft.
+    pub axes: Vec<Point>,
 }
 
 impl Linkage<'_> {
@@ -67,26 +77,31 @@ pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
 }
 
 /// What distinguishes a linkage in this view.
-type Seen<'a> = (usize, &'a Turn, &'a Turn, &'a BigRational, &'a Option<Mechanism>);
+type Seen<'a> = ([usize; 2], &'a Turn, &'a Turn, &'a BigRational, &'a Option<Mechanism>);
 
-/// All linkages: by rows, then banks, then throws.
-pub(super) fn linkages(engine: &Engine) -> Vec<Linkage<'_>> {
+/// All linkages: by crankshafts and rows, then banks, then throws.
+pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
     let rows = rows(engine);
     let mut seen: BTreeMap<Seen, Vec<&Cylinder>> = BTreeMap::new();
     for cylinder in engine.cylinders() {
         let row = rows.iter().position(|row| **row == cylinder.position).unwrap_or(0);
-        let key = (row, &cylinder.bank, &cylinder.throw, &cylinder.crank_radius, &cylinder.mechanism);
+        let key = ([cylinder.crank, row], &cylinder.bank, &cylinder.throw, &cylinder.crank_radius, &cylinder.mechanism);
         seen.entry(key).or_default().push(cylinder);
     }
     let radius = |cylinder: &Cylinder| cylinder.crank_radius.to_f64().unwrap_or(1.0).abs();
     let reaches = seen.values().map(|cylinders| radius(cylinders[0]) * (1.0 + rod(cylinders[0]).0));
     let farthest = reaches.fold(0.0, f64::max);
     let scale = if farthest > 0.0 { REACH / farthest } else { 1.0 };
-    let placed = seen.into_iter().map(|((row, bank, throw, ..), cylinders)| {
+    let placed = seen.into_iter().map(|(([crank, row], bank, ..), cylinders)| {
         let radius = radius(cylinders[0]) * scale;
         let (length, offset) = rod(cylinders[0]);
-        let (length, offset) = (length * radius, offset * radius);
-        let (along, pin) = (towards(bank), towards(throw) * radius);
+        let side = match engine.sense_of(cylinders[0]) {
+            Sense::Direct => 1.0,
+            // The rod is that of the equivalent crank, which lies on the other side.
+            Sense::Reverse => -1.0,
+        };
+        let (length, offset) = (length * radius, offset * radius * side);
+        let (along, pin) = (towards(bank), towards(&engine.pin_angle(cylinders[0])) * radius);
         let across = along * Point::i();
         // The pin in the frame of the cylinder: along its axis, and across it on the side of ψ = 90°.
         let turned = pin * along.conj();
@@ -103,7 +118,14 @@ pub(super) fn linkages(engine: &Engine) -> Vec<Linkage<'_>> {
             foot,
             stroke: (leg(length - radius, offset), leg(length + radius, offset)),
             row,
+            crank,
         }
     });
-    placed.collect()
+    let axis = |crank: &GearedCrank| crank.axis.iter().map(|term| towards(&term.angle) * length(&term.weight)).sum();
+    let axes: Vec<Point> = engine.geared_cranks().iter().map(axis).map(|axis: Point| axis * scale).collect();
+    Linkages { all: placed.collect(), axes: if axes.is_empty() { vec![Point::default()] } else { axes } }
+}
+
+fn length(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(0.0)
 }
