@@ -9,12 +9,14 @@ use crate::remedy::{Wish, remedy};
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// What may be claimed, in words.
-const NEEDS: [(&str, Shafts); 7] = [
+const NEEDS: [(&str, Shafts); 9] = [
     ("nothing", Shafts::Nothing),
     ("no balancer shaft", Shafts::None),
     ("counterweights alone", Shafts::Counterweights),
     ("one balancer shaft with the crank", Shafts::With),
     ("one balancer shaft against the crank", Shafts::Against),
+    ("a balancer shaft with the crank", Shafts::AmongThemWith),
+    ("a balancer shaft against the crank", Shafts::AmongThemAgainst),
     ("two balancer shafts", Shafts::Two),
     ("a lanchester pair", Shafts::Lanchester),
 ];
@@ -35,8 +37,8 @@ pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
         Some((_, shafts)) => Ok(Statement::Shafts { order, shafts: *shafts }),
         None => Err(ClaimError::new(
             format!("`{needs}` is nothing that an order needs"),
-            "nothing, no balancer shaft, counterweights alone, one balancer shaft with the crank, one balancer shaft against \
-             the crank, two balancer shafts, or a Lanchester pair",
+            "nothing, no balancer shaft, counterweights alone, one balancer shaft with (or against) the crank, a balancer \
+             shaft with (or against) the crank and perhaps others, two balancer shafts, or a Lanchester pair",
         )),
     })
 }
@@ -63,6 +65,8 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Shafts::Counterweights => direct && !reverse,
         Shafts::With => with && !reverse,
         Shafts::Against => !with && reverse,
+        Shafts::AmongThemWith => with,
+        Shafts::AmongThemAgainst => reverse,
         Shafts::Two => with && reverse,
         Shafts::Lanchester => with && reverse && remedy.shafts.iter().all(|shaft| shaft.lanchester),
     };

@@ -80,6 +80,10 @@ pub enum Shafts {
     With,
     /// One that turns against the crank; at order 1 perhaps counterweights besides.
     Against,
+    /// One that turns with the crank, above order 1, and perhaps another.
+    AmongThemWith,
+    /// One that turns against the crank, and perhaps another.
+    AmongThemAgainst,
     /// One each way, above order 1.
     Two,
     /// One each way with one weight each, both alike.

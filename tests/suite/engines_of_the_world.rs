@@ -25,7 +25,7 @@ use crate::support::{german, pages, time_domain};
 const DIFFER: [&str; 3] = ["ford-essex-v4", "honda-rc211v", "pratt-whitney-r2800"];
 
 /// Shafts that are built: engine, turns in a revolution of the crank, with it (+) or against it (−).
-const SHAFTS: [(&str, &[i32]); 20] = [
+const SHAFTS: [(&str, &[i32]); 21] = [
     ("bmw-f650", &[-1]),
     ("fiat-twinair", &[-1]),
     ("kawasaki-er6", &[-1]),
@@ -36,6 +36,7 @@ const SHAFTS: [(&str, &[i32]); 20] = [
     ("triumph-rocket", &[-1]),
     ("yamaha-r1", &[-1]),
     ("ford-taunus-v4", &[-1]),
+    ("ford-sho-v8", &[-1]),
     ("aprilia-rsv4", &[-1]),
     ("buick-3800", &[-1]),
     ("mercedes-m112", &[-1]),
