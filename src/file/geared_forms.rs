@@ -176,25 +176,32 @@ impl Delta {
                 }
             }
         }
-        let signs = senses.map(|sense| if sense == Sense::Direct { 1 } else { -1 });
-        let lead = 20 * signs.iter().sum::<i64>();
-        let mut banks = Vec::new();
+        // The first crankshaft of an engine is the one that angles are counted with.
+        let Some(first) = senses.iter().position(|sense| *sense == Sense::Direct) else {
+            let place = self.against.as_ref().and_then(place);
+            return Err(LayoutError::new("all crankshafts turn against each other", "leave one corner out", place));
+        };
+        let sign = |corner: usize| if senses[corner] == Sense::Direct { 1 } else { -1 };
+        let lead = 20 * (0..3).map(sign).sum::<i64>();
+        let (mut banks, mut cranks) = (Vec::new(), Vec::new());
         let mut ahead = 0;
-        for (corner, (_, stands_at)) in CORNERS.into_iter().enumerate() {
-            if corner > 0 {
-                ahead += 60 * signs[corner] - lead;
+        for index in 0..3 {
+            let corner = (first + index) % 3;
+            let (name, stands_at) = CORNERS[corner];
+            if index > 0 {
+                ahead += 60 * sign(corner) - lead;
             }
-            let next = (corner + 1) % 3;
             let (exhaust, inlet) = (stands_at + 150, stands_at + 330);
-            banks.push(Bank { suffix: EXHAUST[corner], ..Bank::new(corner, exhaust, degrees(ahead + exhaust)) });
+            banks.push(Bank { suffix: EXHAUST[corner], ..Bank::new(index, exhaust, degrees(ahead + exhaust)) });
+            let next = (index + 1) % 3;
             banks.push(Bank { suffix: INLET[corner], ..Bank::new(next, inlet, degrees(ahead - lead + inlet)) });
+            cranks.push(Geared {
+                name: name.to_owned(),
+                sense: senses[corner],
+                axis: Axis::Towards(Distance::of(number(1), &self.circumradius), Turn::fraction(stands_at, 360)),
+            });
         }
-        let cranks = CORNERS.into_iter().zip(senses).map(|((name, angle), sense)| Geared {
-            name: name.to_owned(),
-            sense,
-            axis: Axis::Towards(Distance::of(number(1), &self.circumradius), Turn::fraction(angle, 360)),
-        });
-        expand(Form::Delta, &self.rows, (&self.spacing, &self.positions), &banks, cranks.collect())
+        expand(Form::Delta, &self.rows, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
 

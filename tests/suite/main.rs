@@ -36,6 +36,7 @@ mod fragments;
 mod fuzzed;
 mod gas;
 mod gas_files;
+mod geared;
 mod german_figures;
 mod grigoryev;
 mod ground_truth;
