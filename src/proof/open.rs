@@ -142,7 +142,7 @@ pub enum WhenClaim {
         #[serde(with = "fraction")]
         cosine: BigRational,
         /// Evidence for the other two parts, in their order.
-        multiples: [Certificate; 2],
+        multiples: Box<[Certificate; 2]>,
     },
     /// Two parts of equal length that cancel at an angle for which no rational turn is claimed.
     EqualLengths {

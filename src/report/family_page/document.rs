@@ -72,7 +72,7 @@ fn when(when: &When) -> WhenClaim {
             delta: found.delta.clone(),
             turn: found.turn.turns().clone(),
             cosine: found.cosine.clone(),
-            multiples: found.multiples.clone(),
+            multiples: Box::new(found.multiples.clone()),
         },
         When::NotSolved(_) => WhenClaim::NotSolved,
         When::Where(angles) => {
