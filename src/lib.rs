@@ -30,9 +30,9 @@
 //! cli
 //! report
 //! page
-//! claim
+//! claim  optimise
 //! journal
-//! accuracy  remedy  optimise  sweep  search  torque  torsion
+//! accuracy  remedy  sweep  search  torque  torsion
 //! loads  family
 //! firing
 //! verdict

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use super::absolute::Absolute;
+use super::forces::{Agreement, LargestOf};
 use super::possible::Witness;
 use crate::engine::CycleOrder;
 use crate::exact::PhasorSum;
@@ -132,6 +133,10 @@ pub enum Finding {
     Whole(Vec<OrderVerdict>),
     /// What takes an order away.
     Remedy(Box<Remedy>),
+    /// A largest load of gas and masses together.
+    Largest(LargestOf),
+    /// How far a formula of one cylinder is off.
+    Agreement(Agreement),
     /// Counterweights, found for a claim that some can do it.
     Witness(Box<Witness>),
     /// Nothing could be found out, for this reason.

@@ -23,6 +23,8 @@ pub(super) fn answer(engine: &Engine, statement: &Statement) -> Answer {
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
+        | Statement::LargestLoad(..)
+        | Statement::Formula(_)
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => {
             Answer::nothing("the rods of the engine differ, so that no order is a single sum")

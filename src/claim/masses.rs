@@ -93,19 +93,24 @@ pub(super) fn bearing_load(engine: &Engine, value: &Value) -> Answer {
             (None, Some(_)) => return Err("a value in N needs the masses, the crank radius and the speed".to_owned()),
             (_, None) => peak,
         };
-        let claimed = value.form.to_float();
-        let within = match &value.tolerance {
-            Tolerance::Within(within) => numbers::float(within),
-            Tolerance::Part(part) => numbers::float(part) * claimed,
-            Tolerance::Exact { rounding: Some(half) } => numbers::float(half),
-            // Whole newtons are rounded ones.
-            Tolerance::Exact { rounding: None } if value.unit.is_some() && is_whole(value) => 0.5,
-            Tolerance::Exact { rounding: None } => {
-                return Err("the largest load is known in decimals: give decimals, or say within what".to_owned());
-            }
-        };
-        Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })
+        decimal(value, peak)
     })
+}
+
+/// Whether a largest load is the claimed one, within the tolerance or the digits given.
+pub(super) fn decimal(value: &Value, peak: f64) -> Result<Status, String> {
+    let claimed = value.form.to_float();
+    let within = match &value.tolerance {
+        Tolerance::Within(within) => numbers::float(within),
+        Tolerance::Part(part) => numbers::float(part) * claimed,
+        Tolerance::Exact { rounding: Some(half) } => numbers::float(half),
+        // Whole newtons are rounded ones.
+        Tolerance::Exact { rounding: None } if value.unit.is_some() && is_whole(value) => 0.5,
+        Tolerance::Exact { rounding: None } => {
+            return Err("the largest load is known in decimals: give decimals, or say within what".to_owned());
+        }
+    };
+    Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })
 }
 
 /// Solves the main bearings at the orders of the layout file, and judges.

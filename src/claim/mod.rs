@@ -15,10 +15,13 @@ mod every;
 mod file;
 mod firing;
 mod flywheel;
+mod forces;
+mod formula;
 mod free;
 mod gas_torque;
 mod grammar;
 mod masses;
+mod moving_parts;
 mod order;
 mod possible;
 mod provenance;
@@ -34,12 +37,14 @@ pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use flywheel::{Evened, Flywheels};
+pub use forces::{Agreement, LargestOf};
+pub use formula::{Formula, Letter, Measured};
 pub use grammar::{ClaimError, parse_statement};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use statement::{
-    Angle, Balanced, Bearing, GasTorque, Orders, Possible, Predicate, Shafts, Statement, Subject, Tolerance, Unit,
-    Value,
+    Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, Statement, Subject,
+    Tolerance, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
@@ -53,6 +58,8 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
+        | Statement::LargestLoad(..)
+        | Statement::Formula(_)
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => false,
     };
@@ -68,6 +75,8 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         Statement::CrankshaftMass(mass) => masses::crankshaft(engine, mass),
         Statement::BearingLoad(value) => masses::bearing_load(engine, value),
         Statement::WorstBearings(numbers) => masses::worst_bearings(engine, numbers),
+        Statement::LargestLoad(of, value) => forces::largest(engine, *of, value),
+        Statement::Formula(says) => forces::formula(engine, says),
         Statement::GasTorque { orders, says, weights } => gas_torque::answer(engine, orders, *says, weights),
         Statement::FiresEvenly { evenly } => firing::answer(engine, *evenly),
     }

@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::formula::{Formula, Measured};
 use crate::engine::CycleOrder;
 use crate::firing::Weights;
 use crate::numbers::Form;
@@ -42,6 +43,10 @@ pub enum Statement {
     BearingLoad(Value),
     /// The main bearings, by their numbers from 1, each of which feels a larger force than any other.
     WorstBearings(Vec<usize>),
+    /// A largest load of gas and masses together through the cycle.
+    LargestLoad(Loaded, Value),
+    /// A formula of one cylinder, through its cycle.
+    Formula(OfCylinder),
     /// Orders of the gas torque, for every pressure law that the cylinders share.
     GasTorque {
         /// Which orders.
@@ -56,6 +61,30 @@ pub enum Statement {
         /// False where the claim denies it.
         evenly: bool,
     },
+}
+
+/// What feels a load of gas and masses together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loaded {
+    /// A main bearing.
+    MainBearing,
+    /// A crankpin, of the rod of one cylinder.
+    Crankpin,
+    /// A rod that is pressed.
+    Rod,
+    /// A cylinder, of its piston's side force.
+    Cylinder,
+}
+
+/// What is said of one cylinder: a formula for what it measures, at every crank angle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OfCylinder {
+    /// What the formula is said of.
+    pub what: Measured,
+    /// The formula.
+    pub formula: Formula,
+    /// How far it may be off, as a part of the largest value; none where it is said to be equal.
+    pub within: Option<BigRational>,
 }
 
 /// What is said of orders of the gas torque.

@@ -76,6 +76,16 @@ pub(super) fn angle(text: &str) -> Result<Angle, ClaimError> {
     Ok(Angle { bearing, tolerance })
 }
 
+/// `3 %`, of the largest value of a cycle.
+pub(super) fn part_of_the_largest(text: &str) -> Result<BigRational, ClaimError> {
+    match tolerance(text)? {
+        Tolerance::Part(part) => Ok(part),
+        Tolerance::Within(_) | Tolerance::Exact { .. } => {
+            Err(ClaimError::new(format!("`{text}` is no part of the largest value"), "percent, such as ± 3 %"))
+        }
+    }
+}
+
 fn split_tolerance(text: &str) -> (&str, Option<&str>) {
     match text.split_once('±').or_else(|| text.split_once("+/-")) {
         Some((number, tolerance)) => (number.trim(), Some(tolerance.trim())),

@@ -80,7 +80,7 @@ impl fmt::Display for NoStar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NoStar::NoFiring => f.write_str(
-                "the layout does not say when the cylinders fire; add firing_order = \"1-3-4-2\" with the cylinders in the order of \
+                "the layout does not say when the cylinders fire; above the first table, add firing_order = \"1-3-4-2\" with the cylinders in the order of \
                  their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
             ),
             NoStar::HalfOrder(order) => {

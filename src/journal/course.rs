@@ -7,6 +7,7 @@ use num_rational::BigRational;
 
 use super::Carried;
 use crate::engine::Engine;
+use crate::gas::Harmonics;
 use crate::numbers;
 use crate::order::{self, MassGroup, Source};
 use crate::torque::Class;
@@ -107,6 +108,11 @@ impl Course {
         &self.classes
     }
 
+    /// What the rotating part of a cylinder's rod pulls its crankpin outward with, in newtons.
+    pub fn rotating(&self, index: usize) -> f64 {
+        self.cylinders[index].rotating
+    }
+
     /// Cylinders, by index, whose crankpins feel the same seen from the crank, each when it fires.
     pub fn alike(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -169,7 +175,12 @@ impl Course {
 
     /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
     pub fn pin_on_the_crank(&self, index: usize, theta: f64) -> Complex<f64> {
-        self.pin(index, theta) * (self.cylinders[index].throw * Complex::cis(theta)).conj()
+        self.seen_from_the_crank(index, self.pin(index, theta), theta)
+    }
+
+    /// A force seen from the crank of a cylinder.
+    pub(super) fn seen_from_the_crank(&self, index: usize, force: Complex<f64>, theta: f64) -> Complex<f64> {
+        force * (self.cylinders[index].throw * Complex::cis(theta)).conj()
     }
 
     /// The pull of the big end on its pin along the rod, towards the piston: the bolts of its cap bear it, less what the cap itself makes.
@@ -181,6 +192,28 @@ impl Course {
         let along = forces.rod_direction() * self.cylinders[index].axis;
         let [inertia, gas] = self.pin_parts_of(index, theta, forces);
         ((inertia + gas) * along.conj()).re
+    }
+
+    /// Order κ of the gas of what a place carries, with the harmonics of each class at their index: what turns with the crank, and against
+    /// it. In decimals: [`super::JournalOrder`] has the exact stars.
+    pub(super) fn gas_order(
+        &self,
+        carried: &Carried,
+        harmonics: &[Harmonics],
+        index: usize,
+        kappa: f64,
+    ) -> [Complex<f64>; 2] {
+        let zero = Complex::new(0.0, 0.0);
+        self.cylinders.iter().zip(&carried.parts).fold([zero, zero], |[direct, reverse], (cylinder, part)| {
+            let own = &harmonics[cylinder.class];
+            let (force, side) = (own.force[index], own.side[index]);
+            let along = cylinder.axis * (-part / 2.0);
+            let turned = Complex::cis(kappa * cylinder.fires);
+            [
+                direct + along * (force - Complex::<f64>::i() * side) * turned.conj(),
+                reverse + along * (force.conj() - Complex::<f64>::i() * side.conj()) * turned,
+            ]
+        })
     }
 
     /// What a place carries of masses and of gas.

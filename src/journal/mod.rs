@@ -8,19 +8,23 @@ mod course;
 mod largest;
 mod missing;
 mod order;
+mod peak;
+mod shared;
 
 pub use course::{Course, PistonForces};
 pub use largest::{CyclePeak, CylinderPeaks};
 pub use missing::NoCycleLoads;
 pub use order::{CycleMean, GasStars, JournalOrder};
+pub use peak::LoadPeak;
+pub use shared::SharedPin;
 
 use num_complex::Complex;
 use num_rational::BigRational;
 
 use crate::engine::Engine;
 use crate::gas::Warning;
-use crate::loads::{self, Method, Shares, bearing_loads, pin_loads};
-use crate::torque::{self, HIGHEST};
+use crate::loads::{self, Method, Scale, Shares, bearing_loads, pin_loads};
+use crate::torque::{self, Class, HIGHEST};
 use largest::Samples;
 
 /// The complete loads of an engine through its cycle, in newtons.
@@ -30,6 +34,8 @@ pub struct CycleLoads {
     pub course: Course,
     /// What each cylinder loads its wall, its rod and its crankpin with, in the order of the layout.
     pub cylinders: Vec<CylinderLoads>,
+    /// What crankpins feel on which several rods work, in the order of the throws.
+    pub shared_pins: Vec<SharedPin>,
     /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives no bearings.
     pub bearings: Option<[CycleBearings; 2]>,
     /// What is odd about a pressure: the cylinders, and what.
@@ -112,14 +118,28 @@ impl CycleLoads {
     }
 }
 
+/// The classes of equal cylinders, with masses and speed, and the unit of the forces.
+fn classes(engine: &Engine) -> Result<(Vec<Class>, Scale), NoCycleLoads> {
+    let classes = torque::classes(engine)?;
+    let scale = loads::scale(engine).filter(|_| classes.iter().all(|class| class.inertia.is_some()));
+    Ok((classes, scale.ok_or(NoCycleLoads::Masses)?))
+}
+
+/// The forces of an engine at any crank angle, without their largest values and orders.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn course(engine: &Engine) -> Result<Course, NoCycleLoads> {
+    let (classes, scale) = classes(engine)?;
+    Ok(Course::new(engine, classes, scale.force()))
+}
+
 /// The complete loads of an engine.
 ///
 /// # Errors
 /// What the layout lacks.
 pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
-    let classes = torque::classes(engine)?;
-    let scale = loads::scale(engine).filter(|_| classes.iter().all(|class| class.inertia.is_some()));
-    let scale = scale.ok_or(NoCycleLoads::Masses)?;
+    let (classes, scale) = classes(engine)?;
     let whole: Vec<u32> = (1..=HIGHEST).collect();
     let pins = pin_loads(engine, &whole)?;
     let warnings = torque::warnings(engine, &classes);
@@ -143,7 +163,48 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
             Some([solve(Method::Continuous)?, solve(Method::Determinate)?])
         }
     };
-    Ok(CycleLoads { cylinders, bearings, course, warnings })
+    let shared_pins = SharedPin::of(engine, &course, &samples);
+    Ok(CycleLoads { cylinders, shared_pins, bearings, course, warnings })
+}
+
+/// What each main bearing carries of a unit load on each crankpin, and of all forces.
+fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<BigRational>, Carried)>, NoCycleLoads> {
+    let shares = Shares::of(engine, method)?;
+    let bearing = |index: usize| {
+        let part = |position: &BigRational| shares.part(index, position);
+        let parts: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| part(&cylinder.position)).collect();
+        let carried = course::carried_by(engine, &parts, part, newtons);
+        (parts, carried)
+    };
+    Ok((0..engine.bearings().len()).map(bearing).collect())
+}
+
+/// What the main bearings carry of the forces, in the order of the file, as a continuous beam.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn carried_by_bearings(engine: &Engine) -> Result<Vec<Carried>, NoCycleLoads> {
+    let (_, scale) = classes(engine)?;
+    let all = carried(engine, Method::Continuous, scale.force())?;
+    Ok(all.into_iter().map(|(_, carried)| carried).collect())
+}
+
+/// The largest load of each main bearing as in [`CycleLoads`], on a continuous beam, without its orders: of gas and masses, and of the
+/// masses alone.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn bearing_peaks(engine: &Engine) -> Result<Vec<[CyclePeak; 2]>, NoCycleLoads> {
+    let carried = carried_by_bearings(engine)?;
+    let course = course(engine)?;
+    let samples = Samples::new(&course);
+    Ok(carried.iter().map(|carried| samples.peaks_of(&course, carried)).collect())
+}
+
+/// The first of those with the largest peak. Peaks closer than this are equal: the roundings of decimals could not tell them apart.
+pub fn worst(peaks: impl Iterator<Item = f64> + Clone) -> usize {
+    let largest = peaks.clone().fold(0.0, f64::max);
+    peaks.into_iter().position(|peak| peak >= largest * (1.0 - 1e-9)).unwrap_or(0)
 }
 
 fn bearings(
@@ -152,13 +213,10 @@ fn bearings(
     samples: &Samples,
     (method, newtons): (Method, f64),
 ) -> Result<CycleBearings, NoCycleLoads> {
-    let shares = Shares::of(engine, method)?;
     let whole: Vec<u32> = (1..=HIGHEST).collect();
     let moving = bearing_loads(engine, &whole, method)?;
-    let bearing = |(index, moving): (usize, &loads::BearingLoad)| {
-        let part = |position: &BigRational| shares.part(index, position);
-        let parts: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| part(&cylinder.position)).collect();
-        let carried = course::carried_by(engine, &parts, part, newtons);
+    let all = carried(engine, method, newtons)?;
+    let bearing = |(moving, (parts, carried)): (&loads::BearingLoad, (Vec<BigRational>, Carried))| {
         let inertia = moving.orders.iter().map(|order| (order.order, &order.swing));
         let [peak, inertia_alone] = samples.peaks_of(course, &carried);
         CycleBearing {
@@ -170,9 +228,7 @@ fn bearings(
             parts,
         }
     };
-    let bearings: Vec<CycleBearing> = moving.bearings.iter().enumerate().map(bearing).collect();
-    let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
-    // Peaks closer than this are equal: the roundings of decimals could not tell them apart.
-    let worst = bearings.iter().position(|bearing| bearing.peak.value >= largest * (1.0 - 1e-9));
-    Ok(CycleBearings { method, bearings, worst: worst.unwrap_or(0) })
+    let bearings: Vec<CycleBearing> = moving.bearings.iter().zip(all).map(bearing).collect();
+    let worst = worst(bearings.iter().map(|bearing| bearing.peak.value));
+    Ok(CycleBearings { method, bearings, worst })
 }

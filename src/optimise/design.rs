@@ -11,6 +11,7 @@ use super::place::Place;
 use super::problem::direct;
 use crate::engine::{Engine, throws};
 use crate::exact::{PhasorSum, Term};
+use crate::journal::{self, bearing_peaks};
 use crate::loads::{Arm, Method, Scale, bearing_loads};
 use crate::numbers;
 use crate::order::unit_mass;
@@ -20,7 +21,8 @@ use crate::order::unit_mass;
 pub struct Design {
     /// Mass of the crankshaft in kilograms, as [`Engine::crankshaft_mass`] counts it.
     pub mass: BigRational,
-    /// Largest load of each main bearing in a revolution, in multiples of m r ω², on a continuous beam.
+    /// Largest load of each main bearing, in multiples of m r ω², on a continuous beam: in a revolution, of the masses; where the layout asks
+    /// for the gas in a cycle, of gas and masses.
     pub peaks: Vec<f64>,
     /// Indices of the bearings with the largest.
     pub worst: Vec<usize>,
@@ -79,11 +81,21 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
     let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
     let in_units = |sum: PhasorSum, factor: f64| left(&sum.scaled(&unit.recip()), factor);
+    let (peaks, worst) = match engine.effects().gas {
+        false => (loads.bearings.iter().map(|bearing| bearing.peak.value).collect(), loads.worst),
+        true if newtons == 0.0 => return Err(OptimiseError::Still),
+        true => {
+            let found = bearing_peaks(engine).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
+            let peaks: Vec<f64> = found.iter().map(|[all, _]| all.value / newtons).collect();
+            let worst = journal::worst(peaks.iter().copied());
+            (peaks, vec![worst])
+        }
+    };
     let couple_scale = if Arm::of(engine) == Arm::Metre { newtons } else { 1.0 };
     Ok(Design {
         mass,
-        peaks: loads.bearings.iter().map(|bearing| bearing.peak.value).collect(),
-        worst: loads.worst,
+        peaks,
+        worst,
         weights: places.iter().map(|place| weight(engine, place)).collect(),
         force: in_units(direct(engine, &|_| BigRational::one(), &unit)?, newtons),
         couple: in_units(direct(engine, &arm, &unit)?, couple_scale),

@@ -23,6 +23,10 @@ pub enum OptimiseError {
     NoFirstOrder,
     /// No points asked for.
     NoPoints,
+    /// The gas is asked for, and something lacks for it.
+    Gas(String),
+    /// The gas is asked for, and the crankshaft stands still: no counterweight makes a force.
+    Still,
     /// The solver found no solution.
     Unsolved(String),
     /// The layout file is written in a way that its counterweights cannot be replaced in.
@@ -53,6 +57,13 @@ impl fmt::Display for OptimiseError {
                 f.write_str("counterweights work on order 1, which is not among the orders; add it to `orders` or --orders")
             }
             OptimiseError::NoPoints => f.write_str("a front of 0 points; ask for 1 or more"),
+            OptimiseError::Gas(lack) => write!(
+                f,
+                "effects ask for the gas: {lack}. Without \"gas\" in effects the loads of the masses alone are made least"
+            ),
+            OptimiseError::Still => f.write_str(
+                "at a speed of 0 counterweights make no force; give `speed` above the first table, or leave \"gas\" out of effects",
+            ),
             OptimiseError::Unsolved(reason) => write!(f, "the solver found no best counterweights: {reason}"),
             OptimiseError::File(reason) => write!(f, "the counterweights cannot be written into the layout file: {reason}"),
         }

@@ -26,13 +26,19 @@ pub(super) fn with_counterweights(
             text += &table(part);
         }
     }
-    let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key per line";
+    let advice = match engine.gas() {
+        None => "write [crankshaft] and [[counterweight]] as tables of their own, one key per line",
+        Some(_) => {
+            "write [crankshaft] and [[counterweight]] as tables of their own, one key per line, and a table of pressures into the layout file itself, as pressure"
+        }
+    };
     let read = parse("the new file", &text).map_err(|_| OptimiseError::File(advice.to_owned()))?;
     let meant: Vec<&Counterweight> = weights.iter().flatten().collect();
     let is_meant = read.crankshaft().counterweights.iter().eq(meant)
         && read.cylinders() == engine.cylinders()
         && read.dimensions() == engine.dimensions()
         && read.bearings() == engine.bearings()
+        && read.gas() == engine.gas()
         && (&read.crankshaft().pins, &read.crankshaft().webs, &read.crankshaft().balancers)
             == (&engine.crankshaft().pins, &engine.crankshaft().webs, &engine.crankshaft().balancers);
     if is_meant { Ok(read) } else { Err(OptimiseError::File(advice.to_owned())) }

@@ -18,6 +18,7 @@ mod design;
 mod direction;
 mod error;
 mod exact;
+mod felt;
 mod file;
 mod front;
 mod place;

@@ -5,12 +5,13 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::error::OptimiseError;
+use super::felt::Felt;
 use super::place::Place;
 use super::{Couple, Wish};
 use crate::beam::Beam;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::loads::{self, Arm, Harmonic, Method, Waveform, bearing_loads};
+use crate::loads::{self, Arm, Method, bearing_loads};
 use crate::order::{self, Factor, OrderSum, unit_mass};
 use crate::proof::Sense;
 
@@ -23,7 +24,7 @@ pub(super) struct Problem {
     /// Kilograms that a mass-radius of 1 weighs at each place.
     pub weighs: Vec<f64>,
     /// What each bearing feels of the crankshaft without counterweights.
-    pub waveforms: Vec<Waveform>,
+    pub felt: Felt,
     /// The part of a load at each place that each bearing carries: `parts[bearing][place]`.
     pub parts: Vec<Vec<f64>>,
     /// Direct first order of the shaking force without counterweights, exact in kilogram-metres: force, and moment about the reference
@@ -77,7 +78,7 @@ impl Problem {
         Ok(Problem {
             bare_mass: float(&mass),
             weighs: places.iter().map(|place| float(&(&unit / &place.radius))).collect(),
-            waveforms: loads.bearings.into_iter().map(|bearing| bearing.waveform).collect(),
+            felt: Felt::new(&bare, loads)?,
             arms: places.iter().map(|place| float(&arm(&place.position))).collect(),
             reference: bare.reference_plane().clone(),
             unit,
@@ -93,11 +94,9 @@ impl Problem {
         self.weighs.len()
     }
 
-    /// What a bearing feels with these mass-radii.
-    pub fn waveform(&self, bearing: usize, weights: &[Complex<f64>]) -> Waveform {
-        let carried: Complex<f64> = self.parts[bearing].iter().zip(weights).map(|(part, weight)| weight * part).sum();
-        let added = Harmonic { order: 1, direct: carried, reverse: Complex::new(0.0, 0.0) };
-        Waveform::new(self.waveforms[bearing].harmonics().iter().copied().chain([added]))
+    /// What the counterweights add to a bearing, seen from the crank, with these mass-radii.
+    pub fn added(&self, bearing: usize, weights: &[Complex<f64>]) -> Complex<f64> {
+        self.parts[bearing].iter().zip(weights).map(|(part, weight)| weight * part).sum()
     }
 }
 

@@ -37,7 +37,7 @@ pub(super) struct Sample {
 
 impl Sample {
     pub fn new(problem: &Problem, bearing: usize, theta: f64) -> Self {
-        Sample { bearing, load: problem.waveforms[bearing].at(theta) * Complex::cis(-theta) }
+        Sample { bearing, load: problem.felt.at(bearing, theta) }
     }
 }
 

@@ -9,11 +9,16 @@ pub struct Unit {
     pub tex: &'static str,
 }
 
+/// Newton metres from which on kilonewton metres are read more easily.
+const LARGE: f64 = 100_000.0;
+
 impl Unit {
     /// Newtons.
     pub const NEWTON: Unit = Unit { name: "N", tex: "N" };
     /// Newton metres.
     pub const NEWTON_METRE: Unit = Unit { name: "N·m", tex: "N\\,m" };
+    /// Kilonewton metres, of the torque of large engines.
+    pub const KILONEWTON_METRE: Unit = Unit { name: "kN·m", tex: "kN\\,m" };
     /// Kilograms.
     pub const KILOGRAM: Unit = Unit { name: "kg", tex: "kg" };
     /// Kilogram metres, of a mass at a radius.
@@ -24,6 +29,10 @@ impl Unit {
     pub const METRE: Unit = Unit { name: "m", tex: "m" };
     /// Millimetres.
     pub const MILLIMETRE: Unit = Unit { name: "mm", tex: "mm" };
+    /// Metres a second.
+    pub const METRE_PER_SECOND: Unit = Unit { name: "m/s", tex: "m/s" };
+    /// Metres a second, each second.
+    pub const METRE_PER_SQUARE_SECOND: Unit = Unit { name: "m/s²", tex: "m/s^2" };
     /// Joules.
     pub const JOULE: Unit = Unit { name: "J", tex: "J" };
     /// Kilowatts.
@@ -41,11 +50,20 @@ impl Unit {
     /// Parts of a hundred.
     pub const PERCENT: Unit = Unit { name: "%", tex: "\\%" };
 
+    /// A value in this unit as it is read best: from 100000 N·m on in kN·m.
+    pub fn at_sight(self, value: f64) -> (f64, Unit) {
+        match self == Unit::NEWTON_METRE && value.abs() >= LARGE {
+            true => (value / 1000.0, Unit::KILONEWTON_METRE),
+            false => (value, self),
+        }
+    }
+
     /// By the commands of siunitx; none of what is no unit, such as `m r ω²`.
     pub fn siunitx(&self) -> Option<&'static str> {
         let known = [
             (Unit::NEWTON, "\\newton"),
             (Unit::NEWTON_METRE, "\\newton\\metre"),
+            (Unit::KILONEWTON_METRE, "\\kilo\\newton\\metre"),
             (Unit::KILOGRAM, "\\kilogram"),
             (Unit::KILOGRAM_METRE, "\\kilogram\\metre"),
             (Unit::KILOGRAM_MILLIMETRE, "\\kilogram\\milli\\metre"),
@@ -55,6 +73,8 @@ impl Unit {
             (Unit::KILOGRAM_SQUARE_METRE, "\\kilogram\\metre\\squared"),
             (Unit::METRE, "\\metre"),
             (Unit::MILLIMETRE, "\\milli\\metre"),
+            (Unit::METRE_PER_SECOND, "\\metre\\per\\second"),
+            (Unit::METRE_PER_SQUARE_SECOND, "\\metre\\per\\second\\squared"),
             (Unit::DEGREE, "\\degree"),
             (Unit::HERTZ, "\\hertz"),
             (Unit::PER_MINUTE, "\\per\\minute"),

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::firing::NoStar;
 use crate::gas::NoGas;
 
 /// Why an engine has no torque through its cycle.
@@ -11,14 +12,17 @@ pub enum NoTorque {
     Gas(NoGas),
     /// Nothing says when its cylinders fire.
     Firing,
+    /// Several crankshafts are geared together.
+    Geared,
 }
 
 impl fmt::Display for NoTorque {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NoTorque::Gas(lack) => lack.fmt(f),
-            NoTorque::Firing => f.write_str(
-                "the layout does not say when its cylinders fire; above the first table, add firing_order = \"1-3-4-2\", or firing_angles with one angle a cylinder",
+            NoTorque::Firing => NoStar::NoFiring.fmt(f),
+            NoTorque::Geared => f.write_str(
+                "several crankshafts are geared together, and what the gas does is known of one crankshaft; leave [gas] and \"gas\" in effects out",
             ),
         }
     }

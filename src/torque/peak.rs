@@ -25,6 +25,19 @@ pub enum PeakMethod {
     TimeLaw,
 }
 
+impl PeakMethod {
+    /// Orders are compared up to this one.
+    pub const HIGHEST: usize = (MORE[MORE.len() - 1] / 2) as usize;
+
+    /// The methods that are compared: every order up to 6 that is left, some higher ones, and samples.
+    pub fn all(is_left: impl Fn(CycleOrder) -> bool) -> Vec<Self> {
+        let left = (1..=EACH).filter_map(CycleOrder::of_halves).filter(|order| is_left(*order));
+        let orders = left.chain(MORE.into_iter().filter_map(CycleOrder::of_halves));
+        let samples = STEPS.into_iter().map(PeakMethod::Samples);
+        orders.map(PeakMethod::Orders).chain(samples).chain([PeakMethod::TimeLaw]).collect()
+    }
+}
+
 /// Every order that is left up to this one is compared: 6.
 const EACH: u32 = 12;
 /// Above it the orders up to these, in halves: 8, 12, 24, 48.
@@ -47,7 +60,7 @@ impl<'a> Peak<'a> {
         let mut classes = torque.classes.clone();
         for class in &mut classes {
             let revolutions = class.gas.revolutions() as usize;
-            class.harmonics = class.gas.harmonics(MORE[MORE.len() - 1] as usize * revolutions / 2);
+            class.harmonics = class.gas.harmonics(PeakMethod::HIGHEST * revolutions);
         }
         let rest = classes.iter().map(rest).sum();
         Peak { torque, orders: orders(&classes), rest }
@@ -55,10 +68,7 @@ impl<'a> Peak<'a> {
 
     /// The methods that are compared: every order that is left up to 6, some higher ones, and samples.
     pub fn methods(&self) -> Vec<PeakMethod> {
-        let left = self.orders.iter().filter(|order| !order.vanishes && order.order.halves() <= EACH);
-        let left = left.map(|order| order.order).chain(MORE.into_iter().filter_map(CycleOrder::of_halves));
-        let samples = STEPS.into_iter().map(PeakMethod::Samples);
-        left.map(PeakMethod::Orders).chain(samples).chain([PeakMethod::TimeLaw]).collect()
+        PeakMethod::all(|asked| self.orders.iter().any(|order| order.order == asked && !order.vanishes))
     }
 
     /// The largest torque by a method, in newton-metres.

@@ -114,6 +114,32 @@ fn newtons_and_bearings_stand_where_all_have_numbers() {
     assert_eq!(document["engines"][0]["worst_bearings"]["bearings"], serde_json::json!([3]));
 }
 
+/// The gas of the four, and when it fires.
+const GAS: &str = "firing_order = '1-3-4-2'\neffects = ['gas']\n";
+const BORE: &str = "[gas]\nbore = '86 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\nheat = '1100 J'\nintake_pressure = '0.9 bar'\n";
+
+#[test]
+fn where_the_gas_is_asked_for_the_worst_bearing_is_that_of_the_complete_loads() {
+    let with = format!("{}{BORE}", FOUR.replacen("speed", &format!("{GAS}speed"), 1));
+    let (gas, without) = (layout("gas", &with), layout("no-gas", FOUR));
+    let engine = crankstar::file::parse("gas.toml", &with).expect("an engine");
+    let loads = crankstar::journal::cycle_loads(&engine).expect("loads");
+    let [bearings, _] = loads.bearings.as_ref().expect("bearings");
+    let text = succeeds(&[&gas, &without]);
+    let worst = format!("bearing {} with ≈ {:.0}", bearings.worst + 1, bearings.bearings[bearings.worst].peak.value);
+    assert!(words(&text).contains(&worst), "{worst} in {text}");
+    assert!(words(&text).contains("gas not asked for"), "{text}");
+    let document: Value = serde_json::from_str(&succeeds(&[&gas, &without, "--json"])).expect("JSON");
+    let told = &document["engines"][0]["worst_bearing_with_gas"];
+    assert_eq!(told["peak"].as_f64(), Some(bearings.bearings[bearings.worst].peak.value));
+    assert_eq!(told["bearings"], serde_json::json!([bearings.worst + 1]));
+    assert!(document["engines"][1].get("worst_bearing_with_gas").is_none());
+    // What lacks is told, and nothing of the gas stands where nobody asks for it.
+    let lacks = layout("lacks", &with.replace("firing_order = '1-3-4-2'\n", ""));
+    assert!(words(&succeeds(&[&lacks, &without])).contains("the gas is asked for, and left out here"));
+    assert!(!succeeds(&[&without, &without]).contains("gas"));
+}
+
 #[test]
 fn different_units_and_missing_numbers_are_said() {
     let four = layout("metres", FOUR);

@@ -14,6 +14,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use crate::support::dice::Dice;
+use crate::support::gas_table::{self, AMBIENT, POINTS, pressure};
 use crate::support::program::{call, scratch};
 use crate::support::stiffness;
 
@@ -60,7 +61,6 @@ struct Felt {
     inertia: f64,
 }
 
-const AMBIENT: f64 = 101_325.0;
 const BORE: f64 = 0.08;
 
 impl Body {
@@ -96,13 +96,6 @@ impl Body {
     }
 }
 
-/// The table of a pressure in bar, two degrees apart, between its rows.
-fn pressure(table: &[f64], degrees: f64) -> f64 {
-    let place = degrees.rem_euclid(2.0 * table.len() as f64) / 2.0;
-    let (row, part) = (place.floor() as usize % table.len(), place.fract());
-    1e5 * (table[row] * (1.0 - part) + table[(row + 1) % table.len()] * part)
-}
-
 struct Case {
     text: String,
     engine: Engine,
@@ -123,16 +116,7 @@ fn random(dice: &mut Dice) -> Case {
     let four_stroke = dice.below(3) > 0;
     let cycle = if four_stroke { 720.0 } else { 360.0 };
     let count = 1 + dice.below(6) as usize;
-    let mut table = |peak: u64| -> Vec<f64> {
-        let rows = (cycle / 2.0) as usize;
-        let bar = |row: usize| {
-            let angle = 2.0 * row as f64 - if 2 * row > rows { cycle } else { 0.0 };
-            let smooth = 1.0 + peak as f64 * (-(angle - 10.0).powi(2) / 800.0).exp();
-            ((smooth + dice.below(100) as f64 / 100.0) * 1e4).round() / 1e4
-        };
-        (0..rows).map(bar).collect()
-    };
-    let tables = vec![table(60), table(30)];
+    let tables = vec![gas_table::random(dice, cycle, 60), gas_table::random(dice, cycle, 30)];
     let (other, speed) = (dice.below(count as u64) as usize, 500 + dice.below(5000));
     // Some engines are alike all over, so that stars of several cylinders appear.
     let alike = dice.below(3) == 0;
@@ -182,7 +166,6 @@ fn random(dice: &mut Dice) -> Case {
         weights.push((grams as f64 * 5e-5, (angle as f64).to_radians(), BigRational::new(at.into(), 100.into())));
     }
     let shaft = if weights.is_empty() { "" } else { "[crankshaft]\nlength = 3\n" };
-    let rows = |table: &[f64]| list(table.iter().enumerate().map(|(row, bar)| format!("[{}, {bar}]", 2 * row)));
     let text = format!(
         "cycle = '{}'\nspeed = {speed}\nfiring_angles = [{}]\nbearings = [{}]\n[mechanism]\nstroke = [{}]\nrod_length = [{}]\n\
          pin_offset = [{}]\nreciprocating_mass = [{}]\nrotating_mass = [{}]\n{shaft}[gas]\nbore = '80 mm'\ndead_centre = 'crank'\n\
@@ -195,9 +178,9 @@ fn random(dice: &mut Dice) -> Case {
         list(offsets.iter()),
         list(masses.iter()),
         list(ends.iter()),
-        rows(&tables[0]),
+        gas_table::rows(&tables[0]),
         other + 1,
-        rows(&tables[1]),
+        gas_table::rows(&tables[1]),
     );
     let engine = layout(&text);
     Case { text, engine, bodies, weights, tables, omega: speed as f64 / 60.0 * TAU, cycle: cycle.to_radians() }
@@ -397,15 +380,6 @@ fn peaks_are_those_of_the_model_through_the_whole_cycle() {
         assert_eq!(determinate.bearings.len(), continuous.bearings.len());
     }
 }
-
-/// Five points of Gauss and Legendre in a degree.
-const POINTS: [(f64, f64); 5] = [
-    (0.046910077030668, 0.118463442528095),
-    (0.230765344947158, 0.239314335249683),
-    (0.5, 0.284444444444444),
-    (0.769234655052842, 0.239314335249683),
-    (0.953089922969332, 0.118463442528095),
-];
 
 #[test]
 fn orders_are_the_harmonics_of_the_model_and_the_torque_does_the_work_of_the_gas() {

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use crankstar::accuracy::Timing;
+use crankstar::claim::parse_claims;
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::journal::cycle_loads;
@@ -138,12 +139,35 @@ fn pages_of_the_complete_loads_have_german_for_every_phrase() {
 
 #[test]
 fn the_accuracy_of_torque_and_bearings_has_german_for_every_phrase() {
-    let single = format!("speed = 3000\nbearings = ['0.05 m', '-0.05 m']\n{}", crate::gas::SPARK);
-    let engine = file::parse("layout.toml", &single).expect("it reads");
+    let single = format!("speed = 3000\nbearings = ['0.05 m', '-0.05 m']\neffects = ['gas']\n{}", crate::gas::SPARK);
+    let engine = file::parse("layout.toml", &single.replace("[gas]", "spacing = '1 m'\n[gas]")).expect("it reads");
     for timing in [Timing::Off, Timing::On] {
         let cases = [AccuracyCase::of(&engine, &[], timing).expect("a torque")];
         assert_known(&[report::accuracy_page(&engine, &cases), report::accuracy_answer(&engine, &cases)]);
     }
+}
+
+#[test]
+fn pages_of_forces_with_gas_have_german_for_every_phrase() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/thesis/forces");
+    let engine = |name: &str| {
+        let text = fs::read_to_string(folder.join(name)).expect("a layout file");
+        file::parse(name, &text).map_err(|error| error.to_string())
+    };
+    let text = fs::read_to_string(folder.join("claims.toml")).expect("the claims");
+    let more = "[[claim]]\nlayout = 'i3.toml'\nsays = 'rod length = r'\n";
+    let claims = parse_claims("claims.toml", &(text + more), &engine).expect("claims");
+    assert_known(&[report::claims_page(&claims), report::claims_answer(&claims)]);
+    let v8 = engine("v8-cross.toml").expect("an engine");
+    let loads = cycle_loads(&v8).expect("loads");
+    let masses = bearing_loads(&v8, &[1, 2], Method::Continuous).expect("loads");
+    assert_known(&[
+        report::complete_bearings_page(&v8, &loads, &masses),
+        report::complete_bearings_answer(&v8, &loads),
+    ]);
+    let slow = file::parse("slow.toml", &v8.file().written().replace("speed = \"6000 rpm\"", "")).expect("an engine");
+    let compared = [&v8, &slow].map(|engine| Compared::new(Untrusted::new("V8"), engine, &[1]).expect("orders"));
+    assert_known(&[report::compare_page(&compared), report::compare_answer(&compared)]);
 }
 
 #[test]

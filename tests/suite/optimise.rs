@@ -12,10 +12,12 @@ use std::{env, fs};
 use crankstar::beam::Beam;
 use crankstar::engine::{Draft, Engine};
 use crankstar::file::parse;
+use crankstar::journal::{bearing_peaks, cycle_loads};
 use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, loads, usual_bearing_orders};
 use crankstar::optimise::{
     Couple, Front, OptimiseError, Optimum, Place, Residual, Uniform, Wish, front, measure, places, uniform,
 };
+use crankstar::page::Format;
 use crankstar::{page, report};
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -457,6 +459,66 @@ fn listed_counterweights_give_planes_and_radii_and_are_replaced() {
     assert_eq!((&one.mass, &one.peaks), (&other.mass, &other.peaks));
     let radii: Vec<String> = from_tables.places.iter().map(|place| place.radius.to_string()).collect();
     assert_eq!(radii, ["1/25", "1/20", "3/50"]);
+}
+
+/// A four with counterweights and gas.
+fn four_with_gas() -> String {
+    let gas = crate::journal::four();
+    format!("{gas}{WEBS}\n")
+}
+
+#[test]
+fn with_gas_the_least_load_is_that_of_gas_and_masses_and_no_other_crankshaft_comes_below() {
+    let text = four_with_gas();
+    let four = parse("four.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let with_gas = solved(&four, Couple::Zero, 3);
+    for point in all(&with_gas) {
+        let loads = cycle_loads(&point.engine).expect("loads");
+        let [bearings, _] = loads.bearings.as_ref().expect("bearings");
+        let scale = point.design.scale.as_ref().map_or(1.0, Scale::force);
+        for (peak, bearing) in point.design.peaks.iter().zip(&bearings.bearings) {
+            assert_close(peak * scale, bearing.peak.value, 1e-12, "one truth");
+        }
+        assert_eq!(point.design.worst, [bearings.worst]);
+        assert_eq!((point.design.force, point.design.couple), (Residual::Zero, Residual::Zero));
+        assert!(point.least <= point.design.peak() && point.least > 0.999 * point.design.peak());
+    }
+    // Those that are best for the masses alone are no better with gas than the best of their own mass.
+    let of_masses = parse("four.toml", &text.replace("effects = ['gas']\n", "")).expect("it reads");
+    let of_masses = solved(&of_masses, Couple::Zero, 3);
+    let of_gas = with_gas.points.iter().map(newtons).fold(f64::INFINITY, f64::min);
+    for point in all(&of_masses) {
+        let worst = bearing_peaks(&point.engine).expect("peaks").iter().map(|[all, _]| all.value).fold(0.0, f64::max);
+        assert!(worst > of_gas * (1.0 - 1e-4), "{worst} {of_gas}");
+    }
+    for uniform in &with_gas.uniform {
+        if let Some(best) = &uniform.best {
+            assert!(
+                newtons(best) <= uniform.design.peak() * best.design.scale.as_ref().map_or(1.0, Scale::force) * 1.001
+            );
+        }
+    }
+    let page = report::optimise_page(&four, &with_gas, &Couple::Zero);
+    let written = page::write(&page, Format::GITHUB, &page::Options::default()).remove(0).text;
+    assert!(written.contains("those of gas and masses together") && !written.contains("in a revolution, all orders"));
+    let missing: Vec<&str> =
+        page.phrases().into_iter().filter(|words| words.contains("gas") && !page::Language::De.knows(words)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+#[test]
+fn a_gas_that_is_asked_for_and_cannot_be_had_is_told() {
+    let refused = |text: &str| {
+        let layout = parse("four.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        front(&layout, &wish(&layout, Couple::Zero, 1)).err().map(|refused| refused.to_string()).unwrap_or_default()
+    };
+    let text = four_with_gas();
+    assert!(
+        refused(&text.replace("firing_order = '1-3-4-2'\n", ""))
+            .contains("effects ask for the gas: the layout does not say when")
+    );
+    assert!(refused(&text.replace("speed = 3000\n", "")).contains("speed"));
+    assert!(refused(&text.replace("speed = 3000", "speed = 0")).contains("speed"));
 }
 
 #[test]

@@ -8,6 +8,7 @@ use crankstar::torque::{EngineTorque, NoTorque, Peak, PeakMethod, guide_moments,
 
 use crate::gas::{DIESEL, SPARK, engine};
 use crate::support::dice::Dice;
+use crate::support::gas_table::{self, AMBIENT, POINTS, pressure};
 use crate::support::program::{call, scratch};
 
 fn torque_of(text: &str) -> EngineTorque {
@@ -164,8 +165,6 @@ struct Bodies {
     table: usize,
 }
 
-const AMBIENT: f64 = 101_325.0;
-
 impl Bodies {
     /// Torque on the crank, moment on the frame and force of the wall on the piston, by Newton's law for the piston: along its axis the rod's push balances gas and inertia.
     fn moments(&self, theta: f64, omega: f64, tables: &[Vec<f64>]) -> [f64; 3] {
@@ -192,28 +191,12 @@ impl Bodies {
     }
 }
 
-/// The table of a pressure in bar, two degrees apart, between its rows.
-fn pressure(table: &[f64], degrees: f64) -> f64 {
-    let place = degrees.rem_euclid(2.0 * table.len() as f64) / 2.0;
-    let (row, part) = (place.floor() as usize % table.len(), place.fract());
-    1e5 * (table[row] * (1.0 - part) + table[(row + 1) % table.len()] * part)
-}
-
 /// A random engine: its layout, its bodies, its tables.
 fn random(dice: &mut Dice) -> (String, Vec<Bodies>, Vec<Vec<f64>>, f64) {
     let four_stroke = dice.below(2) == 0;
     let cycle = if four_stroke { 720.0 } else { 360.0 };
     let count = 1 + dice.below(6) as usize;
-    let mut table = |peak: u64| -> Vec<f64> {
-        let rows = (cycle / 2.0) as usize;
-        let bar = |row: usize| {
-            let angle = 2.0 * row as f64 - if 2 * row > rows { cycle } else { 0.0 };
-            let smooth = 1.0 + peak as f64 * (-(angle - 10.0).powi(2) / 800.0).exp();
-            ((smooth + dice.below(100) as f64 / 100.0) * 1e4).round() / 1e4
-        };
-        (0..rows).map(bar).collect()
-    };
-    let tables = vec![table(60), table(30)];
+    let tables = vec![gas_table::random(dice, cycle, 60), gas_table::random(dice, cycle, 30)];
     let other = dice.below(count as u64) as usize;
     let speed = 500 + dice.below(5000);
     let (mut cylinders, mut bodies) = (String::new(), Vec::new());
@@ -244,10 +227,6 @@ fn random(dice: &mut Dice) -> (String, Vec<Bodies>, Vec<Vec<f64>>, f64) {
     // The crank angle counts from where throw and axis of the first cylinder meet in the revolution that it fires in.
     let first = fires[0] - fires[0].rem_euclid(360);
     bodies.iter_mut().for_each(|body| body.fires -= first as f64);
-    let rows = |table: &[f64]| {
-        let rows: Vec<String> = table.iter().enumerate().map(|(row, bar)| format!("[{}, {bar}]", 2 * row)).collect();
-        rows.join(", ")
-    };
     let fires: Vec<String> = fires.iter().map(ToString::to_string).collect();
     let text = format!(
         "cycle = '{}'\nspeed = {speed}\nfiring_angles = [{}]\n[mechanism]\nstroke = [{}]\nrod_length = [{}]\npin_offset = [{}]\n\
@@ -259,21 +238,12 @@ fn random(dice: &mut Dice) -> (String, Vec<Bodies>, Vec<Vec<f64>>, f64) {
         rods.join(", "),
         offsets.join(", "),
         masses.join(", "),
-        rows(&tables[0]),
+        gas_table::rows(&tables[0]),
         other + 1,
-        rows(&tables[1]),
+        gas_table::rows(&tables[1]),
     );
     (text, bodies, tables, speed as f64 / 60.0 * std::f64::consts::TAU)
 }
-
-/// Five points of Gauss and Legendre in a degree.
-const POINTS: [(f64, f64); 5] = [
-    (0.046910077030668, 0.118463442528095),
-    (0.230765344947158, 0.239314335249683),
-    (0.5, 0.284444444444444),
-    (0.769234655052842, 0.239314335249683),
-    (0.953089922969332, 0.118463442528095),
-];
 
 #[test]
 fn the_torque_of_a_hundred_random_engines_is_that_of_their_bodies() {
@@ -386,6 +356,11 @@ fn what_a_layout_lacks_for_its_torque_is_told() {
     let firing = SPARK.replace("throws = [0]", "throws = [0, 0]").replace("firing_order = '1'\n", "");
     assert_eq!(torque(&engine(&firing)).expect_err("no order"), NoTorque::Firing);
     assert!(lacks(&firing).contains("firing_order = \"1-3-4-2\""));
+    let (_, gas) = SPARK.split_once("[gas]").expect("gas");
+    let geared = format!(
+        "cycle = 'two-stroke'\n[mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\n[u]\nthrows = [0]\nsense = 'against'\n[gas]{gas}intake_pressure = '1 bar'\n"
+    );
+    assert_eq!(torque(&engine(&geared)).expect_err("two crankshafts"), NoTorque::Geared);
     let (before, _) = SPARK.split_once("[gas]").expect("gas");
     assert!(lacks(before).contains("add [gas]"));
     assert!(lacks(&SPARK.replace("stroke = '86 mm'\nrod_length = '143 mm'", "rod_ratio = 0.3")).contains("stroke"));

@@ -251,8 +251,9 @@ impl<'a> Composer<'a> {
                 None => self.numbers(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                let set = self.options.siunitx.then(|| writer.quantity(*value, *unit)).flatten();
-                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(*value), number::behind(*unit))))
+                let (value, unit) = unit.at_sight(*value);
+                let set = self.options.siunitx.then(|| writer.quantity(value, unit)).flatten();
+                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(value), number::behind(unit))))
             }
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),

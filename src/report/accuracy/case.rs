@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use super::engine_torque::{self, PeakRow};
+use super::gas_bearings;
 use crate::accuracy::{self, BearingRow, Study};
 use crate::engine::Engine;
 use crate::loads;
@@ -20,6 +21,8 @@ pub struct AccuracyCase {
     pub(super) bearings: Option<Vec<BearingRow>>,
     /// The largest torque of gas and inertia by several methods; none without gas.
     pub(super) engine_torque: Option<Vec<PeakRow>>,
+    /// The largest bearing load of gas and masses by several methods; none where the layout does not ask for the gas.
+    pub(super) gas_bearings: Option<Vec<PeakRow>>,
 }
 
 impl AccuracyCase {
@@ -34,7 +37,8 @@ impl AccuracyCase {
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
         let studies = studies.collect::<Result<_, _>>()?;
         let bearings = accuracy::bearings(engine, timing)?;
-        Ok(AccuracyCase { ratio, studies, bearings, engine_torque: engine_torque::rows(engine, timing) })
+        let (engine_torque, gas_bearings) = (engine_torque::rows(engine, timing), gas_bearings::rows(engine, timing));
+        Ok(AccuracyCase { ratio, studies, bearings, engine_torque, gas_bearings })
     }
 
     /// `λ = 0.3`.

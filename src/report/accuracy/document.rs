@@ -27,6 +27,9 @@ struct Case {
     /// The largest torque of gas and inertia in newton-metres.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     engine_torque: Vec<FurtherEntry>,
+    /// The largest bearing load of gas and masses in newtons.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bearings_with_gas: Vec<FurtherEntry>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -80,7 +83,8 @@ pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDoc
         rod_ratio: case.ratio.as_ref().map(BigRational::to_string),
         loads: case.studies.iter().map(|study| load(engine, study)).collect(),
         bearings: case.bearings.iter().flatten().map(|row| bearing_entry(engine, row)).collect(),
-        engine_torque: case.engine_torque.iter().flatten().map(torque_entry).collect(),
+        engine_torque: case.engine_torque.iter().flatten().map(of_gas).collect(),
+        bearings_with_gas: case.gas_bearings.iter().flatten().map(of_gas).collect(),
     };
     AccuracyDocument { title: engine.title().written().to_owned(), cases: cases.iter().map(case).collect() }
 }
@@ -96,7 +100,7 @@ fn bearing_entry(engine: &Engine, row: &BearingRow) -> FurtherEntry {
     FurtherEntry { method, setting, value, error: row.error, farthest: None, bound: row.bound, seconds }
 }
 
-fn torque_entry(row: &PeakRow) -> FurtherEntry {
+fn of_gas(row: &PeakRow) -> FurtherEntry {
     let (method, setting) = match row.method {
         PeakMethod::Orders(order) => ("orders of the gas", Some(f64::from(order.halves()) / 2.0)),
         PeakMethod::Samples(steps) => ("time law", Some(f64::from(steps))),

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::methods::{self, Significant};
 use crate::accuracy::{Timing, measured};
-use crate::engine::Engine;
+use crate::engine::{CycleOrder, Engine};
 use crate::page::{Piece, Table, Text, Unit, phrase};
 use crate::torque::{self, Peak, PeakMethod};
 
@@ -52,12 +52,17 @@ fn name(method: PeakMethod) -> Text {
     }
 }
 
-/// A row a method, with times where they were measured.
+/// The torque: a row a method, with times where they were measured.
 pub(super) fn table(rows: &[PeakRow]) -> Table {
+    table_of("Largest torque in N·m", rows)
+}
+
+/// A row a method, with what is guaranteed and times where they are known.
+pub(super) fn table_of(heading: &'static str, rows: &[PeakRow]) -> Table {
     let timed = rows.iter().any(|row| row.time.is_some());
-    let columns = ["Method", "Largest torque in N·m", "Error", "Anywhere", "Guaranteed"]
-        .into_iter()
-        .chain(timed.then_some("Time"));
+    let guaranteed = rows.iter().any(|row| row.bound.is_some());
+    let columns = ["Method", heading, "Error", "Anywhere"].into_iter();
+    let columns = columns.chain(guaranteed.then_some("Guaranteed")).chain(timed.then_some("Time"));
     let mut table = Table::new(columns);
     for row in rows {
         let error = match row.method {
@@ -69,9 +74,10 @@ pub(super) fn table(rows: &[PeakRow]) -> Table {
         };
         let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
         let (farthest, bound) = (part(row.farthest), part(row.bound));
-        let cells = [name(row.method), format!("{:.DIGITS$}", Significant(row.value)).into(), error, farthest, bound];
+        let cells = [name(row.method), format!("{:.DIGITS$}", Significant(row.value)).into(), error, farthest];
+        let cells = cells.into_iter().chain(guaranteed.then_some(bound));
         let time = timed.then(|| row.time.map_or_else(Text::default, |time| methods::time(time).into()));
-        table.push(cells.into_iter().chain(time).collect());
+        table.push(cells.chain(time).collect());
     }
     table
 }
@@ -81,23 +87,28 @@ const ROUNDING: f64 = 1e-9;
 
 /// The largest torque, and how many orders have it.
 pub(super) fn answer(label: Text, rows: &[PeakRow]) -> Text {
-    let within = |row: &&PeakRow| match row.method {
-        PeakMethod::Orders(_) => row.error <= methods::USUAL,
-        PeakMethod::Samples(_) | PeakMethod::TimeLaw => false,
-    };
     let peak = rows.last().map_or(f64::NAN, |row| row.value);
     let peak = Piece::Quantity(peak, Unit::NEWTON_METRE);
-    match rows.iter().find(within).map(|row| row.method) {
-        Some(PeakMethod::Orders(order)) => phrase!(
+    match enough(rows) {
+        Some(order) => phrase!(
             "Largest torque, gas and inertia, {}: {}. The orders of the gas up to {} have it within 0.1 %.",
             label,
             peak,
             Text::label(order.to_string())
         ),
-        Some(PeakMethod::Samples(_) | PeakMethod::TimeLaw) | None => phrase!(
+        None => phrase!(
             "Largest torque, gas and inertia, {}: {}. The orders of the gas compared here do not have it within 0.1 %.",
             label,
             peak
         ),
     }
+}
+
+/// The first order of the gas with which the largest value is within 0.1 %, and with every higher one that is compared.
+pub(super) fn enough(rows: &[PeakRow]) -> Option<CycleOrder> {
+    let orders = rows.iter().filter_map(|row| match row.method {
+        PeakMethod::Orders(order) => Some((order, row.error <= methods::USUAL)),
+        PeakMethod::Samples(_) | PeakMethod::TimeLaw => None,
+    });
+    orders.fold(None, |first, (order, is_within)| if is_within { first.or(Some(order)) } else { None })
 }

@@ -4,6 +4,7 @@ mod bearings;
 mod case;
 mod document;
 mod engine_torque;
+mod gas_bearings;
 mod methods;
 mod page;
 mod plots;

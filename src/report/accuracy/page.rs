@@ -1,7 +1,7 @@
 //! What stands on the page of what accuracy costs, on the terminal, and in a report?
 
 use super::engine_torque::PeakRow;
-use super::{AccuracyCase, bearings, engine_torque, plots, tables, words};
+use super::{AccuracyCase, bearings, engine_torque, gas_bearings, plots, tables, words};
 use crate::accuracy::{BearingRow, Study};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Text, phrase};
@@ -21,6 +21,11 @@ fn of_gas(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[PeakRow])> {
     cases.iter().filter_map(|case| Some((case.label(), case.engine_torque.as_deref()?)))
 }
 
+/// The bearing loads with gas of each case that has both.
+fn of_gas_bearings(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[PeakRow])> {
+    cases.iter().filter_map(|case| Some((case.label(), case.gas_bearings.as_deref()?)))
+}
+
 /// The blocks on bearings and engine torque, of the cases that have them.
 fn further(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -33,6 +38,11 @@ fn further(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Block> {
         blocks.push(Block::Heading(1, phrase!("Largest torque, gas and inertia, {}", label)));
         blocks.push(engine_torque::table(rows).into());
         blocks.push(Block::Note(engine_torque::HOW.into()));
+    }
+    for (label, rows) in of_gas_bearings(cases) {
+        blocks.push(Block::Heading(1, phrase!("Largest bearing load, gas and masses, {}", label)));
+        blocks.push(gas_bearings::table(rows).into());
+        blocks.push(Block::Note(gas_bearings::HOW.into()));
     }
     blocks
 }
@@ -56,6 +66,10 @@ pub fn accuracy_answer(engine: &Engine, cases: &[AccuracyCase]) -> Document {
         answer.push(Block::Paragraph(engine_torque::answer(label, rows)));
         answer.push(engine_torque::table(rows));
     }
+    for (label, rows) in of_gas_bearings(cases) {
+        answer.push(Block::Paragraph(gas_bearings::answer(label, rows)));
+        answer.push(gas_bearings::table(rows));
+    }
     answer
 }
 
@@ -65,7 +79,8 @@ pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
     let of_loads = studies(cases).map(|(_, case, study)| words::answer(engine, case, study));
     let of_torque = of_gas(cases).map(|(label, rows)| engine_torque::answer(label, rows));
     let of_bearings = of_bearings(cases).map(|(label, rows)| bearings::answer(engine, label, rows));
-    page.push(Block::Answer(of_loads.chain(of_bearings).chain(of_torque).collect()));
+    let with_gas = of_gas_bearings(cases).map(|(label, rows)| gas_bearings::answer(label, rows));
+    page.push(Block::Answer(of_loads.chain(of_bearings).chain(of_torque).chain(with_gas).collect()));
     for (number, case, study) in studies(cases).filter(|(_, _, study)| !study.rows.is_empty()) {
         page.push(Block::Heading(1, words::heading(case, study)));
         page.push(plots::cost(number, case, study));
@@ -93,6 +108,11 @@ pub fn accuracy_section(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Block> {
         blocks.push(Block::Paragraph(engine_torque::answer(label, rows)));
         blocks.push(engine_torque::table(rows).into());
         blocks.push(Block::Note(engine_torque::HOW.into()));
+    }
+    for (label, rows) in of_gas_bearings(cases) {
+        blocks.push(Block::Paragraph(gas_bearings::answer(label, rows)));
+        blocks.push(gas_bearings::table(rows).into());
+        blocks.push(Block::Note(gas_bearings::HOW.into()));
     }
     blocks
 }

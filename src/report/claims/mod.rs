@@ -3,6 +3,7 @@
 mod counterweights;
 mod evidence;
 mod finding;
+mod forces;
 mod gas_torque;
 mod orders;
 mod page;

@@ -53,6 +53,8 @@ impl Asked<'_> {
             | Statement::CrankshaftMass(_)
             | Statement::BearingLoad(_)
             | Statement::WorstBearings(_)
+            | Statement::LargestLoad(..)
+            | Statement::Formula(_)
             | Statement::GasTorque { .. }
             | Statement::FiresEvenly { .. } => false,
         };
@@ -79,6 +81,8 @@ fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
+        | Statement::LargestLoad(..)
+        | Statement::Formula(_)
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => false,
     };

@@ -4,7 +4,7 @@
 use super::evidence::evidence;
 use super::finding::{claim_finding, claim_status};
 use super::student;
-use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote};
+use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 use crate::text::Untrusted;
 
@@ -28,6 +28,7 @@ pub fn claims_page(claims: &Claims) -> Document {
     let mut page = Document::new("claims", &claims.title);
     page.push(Block::Answer(counts(claims)));
     page.push(Block::Paragraph(HOW.into()));
+    page.blocks.extend(of_forces(claims));
     for published in &claims.statements {
         page.blocks.extend(statement(published));
     }
@@ -42,6 +43,29 @@ pub fn claims_page(claims: &Claims) -> Document {
 const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, but for values in newtons and the bearings that \
     feel the most, which are compared in decimals. A statement and its conclusion are in the words of the author of the file, who draws the \
     conclusion from the answers above it; a source's own words stand in quotation marks.";
+
+/// How claims about forces of gas and masses are answered, where there are some.
+fn of_forces(claims: &Claims) -> Option<Block> {
+    let is_of_forces = |statement: &Statement| match statement {
+        Statement::Formula(_) | Statement::LargestLoad(..) => true,
+        Statement::Order { .. }
+        | Statement::Vanish { .. }
+        | Statement::NoFreeMoment
+        | Statement::Shafts { .. }
+        | Statement::CanBalance(_)
+        | Statement::CrankshaftMass(_)
+        | Statement::BearingLoad(_)
+        | Statement::WorstBearings(_)
+        | Statement::GasTorque { .. }
+        | Statement::FiresEvenly { .. } => false,
+    };
+    let mut all = claims.statements.iter().flat_map(|statement| &statement.claims);
+    all.any(|claim| is_of_forces(&claim.statement)).then(|| Block::Paragraph(FORMULAS.into()))
+}
+
+const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. What the program finds by its own way is \
+    set beside the value of the formula, half a degree apart through the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than \
+    the part of it that is said. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
 
 fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
     claims.map(|claim| (claim, claim.answer())).collect()

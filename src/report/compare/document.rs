@@ -40,6 +40,9 @@ struct EngineEntry {
     /// Forces in N and moments in N·m; null where the layout lacks numbers.
     newtons: Option<Vec<Newtons>>,
     worst_bearings: Option<Worst>,
+    /// Of gas and masses together, where the layout asks for the gas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    worst_bearing_with_gas: Option<Worst>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -140,6 +143,11 @@ fn engine(engine: &Compared) -> EngineEntry {
         remedy: engine_cells::remedy(&engine.remedy).plain(),
         newtons: newtons(engine),
         worst_bearings: engine.bearings.as_ref().ok().map(worst),
+        worst_bearing_with_gas: engine.worst_with_gas().map(|(index, peak)| Worst {
+            bearings: vec![index + 1],
+            peak: peak.value,
+            unit: "N",
+        }),
     }
 }
 

@@ -9,6 +9,7 @@ pub use document::{CompareDocument, compare_document};
 pub use page::{compare_answer, compare_page};
 
 use crate::engine::{Engine, NotAnOrder};
+use crate::journal::{self, CyclePeak, NoCycleLoads};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
@@ -32,6 +33,8 @@ pub struct Compared<'a> {
     pub loads: Result<Loads, Missing>,
     /// What the main bearings feel, where the layout names them.
     pub bearings: Result<BearingLoads, Missing>,
+    /// The largest load of each main bearing of gas and masses together, and of the masses alone; none where the layout does not ask for the gas.
+    pub with_gas: Option<Result<Vec<[CyclePeak; 2]>, NoCycleLoads>>,
 }
 
 impl<'a> Compared<'a> {
@@ -50,6 +53,8 @@ impl<'a> Compared<'a> {
             remedy: remedy::remedy(engine, &wish),
             loads: loads::loads(engine, orders),
             bearings: loads::bearing_loads(engine, &loads::bearing_orders(engine, orders), Method::Continuous),
+            // What nobody asks for costs nothing.
+            with_gas: engine.effects().gas.then(|| journal::bearing_peaks(engine)),
         })
     }
 
@@ -61,6 +66,13 @@ impl<'a> Compared<'a> {
     /// The verdicts on one order of the pistons alone, where masses that turn have a part in it besides.
     fn pistons_at(&self, order: u32) -> Option<&OrderVerdict> {
         self.judged.differing().find(|judged| judged.order == order)
+    }
+
+    /// The main bearing with the largest load of gas and masses, from 0, and that load; none where there is none.
+    fn worst_with_gas(&self) -> Option<(usize, CyclePeak)> {
+        let peaks = self.with_gas.as_ref()?.as_ref().ok()?;
+        let worst = journal::worst(peaks.iter().map(|[all, _]| all.value));
+        peaks.get(worst).map(|[all, _]| (worst, *all))
     }
 
     /// Whether force and moment come out in N and N·m.

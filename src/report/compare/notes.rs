@@ -15,6 +15,7 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| !order.exists())) {
         notes.push(WHY_NOT.into());
     }
+    notes.extend(engines.iter().filter_map(without_gas));
     let [with, without] = [true, false].map(|wanted| names(engines, |engine| engine.has_newtons() == wanted));
     if !with.is_empty() && !without.is_empty() {
         notes.push(phrase!(
@@ -51,4 +52,10 @@ fn positions(engines: &[Compared]) -> Text {
             spacings
         ),
     }
+}
+
+/// Why the loads of gas and masses of an engine that asks for the gas are not there.
+fn without_gas(engine: &Compared) -> Option<Text> {
+    let lack = engine.with_gas.as_ref()?.as_ref().err()?;
+    Some(phrase!("**{}**: the gas is asked for, and left out here: {}.", &engine.name, lack.to_string()))
 }

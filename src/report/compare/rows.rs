@@ -4,8 +4,9 @@ use super::super::calculation::{self, Unit};
 use super::super::{bearings, engine_cells};
 use super::{Compared, orders_of};
 use crate::engine::DOES_NOT_EXIST;
+use crate::journal::NoCycleLoads;
 use crate::loads::{Missing, OrderLoads};
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::{self, Number, Table, Text, phrase};
 use crate::proof::Quantity;
 use crate::verdict::OrderVerdict;
 
@@ -47,6 +48,9 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
     if all.iter().any(|engine| engine.bearings.as_ref().err() != Some(&Missing::Bearings)) {
         add("Worst main bearing".into(), &worst_bearing);
     }
+    if all.iter().any(|engine| engine.with_gas.is_some()) {
+        add("Worst main bearing with gas".into(), &worst_with_gas);
+    }
     table
 }
 
@@ -72,5 +76,22 @@ fn worst_bearing(engine: &Compared) -> Text {
         Err(Missing::Bearings) => "none named".into(),
         Err(Missing::Rods) => "not computed: no rods".into(),
         Err(_) => "not computed".into(),
+    }
+}
+
+fn worst_with_gas(engine: &Compared) -> Text {
+    match (&engine.with_gas, engine.worst_with_gas()) {
+        (None, _) => "gas not asked for".into(),
+        (Some(Err(NoCycleLoads::Loads(Missing::Bearings))), _) => "none named".into(),
+        (Some(Err(_)), _) => "not computed".into(),
+        (Some(Ok(_)), None) => "none named".into(),
+        (Some(Ok(_)), Some((index, peak))) => {
+            phrase!(
+                "bearing {} with {} {}",
+                (index + 1).to_string(),
+                Number::Decimal(peak.value),
+                page::Unit::NEWTON.name
+            )
+        }
     }
 }

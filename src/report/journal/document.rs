@@ -4,7 +4,7 @@ use num_complex::Complex;
 use serde::Serialize;
 
 use crate::engine::Engine;
-use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, Series};
+use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, Series, SharedPin};
 use crate::torque::Extreme;
 
 /// The complete loads as data: newtons, degrees of the crank within the cycle.
@@ -13,6 +13,8 @@ pub struct CycleLoadsDocument {
     cycle_deg: f64,
     sign: &'static str,
     cylinders: Vec<Cylinder>,
+    /// Crankpins with several rods, all of them together.
+    shared_pins: Vec<Shared>,
     continuous: Option<Solution>,
     determinate: Option<Solution>,
 }
@@ -51,6 +53,16 @@ struct Cylinder {
     pin_without_gas: Peak,
     mean: Vector,
     orders: Vec<Order>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Shared {
+    /// Number of the throw, from 1.
+    crankpin: usize,
+    cylinders: Vec<String>,
+    position: String,
+    peak: Peak,
+    without_gas: Peak,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -99,11 +111,19 @@ impl CycleLoadsDocument {
             None => [None, None],
             Some(both) => both.each_ref().map(|bearings| Some(solution(bearings))),
         };
+        let shared = |pin: &SharedPin| Shared {
+            crankpin: pin.throw + 1,
+            cylinders: pin.cylinders.iter().map(|&index| engine.cylinders()[index].name.clone()).collect(),
+            position: pin.position.to_string(),
+            peak: peak(&pin.peak),
+            without_gas: peak(&pin.inertia),
+        };
         let names = engine.cylinders().iter().map(|cylinder| cylinder.name.clone());
         CycleLoadsDocument {
             cycle_deg: loads.course.period().to_degrees().round(),
             sign: "the force that bearing or pin feels; rods positive where they are pressed",
             cylinders: names.zip(&loads.cylinders).map(|(name, loads)| cylinder(name, loads)).collect(),
+            shared_pins: loads.shared_pins.iter().map(shared).collect(),
             continuous,
             determinate,
         }

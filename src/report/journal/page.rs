@@ -13,6 +13,9 @@ const RODS: &str = "A rod is pressed where gas presses the piston, and pulled wh
 
 const PINS: &str = "What the rod of each cylinder loads its crankpin with through the cycle: gas and inertia of the piston, with the side force, and the rotating part of the rod.";
 
+const SHARED: &str = "What all rods of a crankpin load it with together, at each crank angle the sum of their forces: those of two rods pull and push at different times, so that the pin feels less than \
+                      both their largest loads, and the bearing of each rod its own. The mass of the pin itself loads nothing on it.";
+
 const ORDERS: &str = "The largest value of each order of the load, gas and masses together, zero to peak. Order κ of the gas is a harmonic of one cylinder times the stars \
                       $\\sum_j \\rho_j e^{i(\\alpha_j \\mp \\kappa\\varphi_j)}$, $\\rho_j$ the part that the bearing carries, $\\alpha_j$ the axis and $\\varphi_j$ the crank angle at which cylinder j fires: where both are 0, \
                       exactly, and the masses leave nothing, the order is **0** for every pressure that the cylinders share. At whole orders gas and masses add as vectors; halves are the gas alone.";
@@ -67,6 +70,12 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
     page.push(Block::Paragraph(PINS.into()));
     page.push(tables::pins(engine, loads));
     page.push(Block::Pictures(plots::pins(engine, loads)));
+    if !loads.shared_pins.is_empty() {
+        section(&mut page, "Crankpins with several rods");
+        page.push(Block::Paragraph(SHARED.into()));
+        page.push(tables::shared_pins(engine, loads));
+        page.push(Block::Pictures(plots::shared_pins(engine, loads)));
+    }
     section(&mut page, "Rods and side forces");
     page.push(Block::Paragraph(RODS.into()));
     page.push(tables::rods(engine, loads));

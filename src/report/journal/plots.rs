@@ -6,7 +6,7 @@ use num_complex::Complex;
 
 use super::super::torque::names;
 use crate::engine::Engine;
-use crate::journal::{Course, CycleBearing, CycleBearings, CycleLoads};
+use crate::journal::{Course, CycleBearing, CycleBearings, CycleLoads, SharedPin};
 use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
 use crate::page::{Picture, phrase};
 
@@ -14,6 +14,10 @@ use crate::page::{Picture, phrase};
 const STEPS: usize = 360;
 /// Pins of more cylinders than this are not drawn.
 const MOST_PINS: usize = 3;
+/// Of shared pins more are drawn, for each has firing intervals of its own, ...
+const MOST_SHARED: usize = 8;
+/// ... with the paths of its rods where they are no more than these.
+const MOST_RODS: usize = 3;
 
 /// Angles through the cycle, both ends among them.
 fn angles(course: &Course) -> Vec<f64> {
@@ -111,4 +115,34 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         ]
     };
     course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
+}
+
+/// The path of the load of every crankpin that rods share, seen from the crank, with those of its rods where they are few.
+pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
+    let course = &loads.course;
+    let angles = angles(course);
+    let draw = |pin: &SharedPin| {
+        let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
+        let number = pin.throw + 1;
+        let few = if pin.cylinders.len() <= MOST_RODS { pin.cylinders.as_slice() } else { &[] };
+        let mut curves = vec![Curve::new(0, "all rods", path(&|theta| pin.load_on_the_crank(course, theta)))];
+        curves.extend(few.iter().enumerate().map(|(place, &index)| {
+            let name = format!("cylinder {}", engine.cylinders()[index].name);
+            Curve::new(place + 1, name, path(&|theta| course.pin_on_the_crank(index, theta)))
+        }));
+        let label = "Force in N; 0° is outward along the throw";
+        let mut polar = Polar::new(format!("Crankpin {number}"), label, curves);
+        let largest = pin.load_on_the_crank(course, pin.peak.angle.to_radians());
+        polar.marks.push(PointMark::dot(tip(largest), format!("largest, θ ≈ {:.0}°", pin.peak.angle)));
+        Picture {
+            name: format!("shared-pin-{number}-crank"),
+            caption: phrase!(
+                "Crankpin {}, with the rods of cylinders {}: path of the tip of its load through the cycle, seen from the crank, outward along the throw upwards. Solid, all rods together; dashed, each of them alone where they are few. The dot is the largest load.",
+                number,
+                names(engine, &pin.cylinders)
+            ),
+            figure: polar.figure(),
+        }
+    };
+    loads.shared_pins.iter().take(MOST_SHARED).map(draw).collect()
 }

@@ -1,7 +1,7 @@
 //! Which tables tell the complete loads? Bearings, crankpins, rods, orders.
 
 use super::super::table;
-use super::super::torque::angle;
+use super::super::torque::{angle, names};
 use crate::engine::Engine;
 use crate::journal::{CycleBearings, CycleLoads};
 use crate::page::{Number, Table, Text, phrase};
@@ -57,6 +57,33 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
             angle(peaks.pin.angle),
             size(peaks.pin.gas_along()),
             size(peaks.pin_of_inertia.value),
+        ]);
+    }
+    rows
+}
+
+/// The load of every crankpin that rods share, and that of the rod that loads it the most.
+pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
+    let mut rows = Table::new([
+        "Crankpin",
+        "Rods of cylinders",
+        "All rods together in N",
+        "at θ",
+        "Gas in it in N",
+        "Without gas in N",
+        "One rod alone in N",
+    ]);
+    for pin in &loads.shared_pins {
+        let of_one = pin.largest_of_a_rod(loads);
+        let one = of_one.map(|(index, peak)| phrase!("{} (cylinder {})", size(peak.value), name(engine, index)));
+        rows.push(vec![
+            (pin.throw + 1).into(),
+            names(engine, &pin.cylinders),
+            size(pin.peak.value),
+            angle(pin.peak.angle),
+            size(pin.peak.gas_along()),
+            size(pin.inertia.value),
+            one.unwrap_or_default(),
         ]);
     }
     rows

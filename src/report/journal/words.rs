@@ -1,7 +1,7 @@
 //! What is said of the complete loads: first, and at the end?
 
 use super::super::bearings;
-use super::super::torque::{angle, assumptions as of_the_gas, quantity};
+use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
 use crate::journal::{CycleBearings, CycleLoads, CyclePeak};
 use crate::page::{Text, Unit, phrase};
@@ -14,6 +14,7 @@ pub(super) fn newtons(value: f64) -> Text {
 pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determinate]: &[CycleBearings; 2]) -> Vec<Text> {
     let mut lines = vec![largest(continuous), others(continuous, determinate)];
     lines.extend(pins(engine, loads));
+    lines.extend(shared_pins(engine, loads));
     lines.extend(rods(engine, loads));
     lines.push(SIGNS.into());
     lines
@@ -84,6 +85,18 @@ fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
         Text::label(engine.cylinders()[index].name.clone()),
         newtons(peak.value),
         angle(peak.angle)
+    ))
+}
+
+fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
+    let most = loads.shared_pins.iter().map(|pin| pin.peak.value).fold(f64::NEG_INFINITY, f64::max);
+    let pin = loads.shared_pins.iter().find(|pin| pin.peak.value >= most - 1e-9 * most.abs())?;
+    Some(phrase!(
+        "**All rods of a crankpin** together load crankpin {} the most, that of cylinders {}: with {} at the crank angle {}.",
+        pin.throw + 1,
+        names(engine, &pin.cylinders),
+        newtons(pin.peak.value),
+        angle(pin.peak.angle)
     ))
 }
 

@@ -15,6 +15,8 @@ pub struct OptimiseDocument {
     title: String,
     /// Largest couple allowed, in newton-metres; 0 for none.
     couple_at_most: f64,
+    /// What the loads are made least of: the masses, or gas and masses.
+    loads_of: &'static str,
     load_unit: &'static str,
     couple_unit: &'static str,
     points: Vec<PointEntry>,
@@ -84,6 +86,7 @@ pub fn optimise_document(layout: &Engine, front: &Front, couple: &Couple) -> Opt
             Couple::Zero => 0.0,
             Couple::AtMost(most) => most.to_f64().unwrap_or(f64::NAN),
         },
+        loads_of: if layout.effects().gas { "gas and masses" } else { "masses" },
         load_unit: units.force.name,
         couple_unit: match units.couple == Unit::NEWTON_METRE {
             true => Unit::NEWTON_METRE.name,

@@ -10,8 +10,7 @@ const METHOD: [&str; 5] = [
     "Chosen is the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its \
      direction, told as the skew from opposite to its throw, positive ahead of it. A larger radius makes the same mass × radius of less mass, so that the \
      largest radius is always the best one.",
-    "The mass is that of the source of the balance factors: the masses of the throws brought to their crank radii, half the reciprocating ones among them, and \
-     the counterweights. The load is the largest force on any main bearing in a revolution, all orders together, on a continuous beam.",
+    OBJECTIVE,
     "For a given mass this is a convex problem (a second-order cone program): every bearing load is affine in the counterweights. Crank angles are sampled, and \
      those at which a solution peaks higher are added until peak and samples agree. The multipliers of the solution prove, by weak duality, how low any \
      crankshaft of that mass could come: the column “above the least possible”, reckoned in floats.",
@@ -20,6 +19,18 @@ const METHOD: [&str; 5] = [
      meets is written as parts along two of them.",
     "Figures that are not exact have four digits at most. They are measured on the layout files of the points, not taken from the solver.",
 ];
+
+const OBJECTIVE: &str = "The mass is that of the source of the balance factors: the masses of the throws brought to their crank radii, half the reciprocating ones among them, and \
+     the counterweights. The load is the largest force on any main bearing in a revolution, all orders together, on a continuous beam.";
+
+const WITH_GAS: &str = "The mass is that of the source of the balance factors: the masses of the throws brought to their crank radii, half the reciprocating ones among them, and \
+     the counterweights. The load is the largest force of gas and masses on any main bearing in a cycle, by the forces themselves and not by orders, on a continuous beam.";
+
+/// How the crankshafts are found: by the loads of the masses, or of gas and masses.
+fn method(layout: &Engine) -> Vec<Text> {
+    let objective = if layout.effects().gas { WITH_GAS } else { OBJECTIVE };
+    METHOD.into_iter().map(|line| if line == OBJECTIVE { objective.into() } else { line.into() }).collect()
+}
 
 /// The ends of the front, what is better than one balance factor for all throws, and which balance is kept.
 fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
@@ -54,6 +65,12 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
             less
         )
     }));
+    if layout.effects().gas {
+        lines.push(phrase!(
+            "The loads are those of gas and masses together, made least together: {} finds the same of each layout file.",
+            Text::code("crankstar bearings")
+        ));
+    }
     lines.push(match couple {
         Couple::Zero => "Nothing is left of the first-order force and couple that turn with the crank: a bare 0 is exact and proved.".into(),
         Couple::AtMost(most) => phrase!(
@@ -112,6 +129,6 @@ pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Documen
         Text::joined(files, ", ")
     )));
     page.push(Block::Heading(1, "How they are found".into()));
-    page.push(Block::List(METHOD.map(Text::from).into()));
+    page.push(Block::List(method(layout)));
     page
 }

@@ -1,0 +1,186 @@
+//! Is it true, what is said about the forces of gas and masses together: a formula of one cylinder, a largest load?
+
+use super::answer::{Answer, Finding, Status};
+use super::formula::{Formula, Measured};
+use super::grammar::ClaimError;
+use super::masses;
+use super::moving_parts::Parts;
+use super::statement::{Loaded, OfCylinder, Statement, Unit, Value};
+use super::written_value::{part_of_the_largest, value};
+use crate::engine::Engine;
+use crate::journal::cycle_loads;
+use crate::numbers;
+use crate::proof::Quantity;
+use crate::torque::{self, Extreme};
+
+/// How far a formula is off through the cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Agreement {
+    /// What the formula is said of.
+    pub what: Measured,
+    /// The largest of its absolute values, and the cylinder's crank angle there in degrees.
+    pub largest: Extreme,
+    /// The largest difference, and where.
+    pub off: Extreme,
+    /// At how many crank angles both were compared.
+    pub angles: usize,
+    /// Whether they are equal but for roundings.
+    pub equal: bool,
+}
+
+impl Agreement {
+    /// The largest difference as a part of the largest value.
+    pub fn part(&self) -> f64 {
+        if self.largest.value > 0.0 { self.off.value / self.largest.value } else { self.off.value }
+    }
+}
+
+/// A largest load of gas and masses together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LargestOf {
+    /// What feels it.
+    pub of: Loaded,
+    /// The number of the bearing, from 1, or the name of the cylinder.
+    pub which: String,
+    /// The load in newtons, and the crank angle.
+    pub peak: Extreme,
+    /// The largest of the masses alone, where that is known.
+    pub without_gas: Option<f64>,
+}
+
+/// Differences below this part of the largest value are roundings.
+const EQUAL: f64 = 1e-9;
+
+const LOADED: [(&str, Loaded); 4] = [
+    ("largest main-bearing load with gas ", Loaded::MainBearing),
+    ("largest crankpin load with gas ", Loaded::Crankpin),
+    ("largest rod force with gas ", Loaded::Rod),
+    ("largest side force with gas ", Loaded::Cylinder),
+];
+
+/// Reads a claim about forces; none where the words are about something else.
+pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
+    // Names are ASCII, so that they are as long in lower case.
+    let behind = |name: &str| {
+        let begins = words.get(..name.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(name));
+        begins.then(|| &words[name.len()..])
+    };
+    if let Some((rest, of)) = LOADED.iter().find_map(|(name, of)| Some((behind(name)?, *of))) {
+        return Some(load(rest).map(|value| Statement::LargestLoad(of, value)));
+    }
+    let (rest, what) = Measured::NAMES.iter().find_map(|(name, what)| Some((behind(name)?.trim_start(), *what)))?;
+    Some(of_cylinder(rest, what).map(Statement::Formula))
+}
+
+fn load(rest: &str) -> Result<Value, ClaimError> {
+    let right = "such as \"largest side force with gas = 3520 N ± 1 %\"";
+    let (about, written) = match (rest.strip_prefix('='), rest.strip_prefix('≈')) {
+        (Some(written), _) => (false, written),
+        (_, Some(written)) => (true, written),
+        (None, None) => return Err(ClaimError::new(format!("`{rest}` says nothing that is understood"), right)),
+    };
+    let value = value(written.trim(), about, Quantity::Force)?;
+    match value.unit {
+        Some(Unit::Newton) => Ok(value),
+        Some(Unit::NewtonMetre) | None => Err(ClaimError::new("a load with gas is in N", right)),
+    }
+}
+
+fn of_cylinder(rest: &str, what: Measured) -> Result<OfCylinder, ClaimError> {
+    let right = "such as \"side force = F tan β\" or \"cylinder torque ≈ F r (sin θ + λ/2 sin 2θ) ± 3 %\"; its letters stand in the \
+                 README of the room";
+    let formula = |text: &str| Formula::read(text).map_err(|mistake| ClaimError::new(mistake, right));
+    if let Some(text) = rest.strip_prefix('=') {
+        return Ok(OfCylinder { what, formula: formula(text)?, within: None });
+    }
+    let about = rest.strip_prefix('≈').and_then(|rest| rest.split_once('±').or_else(|| rest.split_once("+/-")));
+    let Some((text, part)) = about else {
+        return Err(ClaimError::new(
+            format!("`{rest}` is no formula that can be judged"),
+            "= FORMULA, or ≈ FORMULA ± PART of the largest value in percent, such as ± 3 %",
+        ));
+    };
+    Ok(OfCylinder { what, formula: formula(text)?, within: Some(part_of_the_largest(part.trim())?) })
+}
+
+/// Answers a claim that a formula holds at every crank angle of the first cylinder's cycle.
+pub(super) fn formula(engine: &Engine, says: &OfCylinder) -> Answer {
+    let parts = match Parts::new(engine) {
+        Ok(parts) => parts,
+        Err(lack) => return Answer::nothing(&lack.to_string()),
+    };
+    let nowhere = || Extreme { value: 0.0, angle: 0.0 };
+    let (mut largest, mut off, mut angles) = (nowhere(), nowhere(), 0);
+    for psi in torque::angles(parts.period()) {
+        let measured = parts.measured(says.what, psi);
+        let told = says.formula.value(&|letter| parts.letter(letter, psi));
+        if !(measured.is_finite() && told.is_finite()) {
+            return Answer::nothing("the formula has no value at some crank angle");
+        }
+        let keep = |most: &mut Extreme, value: f64| {
+            if value > most.value {
+                *most = Extreme { value, angle: psi.to_degrees() };
+            }
+        };
+        keep(&mut largest, measured.abs());
+        keep(&mut off, (measured - told).abs());
+        angles += 1;
+    }
+    let agreement = Agreement { what: says.what, largest, off, angles, equal: false };
+    let agreement = Agreement { equal: agreement.part() <= EQUAL, ..agreement };
+    let within = says.within.as_ref().map_or(EQUAL, numbers::float);
+    let holds = agreement.equal || agreement.part() <= within;
+    Answer {
+        status: if holds { Status::True } else { Status::False },
+        finding: Finding::Agreement(agreement),
+        evidence: Vec::new(),
+    }
+}
+
+/// Answers a claim about a largest load of gas and masses together.
+pub(super) fn largest(engine: &Engine, of: Loaded, value: &Value) -> Answer {
+    let found = cycle_loads(engine).map_err(|lack| lack.to_string()).and_then(|loads| {
+        let cylinder = |index: usize| engine.cylinders()[index].name.clone();
+        let cylinders = loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate();
+        let mut known: Vec<LargestOf> = match of {
+            Loaded::MainBearing => {
+                let [continuous, _] = loads.bearings.as_ref().ok_or("the layout names no main bearings")?;
+                let bearing = |(index, bearing): (usize, &crate::journal::CycleBearing)| LargestOf {
+                    of,
+                    which: (index + 1).to_string(),
+                    peak: Extreme { value: bearing.peak.value, angle: bearing.peak.angle },
+                    without_gas: Some(bearing.inertia.value),
+                };
+                continuous.bearings.iter().enumerate().map(bearing).collect()
+            }
+            Loaded::Crankpin => cylinders
+                .map(|(index, peaks)| LargestOf {
+                    of,
+                    which: cylinder(index),
+                    peak: Extreme { value: peaks.pin.value, angle: peaks.pin.angle },
+                    without_gas: Some(peaks.pin_of_inertia.value),
+                })
+                .collect(),
+            Loaded::Rod => cylinders
+                .map(|(index, peaks)| LargestOf { of, which: cylinder(index), peak: peaks.rod[0], without_gas: None })
+                .collect(),
+            Loaded::Cylinder => cylinders
+                .map(|(index, peaks)| {
+                    let [left, right] = peaks.side;
+                    let right = Extreme { value: -right.value, ..right };
+                    let peak = if right.value > left.value { right } else { left };
+                    LargestOf { of, which: cylinder(index), peak, without_gas: None }
+                })
+                .collect(),
+        };
+        let most = known.iter().map(|one| one.peak.value).fold(f64::NEG_INFINITY, f64::max);
+        // Of loads that are equal but for roundings the first is named.
+        let place = known.iter().position(|one| one.peak.value >= most - EQUAL * most.abs());
+        let found = known.swap_remove(place.ok_or("the engine has no cylinders")?);
+        Ok((masses::decimal(value, found.peak.value)?, found))
+    });
+    match found {
+        Err(reason) => Answer::nothing(&reason),
+        Ok((status, found)) => Answer { status, finding: Finding::Largest(found), evidence: Vec::new() },
+    }
+}

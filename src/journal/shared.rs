@@ -1,0 +1,61 @@
+//! What does a crankpin feel of all its rods together?
+
+use num_complex::Complex;
+use num_rational::BigRational;
+
+use super::Carried;
+use super::course::Course;
+use super::largest::{CyclePeak, Samples};
+use crate::engine::{Engine, Throw, throws};
+
+/// The load of a crankpin that several rods share: the sum of what each of them loads it with.
+#[derive(Clone, Debug)]
+pub struct SharedPin {
+    /// Its throw, from 0, as the throws of the crankshaft are counted.
+    pub throw: usize,
+    /// The cylinders whose rods work on it, by index.
+    pub cylinders: Vec<usize>,
+    /// Where it stands: the middle of its rods, in the unit of the layout's positions.
+    pub position: BigRational,
+    /// The largest load of all its rods together.
+    pub peak: CyclePeak,
+    /// The largest load by the masses alone.
+    pub inertia: CyclePeak,
+    /// All of each of its rods.
+    carried: Carried,
+}
+
+impl SharedPin {
+    /// The pins of an engine on which two rods or more work.
+    pub(super) fn of(engine: &Engine, course: &Course, samples: &Samples) -> Vec<Self> {
+        let shared = throws(engine).into_iter().enumerate().filter(|(_, throw)| throw.cylinders.len() > 1);
+        let pin = |(index, throw): (usize, Throw)| {
+            let of = |cylinder: usize| if throw.cylinders.contains(&cylinder) { 1.0 } else { 0.0 };
+            let parts = (0..course.cylinders()).map(of).collect();
+            let carried = Carried { parts, shaft: Complex::new(0.0, 0.0) };
+            let [peak, inertia] = samples.peaks_of(course, &carried);
+            SharedPin { throw: index, cylinders: throw.cylinders, position: throw.position, peak, inertia, carried }
+        };
+        shared.map(pin).collect()
+    }
+
+    /// Its load, seen from the engine.
+    pub fn load(&self, course: &Course, theta: f64) -> Complex<f64> {
+        course.carried(&self.carried, theta)
+    }
+
+    /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
+    pub fn load_on_the_crank(&self, course: &Course, theta: f64) -> Complex<f64> {
+        match self.cylinders.first() {
+            Some(&first) => course.seen_from_the_crank(first, self.load(course, theta), theta),
+            None => Complex::new(0.0, 0.0),
+        }
+    }
+
+    /// The largest load of one of its rods alone, and the cylinder of that rod, by index.
+    pub fn largest_of_a_rod(&self, loads: &super::CycleLoads) -> Option<(usize, CyclePeak)> {
+        let rods = self.cylinders.iter().map(|&cylinder| (cylinder, loads.cylinders[cylinder].peaks.pin));
+        // Of loads that are equal but for roundings the first is named.
+        rods.reduce(|most, rod| if rod.1.value > most.1.value * (1.0 + 1e-9) { rod } else { most })
+    }
+}
