@@ -95,7 +95,7 @@ fn why(engine: &BuiltEngine) -> Text {
     let of_fact = |fact: &Published| -> Vec<Text> {
         let wrong = BuiltEngine::checked(fact).filter(|checked| !checked.answer.status.holds());
         let wrong: Vec<Text> = wrong
-            .map(|Checked { claim, answer }| phrase!("{}: {}", &claim.says, claim_finding(&claim.statement, &answer)))
+            .map(|Checked { claim, answer }| phrase!("“{}”: {}", &claim.says, claim_finding(&claim.statement, &answer)))
             .collect();
         let conclusion = fact.conclusion.as_ref().filter(|_| !wrong.is_empty());
         wrong.into_iter().chain(conclusion.map(Text::from)).collect()
