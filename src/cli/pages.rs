@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use crankstar::page::{self, Document, File, Language, Options};
+use crankstar::page::{self, Document, File, Language, Options, Units};
 
 use super::failure::Failure;
 use super::notation::Notation;
@@ -48,6 +48,9 @@ pub struct Reader {
     /// Name program and version at the foot of a page, or in a comment of a drawing
     #[arg(long)]
     stamp: bool,
+    /// The units of forces, lengths and masses on pages and in answers; JSON and CSV stay in those of the SI
+    #[arg(long, value_enum, default_value = "si")]
+    units: System,
     #[command(flatten)]
     notation: Notation,
     #[command(flatten)]
@@ -59,8 +62,21 @@ impl Reader {
     pub fn options(&self) -> Result<Options, Failure> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
         let (symbols, language) = (self.notation.read()?, self.spoken.language());
-        Ok(Options { stamp, symbols, language, ..Options::default() })
+        let units = match self.units {
+            System::Si => Units::Si,
+            System::Inch => Units::Inch,
+        };
+        Ok(Options { stamp, symbols, language, units, ..Options::default() })
     }
+}
+
+/// A system of units.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum System {
+    /// Newtons, metres, kilograms
+    Si,
+    /// Pounds, inches, feet, horsepower
+    Inch,
 }
 
 /// What a page is written in.

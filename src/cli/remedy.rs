@@ -1,17 +1,19 @@
 //! `remedy`: which counterweights and balancer shafts take away what is left?
 
+use std::path::{Path, PathBuf};
+
 use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{Layout, parse_angle, parse_length, parse_number};
+use crankstar::file::{Beside, Layout, parse_angle, parse_length, parse_number};
 use crankstar::remedy::{self, Wish};
 use crankstar::report;
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
 use super::failure::Failure;
 use super::pages::Pages;
 use super::verify::proved;
-use super::{EngineAndOrders, write};
+use super::{EngineAndOrders, layouts, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
@@ -27,6 +29,12 @@ pub struct Remedy {
     /// How far those are turned on from opposite to their throw, in degrees: one for all throws, or one per throw
     #[arg(long, value_name = "ANGLES", value_delimiter = ',', allow_hyphen_values = true, requires = "balance_factor")]
     skew: Vec<String>,
+    /// Counterweights on each throw for all that rotates and this part of the reciprocating masses: one for all throws, or one per throw
+    #[arg(long, value_name = "PARTS", value_delimiter = ',', conflicts_with = "balance_factor")]
+    reciprocating: Vec<String>,
+    /// Write the layout file of the corrected engine, exact
+    #[arg(long, value_name = "FILE")]
+    write: Option<PathBuf>,
     /// Print the remedy as JSON with its certificates, for `verify`
     #[arg(long, conflicts_with = "output")]
     json: bool,
@@ -42,10 +50,48 @@ impl Remedy {
             return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
         };
         let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
+        let written = self.write.as_deref().map(|file| self.write_corrected(&remedy, file)).transpose()?;
         if self.json {
             return write::to_stdout(&proved(&report::remedy_document(&remedy))?);
         }
-        self.pages.show(&report::remedy_answer(&remedy), || report::remedy_page(&remedy))
+        self.pages.show(&report::remedy_answer(&remedy), || report::remedy_page(&remedy))?;
+        written.map_or(Ok(()), |written| write::to_stdout(&written))
+    }
+
+    /// Writes the layout file of the corrected engine, which names what lies beside the file that was read.
+    fn write_corrected(&self, remedy: &remedy::Remedy, file: &Path) -> Result<String, Failure> {
+        let layout = &self.about.layout;
+        let beside = |path: &str| layouts::beside(layout, path);
+        let text = remedy::corrected_file(remedy, &layouts::shown(file), Beside::new(&beside)).map_err(Failure::new)?;
+        if file.exists() && layout.canonicalize().ok() == file.canonicalize().ok() {
+            return Err(Failure::new("--write names the layout file itself, which stays as it is; name another file"));
+        }
+        std::fs::write(file, text)
+            .map_err(|error| Failure::new(format!("cannot write `{}`: {error}", layouts::shown(file))))?;
+        Ok(format!("Written: {}\n", layouts::shown(file)))
+    }
+
+    /// The balance factor of each throw that is asked for.
+    fn factors(&self, engine: &Engine) -> Result<Vec<BigRational>, Failure> {
+        if self.reciprocating.is_empty() {
+            return self.balance_factor.iter().map(|text| factor("--balance-factor", text)).collect();
+        }
+        let shares = self.reciprocating.iter().map(|text| factor("--reciprocating", text));
+        let shares = shares.collect::<Result<Vec<_>, _>>()?;
+        let Some(parts) = engine.throw_parts() else {
+            let right = "--reciprocating needs masses and a crank radius; below [mechanism], give them";
+            return Err(Failure::new(right));
+        };
+        if shares.len() > 1 && shares.len() != parts.len() {
+            return Ok(shares);
+        }
+        let two = BigRational::from_integer(2.into());
+        let of_throw = |(index, [rotating, reciprocating]): (usize, &[BigRational; 2])| {
+            let share = shares.get(index).or(shares.last()).cloned().unwrap_or_default();
+            let whole = rotating + reciprocating / &two;
+            if whole.is_zero() { BigRational::zero() } else { (rotating + reciprocating * share) / whole }
+        };
+        Ok(parts.iter().enumerate().map(of_throw).collect())
     }
 
     fn wish(&self, engine: &Engine, orders: Vec<u32>) -> Result<Wish, Failure> {
@@ -57,7 +103,7 @@ impl Remedy {
                 return Err(Failure::new(message));
             }
         };
-        let factors = self.balance_factor.iter().map(|text| factor(text)).collect::<Result<_, _>>()?;
+        let factors = self.factors(engine)?;
         let skews = self.skew.iter().map(|text| {
             parse_angle(text)
                 .map(Turn::new)
@@ -67,8 +113,8 @@ impl Remedy {
     }
 }
 
-fn factor(text: &str) -> Result<BigRational, Failure> {
-    let refused = |right: String| Failure::new(format!("--balance-factor: cannot read `{text}`: {right}"));
+fn factor(flag: &str, text: &str) -> Result<BigRational, Failure> {
+    let refused = |right: String| Failure::new(format!("{flag}: cannot read `{text}`: {right}"));
     match parse_number(text) {
         Ok(value) if value.is_negative() => Err(refused("a balance factor is 0 or more".to_owned())),
         Ok(value) => Ok(value),

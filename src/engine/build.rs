@@ -61,6 +61,8 @@ pub enum BuildError {
     },
     /// A counterweight on a throw that is not there.
     NoSuchThrow(usize),
+    /// A balancer shaft before the coefficient of a cylinder that is not there.
+    NoSuchCylinder(usize),
     /// A cylinder on a crankshaft that is not there.
     NoSuchCrank {
         /// The cylinder.
@@ -97,6 +99,9 @@ impl fmt::Display for BuildError {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::NoSuchCylinder(index) => {
+                write!(f, "a balancer shaft takes the coefficient of cylinder {}, which is not there", index + 1)
+            }
             BuildError::NoSuchCrank { cylinder } => {
                 write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
             }
@@ -214,6 +219,9 @@ impl Draft {
         for shaft in &crankshaft.balancers {
             not_negative(&shaft.mass_radius, || "the mass-radius of a balancer shaft".into())?;
             are_orders(&[shaft.order]).map_err(BuildError::Order)?;
+            if let Some(index) = shaft.coefficient_of.filter(|index| *index >= engine.cylinders().len()) {
+                return Err(BuildError::NoSuchCylinder(index));
+            }
         }
         if let Some(torsion) = engine.torsion() {
             let pins = engine.cylinders().iter().map(|cylinder| cylinder.pin + 1).max().unwrap_or(0);

@@ -1,7 +1,7 @@
 //! What else turns? Pins, webs and counterweights on the crankshaft, and the balancer shafts that it drives.
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 use super::model::Engine;
 use super::throws::{Throw, throws};
@@ -21,6 +21,9 @@ pub struct Crankshaft {
     pub balance_factors: Vec<BigRational>,
     /// The balancer shafts.
     pub balancers: Vec<Balancer>,
+    /// Whether all counterweights and balancer shafts are given in multiples of m r, so that no mass and no crank radius is
+    /// needed to compare them: those that are not known count 1.
+    pub in_multiples: bool,
     /// Length of the crankshaft, whose middle is that of the cylinders, in the unit of the positions.
     pub length: Option<BigRational>,
 }
@@ -65,8 +68,10 @@ pub struct Balancer {
     pub order: u32,
     /// Direct: with the crank; reverse: against it.
     pub sense: Sense,
-    /// U = m r in kilogram-metres.
+    /// U = m r in kilogram-metres, which stands before a coefficient of the motion where one is named.
     pub mass_radius: BigRational,
+    /// The cylinder, by its index, whose coefficient c_k of the shaft's order multiplies the mass-radius; none for 1.
+    pub coefficient_of: Option<usize>,
     /// Direction of its weight at θ = 0.
     pub angle: Turn,
     /// Position of the weight along the crankshaft, in the unit of the positions.
@@ -99,6 +104,43 @@ impl Engine {
         Some([cylinder.rotating_mass.clone(), unit * &cylinder.reciprocating_mass])
     }
 
+    /// The mass in kilograms that all masses can be counted in: m, or one kilogram where m is 0 or not known.
+    pub fn unit_mass(&self) -> BigRational {
+        let mass = self.dimensions().mass.clone().filter(|mass| !mass.is_zero());
+        mass.unwrap_or_else(BigRational::one)
+    }
+
+    /// The crank radius in metres, or 1 where it is not known.
+    pub fn unit_radius(&self) -> BigRational {
+        self.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
+    }
+
+    /// What turns at each throw, `m_rot r` with pin, webs and the rotating parts of the rods, and what goes to and fro there,
+    /// `Σ m_rec r`, in kilogram-metres.
+    ///
+    /// One pair of each of [`throws`]; `None` where the layout gives no masses or no crank radius.
+    pub fn throw_parts(&self) -> Option<Vec<[BigRational; 2]>> {
+        throws(self).iter().enumerate().map(|(index, throw)| self.parts_of(index, throw)).collect()
+    }
+
+    /// The part of the reciprocating masses of each throw that its own counterweights hold in balance beside all that turns
+    /// there: `b = (U − m_rot r) / Σ m_rec r`, the factor of the trade.
+    ///
+    /// `None` where the layout gives no masses or no crank radius, and for a throw without reciprocating mass.
+    pub fn reciprocating_factors(&self) -> Vec<Option<BigRational>> {
+        let factor = |(index, throw): (usize, Throw)| {
+            let [rotating, reciprocating] = self.parts_of(index, &throw)?;
+            (!reciprocating.is_zero()).then(|| (self.own_weights(index) - rotating) / reciprocating)
+        };
+        throws(self).into_iter().enumerate().map(factor).collect()
+    }
+
+    /// `Σ m_cw r_cw` of the counterweights of a throw.
+    fn own_weights(&self, index: usize) -> BigRational {
+        let own = self.crankshaft().counterweights.iter().filter(|weight| weight.throw == Some(index));
+        own.map(Counterweight::mass_radius).sum()
+    }
+
     /// What the counterweights of each throw hold in balance at the factor 1, in kilogram-metres:
     /// `m_rot r + ½ n_rods m_rec r` (theory, section 7), with pin, webs and the rotating parts of the rods.
     ///
@@ -108,14 +150,21 @@ impl Engine {
     }
 
     fn mass_radius_of(&self, index: usize, throw: &Throw) -> Option<BigRational> {
-        let two = BigRational::from_integer(2.into());
+        let [rotating, reciprocating] = self.parts_of(index, throw)?;
+        Some(rotating + reciprocating / BigRational::from_integer(2.into()))
+    }
+
+    fn parts_of(&self, index: usize, throw: &Throw) -> Option<[BigRational; 2]> {
         let mut at_pin = self.crankshaft().pins.get(index).cloned().unwrap_or_else(BigRational::zero);
+        let mut to_and_fro = BigRational::zero();
         for &cylinder in &throw.cylinders {
             let [rotating, reciprocating] = self.masses_of(cylinder)?;
-            at_pin += rotating + reciprocating / &two;
+            at_pin += rotating;
+            to_and_fro += reciprocating;
         }
         let webs = self.crankshaft().webs.get(index).map_or_else(BigRational::zero, |web| &web.mass * &web.radius);
-        Some(at_pin * self.radius_of(throw)? + webs)
+        let radius = self.radius_of(throw)?;
+        Some([at_pin * &radius + webs, to_and_fro * radius])
     }
 
     /// The balance factor of each throw, `Σ m_cw r_cw` of its own counterweights over [`Engine::throw_mass_radii`]
@@ -125,8 +174,7 @@ impl Engine {
     pub fn balance_factors(&self) -> Vec<Option<BigRational>> {
         let factor = |(index, throw): (usize, Throw)| {
             let whole = self.mass_radius_of(index, &throw).filter(|whole| !whole.is_zero())?;
-            let own = self.crankshaft().counterweights.iter().filter(|weight| weight.throw == Some(index));
-            Some(own.map(Counterweight::mass_radius).sum::<BigRational>() / whole)
+            Some(self.own_weights(index) / whole)
         };
         throws(self).into_iter().enumerate().map(factor).collect()
     }

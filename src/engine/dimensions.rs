@@ -55,6 +55,10 @@ pub enum Measure {
     PistonMass,
     /// Mass of the piston pin.
     PinMass,
+    /// Mass of the piston rod of a crosshead engine.
+    PistonRodMass,
+    /// Mass of the crosshead.
+    CrossheadMass,
     /// Mass of the rod.
     RodMass,
     /// Distance of the rod's centre of gravity from its big end.

@@ -13,6 +13,10 @@ pub enum Form {
     Boxer,
     /// Three banks or more.
     Fan,
+    /// Two narrow banks over one row of throws, each cylinder with its own.
+    Vr,
+    /// Two of those on common throws.
+    W,
     /// Cylinders all round a common throw.
     Radial,
     /// Two pistons in each cylinder, on two crankshafts.
@@ -32,7 +36,9 @@ impl Form {
     pub fn has_two_pistons_in_a_cylinder(self) -> bool {
         match self {
             Form::OpposedPiston | Form::Delta => true,
-            Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Radial => false,
+            Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::Radial => {
+                false
+            }
             Form::U | Form::H | Form::General => false,
         }
     }

@@ -8,17 +8,18 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
+use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
+use super::draft::ReferencePlane;
 use super::model::Engine;
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
-use crate::text::Untrusted;
 
 /// One of several crankshafts, geared together one to one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GearedCrank {
-    /// What it is called.
-    pub name: Untrusted,
+    /// What it is called: a few letters and digits.
+    pub name: String,
     /// Direct: it turns anticlockwise, as the only crankshaft of an engine does; reverse: against that.
     pub sense: Sense,
     /// Where its axis stands in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine.
@@ -31,13 +32,13 @@ impl GearedCrank {
         let terms =
             [Term { angle: Turn::zero(), weight: height }, Term { angle: Turn::fraction(1, 4), weight: offset }];
         let axis = terms.into_iter().filter(|term| !term.weight.is_zero()).collect();
-        GearedCrank { name: Untrusted::new(name), sense, axis }
+        GearedCrank { name: name.to_owned(), sense, axis }
     }
 
     /// One whose axis stands at this distance, in crank radii, in this direction.
     pub fn towards(name: &str, sense: Sense, distance: BigRational, angle: Turn) -> Self {
         let axis = if distance.is_zero() { Vec::new() } else { vec![Term { angle, weight: distance }] };
-        GearedCrank { name: Untrusted::new(name), sense, axis }
+        GearedCrank { name: name.to_owned(), sense, axis }
     }
 }
 
@@ -59,6 +60,25 @@ impl<A, L> Engine<A, L> {
 }
 
 impl Engine {
+    /// One of several crankshafts by itself, as it is looked at: its cylinders, its counterweights, and its pins where they stand.
+    pub fn crankshaft_alone(&self, crank: usize) -> Option<Engine> {
+        let mut draft = self.clone().into_draft();
+        draft.reference_plane = ReferencePlane::Named(self.reference_plane().clone());
+        draft.cylinders.retain(|cylinder| cylinder.crank == crank);
+        for cylinder in &mut draft.cylinders {
+            (cylinder.throw, cylinder.crank) = (self.pin_angle(cylinder), 0);
+        }
+        (draft.geared_cranks, draft.firing) = (Vec::new(), None);
+        let mut counterweights = self.crankshaft().counterweights.clone();
+        counterweights.retain(|weight| weight.crank == crank);
+        for weight in &mut counterweights {
+            (weight.throw, weight.crank) = (None, 0);
+        }
+        draft.crankshaft =
+            Crankshaft { counterweights, length: self.crankshaft().length.clone(), ..Crankshaft::default() };
+        draft.build().ok()
+    }
+
     /// Where the crankpin of a cylinder stands at θ = 0: its throw, or on a crank that turns against the reference the mirror image
     /// of it in the cylinder's axis.
     pub fn pin_angle(&self, cylinder: &Cylinder) -> Turn {

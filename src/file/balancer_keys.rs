@@ -7,10 +7,9 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities::{self, mass, metres, misread, not_negative, positive_metres};
-use super::units;
+use super::quantities::{self, mass, mass_radius, metres, misread, positive_metres};
 use super::written::{Table, Text, place};
-use crate::engine::{Balancer, HIGHEST_ORDER};
+use crate::engine::{Balancer, Engine, HIGHEST_ORDER};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -23,25 +22,24 @@ pub(super) struct Keys {
     mass: Option<Text>,
     radius: Option<Text>,
     mass_radius: Option<Text>,
+    coefficient_of: Option<Text>,
     angle: Text,
     position: Text,
     height: Option<Text>,
     offset: Option<Text>,
 }
 
-/// Reads one table; `along` reads a length along the crankshaft.
+/// Reads one table, and whether its weight is written in multiples of m r; `along` reads a length along the crankshaft.
 pub(super) fn read(
     table: &Spanned<Table<Keys>>,
+    engine: &Engine,
     along: impl FnOnce(&Text) -> Result<BigRational, LayoutError>,
-) -> Result<Balancer, LayoutError> {
+) -> Result<(Balancer, bool), LayoutError> {
     let keys = &table.get_ref().0;
-    let mass_radius = match (&keys.mass, &keys.radius, &keys.mass_radius) {
-        (Some(weight), Some(radius), None) => mass(weight)? * positive_metres(radius)?,
-        (None, None, Some(text)) => {
-            let written = &text.get_ref().0;
-            let value = units::mass_radius(written).map_err(|right| misread("mass-radius", written, right, text))?;
-            not_negative(value, "mass-radius", text)?
-        }
+    let unit = engine.unit_mass() * engine.unit_radius();
+    let (mass_radius, in_multiples) = match (&keys.mass, &keys.radius, &keys.mass_radius) {
+        (Some(weight), Some(radius), None) => (mass(weight)? * positive_metres(radius)?, false),
+        (None, None, Some(text)) => mass_radius(text, &unit)?,
         (None, None, None) => {
             let right = "add mass and radius, or mass_radius in kg m";
             return Err(LayoutError::new("a balancer shaft without a weight", right, place(table)));
@@ -58,7 +56,7 @@ pub(super) fn read(
         }
     };
     let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);
-    Ok(Balancer {
+    let shaft = Balancer {
         order: speed_ratio(&keys.order)?,
         sense: match keys.sense.get_ref().0.as_str() {
             "with" => Sense::Direct,
@@ -68,10 +66,20 @@ pub(super) fn read(
             }
         },
         mass_radius,
+        coefficient_of: keys.coefficient_of.as_ref().map(|text| cylinder(engine, text)).transpose()?,
         angle: Turn::new(quantities::known_angle(&keys.angle)?),
         position: along(&keys.position)?,
         height: zero(&keys.height)?,
         offset: zero(&keys.offset)?,
+    };
+    Ok((shaft, in_multiples))
+}
+
+/// A cylinder by its name.
+fn cylinder(engine: &Engine, text: &Text) -> Result<usize, LayoutError> {
+    let name = &text.get_ref().0;
+    engine.cylinders().iter().position(|cylinder| cylinder.name == *name).ok_or_else(|| {
+        misread("cylinder", name, "the name of the cylinder whose piston motion the shaft answers".to_owned(), text)
     })
 }
 

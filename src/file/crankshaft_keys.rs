@@ -9,12 +9,12 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::balancer_keys;
+use super::counterweight_keys::{self, CounterweightKeys, Made, Shares, on_the_shaft};
 use super::error::LayoutError;
 use super::layout::built;
-use super::quantities::{self, factor, mass, metres, misread, positive_metres};
+use super::quantities::{self, mass, metres, misread, positive_metres};
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Counterweight, Crankshaft, Draft, Engine, LengthUnit, Throw, Web, throws};
-use crate::exact::Turn;
 
 /// `[crankshaft]`: each mass key holds one value for all throws, or a list with one per throw.
 #[derive(Deserialize)]
@@ -25,19 +25,24 @@ pub(super) struct Keys {
     web_mass: Option<Column>,
     web_radius: Option<Column>,
     balance_factor: Option<Column>,
+    counterweights: Option<Spanned<Table<Shares>>>,
     counterweight_radius: Option<Column>,
     web_offset: Option<Column>,
 }
 
-/// `[[counterweight]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct CounterweightKeys {
-    throw: Option<Text>,
-    angle: Option<Text>,
-    mass: Text,
-    radius: Text,
-    position: Option<Text>,
+impl Keys {
+    /// What makes the counterweights of the throws; none where nothing does.
+    fn made(&self) -> Result<Option<Made<'_>>, LayoutError> {
+        match (&self.balance_factor, &self.counterweights) {
+            (Some(_), Some(shares)) => {
+                let right = "which one is meant? balance_factor = BF makes BF × (rotating + ½ reciprocating), counterweights = { rotating = 1, reciprocating = b } makes rotating + b × reciprocating";
+                Err(LayoutError::new("both balance_factor and counterweights are given", right, place(shares)))
+            }
+            (Some(factors), None) => Ok(Some(Made::Factor(factors))),
+            (None, Some(shares)) => Made::shares(shares).map(Some),
+            (None, None) => Ok(None),
+        }
+    }
 }
 
 /// The tables of a file that speak of what turns, and what they refer to.
@@ -68,27 +73,36 @@ impl Tables<'_> {
             }
         };
         let mut crankshaft = bare.crankshaft().clone();
-        let asked = self.crankshaft.as_ref().and_then(|(keys, _)| keys.balance_factor.as_ref());
-        match (asked, self.counterweights) {
+        let mut in_multiples = true;
+        let made = self.crankshaft.as_ref().map(|(keys, _)| keys.made()).transpose()?.flatten();
+        match (made, self.counterweights) {
             (Some(_), Some(list)) => {
                 let message = "both a balance factor and counterweights are given";
                 return Err(LayoutError::new(message, "a balance factor makes the counterweights itself", place(list)));
             }
-            (Some(factors), None) => {
-                let (weights, factors) = self.make_counterweights(factors, &bare, &throws, &mut unit)?;
+            (Some(made), None) => {
+                let (weights, factors) = self.make_counterweights(made, &bare, &throws, &mut unit)?;
                 crankshaft.counterweights = weights;
                 crankshaft.balance_factors = factors;
+                in_multiples = false;
             }
             (None, Some(list)) => {
-                let weights = list.get_ref().iter().map(|table| self.counterweight(table, &bare, &throws, &mut unit));
-                crankshaft.counterweights = weights.collect::<Result<_, _>>()?;
+                for table in list.get_ref() {
+                    let along = |text: &Text| self.along(text, &bare, &mut unit);
+                    let (weight, is_multiple) = counterweight_keys::read(table, &bare, &throws, along)?;
+                    crankshaft.counterweights.push(weight);
+                    in_multiples &= is_multiple;
+                }
             }
             (None, None) => {}
         }
         for table in self.balancers.iter().flat_map(|list| list.get_ref()) {
-            let shaft = balancer_keys::read(table, |text| self.along(text, &bare, &mut unit))?;
+            let (shaft, is_multiple) = balancer_keys::read(table, &bare, |text| self.along(text, &bare, &mut unit))?;
             crankshaft.balancers.push(shaft);
+            in_multiples &= is_multiple;
         }
+        crankshaft.in_multiples =
+            in_multiples && !(crankshaft.counterweights.is_empty() && crankshaft.balancers.is_empty());
         built(Draft { crankshaft, length_unit: unit, ..bare.into_draft() }.build())
     }
 
@@ -126,10 +140,8 @@ impl Tables<'_> {
             }
             (None, None) => Vec::new(),
         };
-        if let (None, Some(list)) =
-            (&keys.balance_factor, keys.counterweight_radius.as_ref().or(keys.web_offset.as_ref()))
-        {
-            let right = "they place the counterweights that a balance_factor makes: add it";
+        if let (None, Some(list)) = (keys.made()?, keys.counterweight_radius.as_ref().or(keys.web_offset.as_ref())) {
+            let right = "they place the counterweights that `counterweights` or a balance_factor makes: add it";
             return Err(LayoutError::new("counterweights without their size", right, place(list)));
         }
         Ok(crankshaft)
@@ -138,7 +150,7 @@ impl Tables<'_> {
     /// Counterweights opposite to each throw, sized by its balance factor: two beside it, or one in its plane; and the factors.
     fn make_counterweights(
         &self,
-        list: &Column,
+        made: Made<'_>,
         engine: &Engine,
         throws: &[Throw],
         unit: &mut LengthUnit,
@@ -149,23 +161,23 @@ impl Tables<'_> {
             return Err(LayoutError::new(
                 "a balance factor without the radius of the counterweights",
                 right,
-                place(list),
+                made.place(),
             ));
         };
         let radii = each(radii, throws, positive_metres)?;
-        let factors = each(list, throws, factor)?;
         let offsets = match &keys.web_offset {
             Some(list) => Some(each(list, throws, |text| self.along(text, engine, unit))?),
             None => None,
         };
         let two = BigRational::from_integer(2.into());
-        let Some(wholes) = engine.throw_mass_radii() else {
+        let Some(parts) = engine.throw_parts() else {
             let right = "below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius";
-            return Err(LayoutError::new("a balance factor in an engine without masses", right, place(list)));
+            return Err(LayoutError::new("a balance factor in an engine without masses", right, made.place()));
         };
+        let (sizes, factors) = made.sizes(&parts, throws)?;
         let mut weights = Vec::new();
         for (index, throw) in throws.iter().enumerate() {
-            let mass = &wholes[index] * &factors[index] / &radii[index];
+            let mass = &sizes[index] / &radii[index];
             let weight = |mass: BigRational, position: BigRational| Counterweight {
                 throw: Some(index),
                 angle: throw.angle.opposite(),
@@ -185,38 +197,6 @@ impl Tables<'_> {
             }
         }
         Ok((weights, factors))
-    }
-
-    fn counterweight(
-        &self,
-        table: &Spanned<Table<CounterweightKeys>>,
-        engine: &Engine,
-        throws: &[Throw],
-        unit: &mut LengthUnit,
-    ) -> Result<Counterweight, LayoutError> {
-        let keys = &table.get_ref().0;
-        let throw = keys.throw.as_ref().map(|text| number_of_throw(text, throws.len())).transpose()?;
-        let angle = match (&keys.angle, throw) {
-            (Some(text), None) => Turn::new(quantities::known_angle(text)?),
-            (Some(text), Some(throw)) => &throws[throw].angle + &Turn::new(quantities::known_angle(text)?),
-            (None, Some(throw)) => throws[throw].angle.opposite(),
-            (None, None) => {
-                let right = "add its angle, and its throw if the angle counts from one";
-                return Err(LayoutError::new("a counterweight without a direction", right, place(table)));
-            }
-        };
-        let position = match (&keys.position, throw) {
-            (Some(text), _) => self.along(text, engine, unit)?,
-            (None, Some(throw)) => throws[throw].position.clone(),
-            (None, None) => {
-                let right = "add its position along the crankshaft, or the throw that it belongs to";
-                return Err(LayoutError::new("a counterweight without a position", right, place(table)));
-            }
-        };
-        on_the_shaft(engine, &position, keys.position.as_ref().and_then(place).or(place(table)))?;
-        let crank = throw.map_or(0, |throw| throws[throw].crank);
-        let (mass, radius) = (mass(&keys.mass)?, positive_metres(&keys.radius)?);
-        Ok(Counterweight { throw, angle, mass, radius, position, crank })
     }
 
     /// A length along the crankshaft, in the unit of the positions.
@@ -242,7 +222,7 @@ impl Tables<'_> {
 }
 
 /// One value per throw.
-fn each(
+pub(super) fn each(
     list: &Column,
     throws: &[Throw],
     mut read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
@@ -254,32 +234,5 @@ fn each(
             let message = format!("{} values for {} throws", texts.len(), throws.len());
             Err(LayoutError::new(message, "one value for all, or a list with one per throw", place(list)))
         }
-    }
-}
-
-fn number_of_throw(text: &Text, count: usize) -> Result<usize, LayoutError> {
-    let written = &text.get_ref().0;
-    let number = written.parse::<usize>().ok().filter(|number| (1..=count).contains(number));
-    number.map(|number| number - 1).ok_or_else(|| {
-        let right = match count {
-            1 => "the crankshaft has one throw: 1".to_owned(),
-            _ => format!("the crankshaft has the throws 1 to {count}, in the order of its pins"),
-        };
-        LayoutError::new(
-            format!("there is no throw `{}`", written.chars().take(40).collect::<String>()),
-            right,
-            place(text),
-        )
-    })
-}
-
-/// A counterweight has to stand on the crankshaft.
-fn on_the_shaft(engine: &Engine, position: &BigRational, span: Option<Range<usize>>) -> Result<(), LayoutError> {
-    match engine.shaft_ends() {
-        Some([low, high]) if *position < low || *position > high => {
-            let message = format!("a counterweight at {position} is beyond the crankshaft");
-            Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), span))
-        }
-        _ => Ok(()),
     }
 }

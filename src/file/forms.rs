@@ -13,7 +13,7 @@ use super::error::LayoutError;
 use super::firing_order::FiringOrder;
 use super::geared_keys::Geared;
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
-use super::written::{Text, place};
+use super::written::{Column, Text, Values, Written, place};
 use crate::engine::{Cycle, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 
 /// What every form comes to.
@@ -23,6 +23,8 @@ pub(super) struct Expanded {
     pub length_unit: LengthUnit,
     /// Whether the positions are those of the file; else the cylinders stand one spacing apart.
     pub positions_given: bool,
+    /// How far the axis of each cylinder passes the crankshaft, where the form says so: read with crank and rods.
+    pub pin_offsets: Option<Column>,
     /// The crankshafts, where several are geared together.
     pub geared: Vec<Geared>,
 }
@@ -36,7 +38,7 @@ pub(super) struct Inline {
     positions: Option<List>,
 }
 
-/// `[vee]`: bank 1 at −φ/2, bank 2 at +φ/2; the pin of bank 2 stands `pin_split` ahead of that of bank 1.
+/// `[vee]`: bank 1 at −φ/2, bank 2 at +φ/2; the pin of bank 2 stands `pin_split` ahead of that of bank 1; `pin_offset` one a bank.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Vee {
@@ -44,6 +46,7 @@ pub(super) struct Vee {
     throws: List,
     pin_split: Option<Text>,
     bank_offset: Option<Text>,
+    pin_offset: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,
     numbering: Option<Text>,
@@ -79,6 +82,7 @@ pub(super) struct Fan {
     throws: List,
     pin_splits: Option<List>,
     bank_offsets: Option<List>,
+    pin_offsets: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,
     numbering: Option<Text>,
@@ -95,11 +99,12 @@ pub(super) struct Radial {
     row_spacing: Option<Text>,
 }
 
-/// One bank of a fan: axis, pin split, axial offset.
-struct Bank {
-    angle: Linear,
-    split: Linear,
-    offset: Linear,
+/// One bank of a fan: axis, pin split, axial offset, and how far its axes pass the crankshaft where the form says so.
+pub(super) struct Bank {
+    pub angle: Linear,
+    pub split: Linear,
+    pub offset: Linear,
+    pub pin_offset: Option<Text>,
 }
 
 /// The pins along the crankshaft: throw and position.
@@ -131,7 +136,8 @@ impl Inline {
             }
         };
         let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
-        let bank = Bank { angle: Linear::default(), split: Linear::default(), offset: Linear::default() };
+        let bank =
+            Bank { angle: Linear::default(), split: Linear::default(), offset: Linear::default(), pin_offset: None };
         fan(Form::Inline, &[bank], &pins, None, unit)
     }
 }
@@ -148,7 +154,9 @@ impl Vee {
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
         let throws = angles(&self.throws)?;
         let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
-        fan(Form::Vee, &two_banks(&angle, split, &offset), &pins, self.numbering.as_ref(), unit)
+        let mut banks = two_banks(&angle, split, &offset);
+        set_pin_offsets(&mut banks, self.pin_offset.as_ref())?;
+        fan(Form::Vee, &banks, &pins, self.numbering.as_ref(), unit)
     }
 }
 
@@ -208,7 +216,9 @@ impl Fan {
         let throws = angles(&self.throws)?;
         let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
         let banks = axes.into_iter().zip(splits).zip(offsets);
-        let banks: Vec<Bank> = banks.map(|((angle, split), offset)| Bank { angle, split, offset }).collect();
+        let banks = banks.map(|((angle, split), offset)| Bank { angle, split, offset, pin_offset: None });
+        let mut banks: Vec<Bank> = banks.collect();
+        set_pin_offsets(&mut banks, self.pin_offsets.as_ref())?;
         fan(Form::Fan, &banks, &pins, self.numbering.as_ref(), unit)
     }
 }
@@ -251,6 +261,7 @@ impl Radial {
             cylinders: cylinders.collect(),
             length_unit: unit,
             positions_given,
+            pin_offsets: None,
             geared: Vec::new(),
         })
     }
@@ -260,9 +271,34 @@ impl Radial {
 fn two_banks(bank_angle: &Linear, split: Linear, offset: &Linear) -> [Bank; 2] {
     let minus_half = -half();
     [
-        Bank { angle: bank_angle.scaled(&minus_half), split: Linear::default(), offset: offset.scaled(&half()) },
-        Bank { angle: bank_angle.scaled(&half()), split, offset: offset.scaled(&minus_half) },
+        Bank {
+            angle: bank_angle.scaled(&minus_half),
+            split: Linear::default(),
+            offset: offset.scaled(&half()),
+            pin_offset: None,
+        },
+        Bank { angle: bank_angle.scaled(&half()), split, offset: offset.scaled(&minus_half), pin_offset: None },
     ]
+}
+
+/// How far the axes of each bank pass the crankshaft: one value a bank.
+fn set_pin_offsets(banks: &mut [Bank], list: Option<&List>) -> Result<(), LayoutError> {
+    let Some(list) = list else { return Ok(()) };
+    if list.get_ref().len() != banks.len() {
+        let message = format!("{} pin offsets for {} banks", list.get_ref().len(), banks.len());
+        let right = "one per bank; above 0 where the axis passes on the side to which the pin goes after dead centre";
+        return Err(LayoutError::new(message, right, place(list)));
+    }
+    banks.iter_mut().zip(list.get_ref()).for_each(|(bank, text)| bank.pin_offset = Some(text.clone()));
+    Ok(())
+}
+
+/// One offset a cylinder, where any is given.
+pub(super) fn offsets_of(texts: Vec<Option<Text>>) -> Option<Column> {
+    let span = texts.iter().flatten().next()?.span();
+    let zero = || Text::new(span.clone(), Written("0".to_owned()));
+    let texts = texts.into_iter().map(|text| text.unwrap_or_else(zero)).collect();
+    Some(Column::new(span.clone(), Values::Each(texts)))
 }
 
 fn fan(
@@ -286,12 +322,20 @@ fn fan(
             return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
         }
     };
+    let pin_offsets = offsets_of(pairs.iter().map(|(bank, _)| bank.pin_offset.clone()).collect());
     let cylinders = pairs.into_iter().map(|(bank, pin)| {
         let (throw, position) = &pins.pins[pin];
         Cylinder::new(throw.plus(&bank.split), bank.angle.clone(), position.plus(&bank.offset), pin)
     });
     let positions_given = pins.positions_given;
-    Ok(Expanded { form, cylinders: cylinders.collect(), length_unit: unit, positions_given, geared: Vec::new() })
+    Ok(Expanded {
+        form,
+        cylinders: cylinders.collect(),
+        length_unit: unit,
+        positions_given,
+        pin_offsets,
+        geared: Vec::new(),
+    })
 }
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.
@@ -340,6 +384,6 @@ fn integer(number: i64) -> BigRational {
     BigRational::from_integer(number.into())
 }
 
-fn half() -> BigRational {
+pub(super) fn half() -> BigRational {
     BigRational::new(1.into(), 2.into())
 }

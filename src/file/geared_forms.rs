@@ -267,7 +267,7 @@ fn of_throws(
         })
     });
     let cylinders = cylinders.collect();
-    Ok(Expanded { form, cylinders, length_unit, positions_given: pins.positions_given, geared })
+    Ok(Expanded { form, cylinders, length_unit, positions_given: pins.positions_given, pin_offsets: None, geared })
 }
 
 fn degrees(angle: i64) -> Linear {

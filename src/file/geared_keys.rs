@@ -164,6 +164,13 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
         let right = "\"with\": the first crankshaft is the one that angles are counted with".to_owned();
         return Err(misread("sense of the first crankshaft", "against", right, first));
     }
+    for name in tables.iter().map(|table| &table.get_ref().0.name) {
+        let written = &name.get_ref().0;
+        if !(1..=12).contains(&written.len()) || !written.bytes().all(|byte| byte.is_ascii_alphanumeric()) {
+            let right = "one to twelve letters or digits, such as \"left\"".to_owned();
+            return Err(misread("name of a crankshaft", written, right, name));
+        }
+    }
     tables.iter().map(one).collect()
 }
 

@@ -11,6 +11,7 @@ use toml::de::DeTable;
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
+use super::counterweight_keys;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
@@ -20,6 +21,7 @@ use super::gas_keys;
 use super::geared_forms;
 use super::geared_keys;
 use super::mechanism_keys;
+use super::narrow;
 use super::quantities;
 use super::title_block_keys;
 use super::torsion_keys;
@@ -46,7 +48,7 @@ struct File {
     document: Option<Table<title_block_keys::Keys>>,
     mechanism: Option<Table<mechanism_keys::Keys>>,
     crankshaft: Option<Spanned<geared_keys::Tables>>,
-    counterweight: Option<Spanned<Vec<Spanned<Table<crankshaft_keys::CounterweightKeys>>>>>,
+    counterweight: Option<Spanned<Vec<Spanned<Table<counterweight_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
     gas: Option<Spanned<Table<gas_keys::Keys>>>,
     flywheel: Option<Table<flywheel_keys::Keys>>,
@@ -58,6 +60,8 @@ struct File {
     flat: Option<Spanned<Table<forms::Flat>>>,
     boxer: Option<Spanned<Table<forms::Boxer>>>,
     fan: Option<Spanned<Table<forms::Fan>>>,
+    vr: Option<Spanned<Table<narrow::Vr>>>,
+    w: Option<Spanned<Table<narrow::W>>>,
     radial: Option<Spanned<Table<forms::Radial>>>,
     opposed_piston: Option<Spanned<Table<geared_forms::OpposedPiston>>>,
     u: Option<Spanned<Table<geared_forms::U>>>,
@@ -163,7 +167,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     if expanded.form.has_two_pistons_in_a_cylinder() {
         firing_order::without_pistons_of_their_own(&file.firing_order, &file.firing_angles)?;
     }
-    let dimensions = dimensions(&file, &mut expanded.cylinders)?;
+    let dimensions = dimensions(&file, &mut expanded)?;
     let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
@@ -252,12 +256,15 @@ pub(super) fn built<E>(engine: Result<E, BuildError>) -> Result<E, LayoutError> 
 }
 
 /// What the file says of crank, rods, masses and speed.
-fn dimensions(file: &File, cylinders: &mut [Cylinder<Linear, Linear>]) -> Result<Dimensions, LayoutError> {
+fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, LayoutError> {
     let tables = file.cylinder.iter().flat_map(|tables| tables.get_ref());
     let masses_given = tables.into_iter().any(|table| table.get_ref().0.reciprocating_mass.is_some());
     let mut dimensions = match &file.mechanism {
-        Some(table) => table.0.read(cylinders, masses_given)?,
-        None => Dimensions::default(),
+        Some(table) => table.0.read(&mut expanded.cylinders, masses_given, expanded.pin_offsets.as_ref())?,
+        None => match &expanded.pin_offsets {
+            None => Dimensions::default(),
+            Some(list) => return Err(mechanism_keys::offset_without_rod(list)),
+        },
     };
     if let Some(text) = &file.speed {
         let (speed, given) = mechanism_keys::speed(text)?;
@@ -332,13 +339,15 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
     forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.square_four.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
+    let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
@@ -386,7 +395,7 @@ fn general(
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
     let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, geared })
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, pin_offsets: None, geared })
 }
 
 /// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins

@@ -25,6 +25,8 @@ pub(super) struct Keys {
     reciprocating_mass: Option<written::Column>,
     piston_mass: Option<written::Column>,
     pin_mass: Option<written::Column>,
+    piston_rod_mass: Option<written::Column>,
+    crosshead_mass: Option<written::Column>,
     rod_mass: Option<written::Column>,
     rod_centre: Option<written::Column>,
     rotating_mass: Option<written::Column>,
@@ -42,6 +44,7 @@ impl Keys {
         &self,
         cylinders: &mut [Cylinder<Linear, Linear>],
         masses_given: bool,
+        offsets_of_form: Option<&written::Column>,
     ) -> Result<Dimensions, LayoutError> {
         let mut table = Reading { count: cylinders.len(), given: Vec::new() };
         let half = BigRational::new(1.into(), 2.into());
@@ -54,7 +57,15 @@ impl Keys {
             (None, _) => table.column(&self.crank_radius, Measure::CrankRadius)?.map(|radii| radii.values),
         };
         let lengths = table.column(&self.rod_length, Measure::RodLength)?;
-        let rods = self.rods(&mut table, radii.as_deref(), lengths.as_ref())?;
+        let pin_offset = match (&self.pin_offset, offsets_of_form) {
+            (Some(list), Some(_)) => {
+                let right = "the form gives one to each bank already";
+                return Err(LayoutError::new("the pin offsets are given twice", right, place(list)));
+            }
+            (Some(list), None) | (None, Some(list)) => Some(list.clone()),
+            (None, None) => None,
+        };
+        let rods = self.rods(&mut table, radii.as_deref(), lengths.as_ref(), &pin_offset)?;
         let (masses, rotating) = self.masses(&mut table, lengths.as_ref(), masses_given)?;
         let crank_radius = radii.as_ref().and_then(|radii| radii.first().cloned());
         for (index, cylinder) in cylinders.iter_mut().enumerate() {
@@ -89,6 +100,7 @@ impl Keys {
         table: &mut Reading,
         radii: Option<&[BigRational]>,
         lengths: Option<&Column>,
+        pin_offset: &Option<written::Column>,
     ) -> Result<Vec<Mechanism>, LayoutError> {
         let ratios = table.column(&self.rod_ratio, Measure::RodRatio)?;
         let (ratios, places) = match (ratios, lengths, radii, &self.rod_length) {
@@ -103,17 +115,14 @@ impl Keys {
                 return Err(LayoutError::new("a rod length without a crank radius", right, place(&lengths.places[0])));
             }
             (None, None, ..) => {
-                let offset = self.pin_offset.as_ref().or(self.offset_ratio.as_ref());
+                let offset = pin_offset.as_ref().or(self.offset_ratio.as_ref());
                 return match offset {
                     None => Ok(Vec::new()),
-                    Some(offset) => {
-                        let right = "add a rod_length or rod_ratio";
-                        Err(LayoutError::new("an offset without a rod", right, place(offset)))
-                    }
+                    Some(offset) => Err(offset_without_rod(offset)),
                 };
             }
         };
-        let offsets = self.offsets(table, radii, &ratios)?;
+        let offsets = self.offsets(table, radii, &ratios, pin_offset)?;
         let rods = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Mechanism::SliderCrank(Rod { ratio, offset }));
         let rods: Vec<Mechanism> = rods.collect();
         match rods.iter().position(|rod| !rod.turns_round()) {
@@ -138,8 +147,9 @@ impl Keys {
         table: &mut Reading,
         radii: Option<&[BigRational]>,
         ratios: &[BigRational],
+        pin_offset: &Option<written::Column>,
     ) -> Result<Vec<BigRational>, LayoutError> {
-        match (&self.pin_offset, &self.offset_ratio) {
+        match (pin_offset, &self.offset_ratio) {
             (None, None) => Ok(vec![BigRational::zero(); ratios.len()]),
             (Some(_), Some(ratio)) => Err(twice("pin_offset", "offset_ratio", ratio)),
             (None, Some(_)) => {
@@ -151,7 +161,7 @@ impl Keys {
                     let right = "add a stroke or crank_radius, or write offset_ratio = e/l";
                     return Err(LayoutError::new("an offset in metres without a rod length", right, place(list)));
                 };
-                let column = table.column(&self.pin_offset, Measure::PinOffset)?;
+                let column = table.column(pin_offset, Measure::PinOffset)?;
                 let offsets = column.map(|column| column.values).unwrap_or_default();
                 Ok(offsets.iter().zip(radii).zip(ratios).map(|((offset, r), ratio)| offset * ratio / r).collect())
             }
@@ -177,9 +187,14 @@ impl Keys {
         if let (Some(_), Some(list)) = (&self.reciprocating_mass, &self.piston_mass) {
             return Err(twice("reciprocating_mass", "piston_mass", list));
         }
-        for (list, name) in
-            [(&self.pin_mass, "pin_mass"), (&self.rod_mass, "rod_mass"), (&self.rod_centre, "rod_centre")]
-        {
+        let parts = [
+            (&self.pin_mass, "pin_mass"),
+            (&self.piston_rod_mass, "piston_rod_mass"),
+            (&self.crosshead_mass, "crosshead_mass"),
+            (&self.rod_mass, "rod_mass"),
+            (&self.rod_centre, "rod_centre"),
+        ];
+        for (list, name) in parts {
             if let (Some(list), None) = (list, &self.piston_mass) {
                 let message = format!("{name} without a piston_mass");
                 return Err(LayoutError::new(message, "piston, pin and rod are given together", place(list)));
@@ -191,8 +206,16 @@ impl Keys {
             return Ok((given, rotating));
         };
         let mut masses = pistons.values;
-        if let Some(pins) = table.column(&self.pin_mass, Measure::PinMass)? {
-            masses.iter_mut().zip(pins.values).for_each(|(mass, pin)| *mass += pin);
+        // All that moves with the piston along its cylinder.
+        let beside = [
+            (&self.pin_mass, Measure::PinMass),
+            (&self.piston_rod_mass, Measure::PistonRodMass),
+            (&self.crosshead_mass, Measure::CrossheadMass),
+        ];
+        for (list, measure) in beside {
+            if let Some(parts) = table.column(list, measure)? {
+                masses.iter_mut().zip(parts.values).for_each(|(mass, part)| *mass += part);
+            }
         }
         let Some(rods) = table.column(&self.rod_mass, Measure::RodMass)? else {
             return match &self.rod_centre {
@@ -221,6 +244,12 @@ impl Keys {
         }
         Ok((Some(masses), Some(rotating)))
     }
+}
+
+/// What is said of an offset where no rod is known.
+pub(super) fn offset_without_rod(offset: &written::Column) -> LayoutError {
+    let right = "add a rod_length or rod_ratio below [mechanism]";
+    LayoutError::new("an offset without a rod", right, place(offset))
 }
 
 fn twice(first: &str, second: &str, list: &written::Column) -> LayoutError {
@@ -294,7 +323,7 @@ impl Measure {
             RodRatio => ("rod ratio", pure(written), "r/l, from 0 up to 1"),
             PinOffset => ("pin offset", metres(written), ""),
             OffsetRatio => ("offset ratio", pure(written), ""),
-            ReciprocatingMass | PistonMass | PinMass | RodMass | RotatingMass => {
+            ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass | RotatingMass => {
                 ("mass", units::mass(written), "a mass is 0 or more")
             }
             RodCentre => ("distance of the centre of gravity", metres(written), "a length of 0 or more"),

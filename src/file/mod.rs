@@ -6,6 +6,7 @@ mod balancer_keys;
 mod bearings;
 mod beside;
 mod catalogue;
+mod counterweight_keys;
 mod crankshaft_keys;
 mod error;
 mod firing_order;
@@ -19,8 +20,10 @@ mod geared_keys;
 mod layout;
 mod linear;
 mod mechanism_keys;
+mod narrow;
 mod number;
 mod quantities;
+mod rewritten;
 mod template;
 mod title_block_keys;
 mod torsion_keys;
@@ -33,5 +36,8 @@ pub use error::LayoutError;
 pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};
+pub use rewritten::{
+    balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_counterweights,
+};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;

@@ -107,6 +107,17 @@ pub(super) fn mass(text: &Text) -> Result<BigRational, LayoutError> {
     not_negative(units::mass(written).map_err(|right| misread("mass", written, right, text))?, "mass", text)
 }
 
+/// A mass times a radius in kilogram-metres, 0 or more, and whether it is written in multiples of m r, which is `unit`.
+pub(super) fn mass_radius(text: &Text, unit: &BigRational) -> Result<(BigRational, bool), LayoutError> {
+    let written = &text.get_ref().0;
+    let read = units::mass_radius(written).map_err(|right| misread("mass-radius", written, right, text))?;
+    let (value, in_multiples) = match read {
+        units::MassRadius::KilogramMetres(value) => (value, false),
+        units::MassRadius::Multiples(value) => (value * unit, true),
+    };
+    Ok((not_negative(value, "mass-radius", text)?, in_multiples))
+}
+
 /// A length in metres of either sign.
 pub(super) fn metres(text: &Text) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
@@ -126,6 +137,12 @@ pub(super) fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
 /// A balance factor, 0 or more.
 pub(super) fn factor(text: &Text) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
+    if let Some(percent) = written.trim().strip_suffix('%').map(str::trim_end) {
+        let right = format!(
+            "which part of which masses is meant? balance_factor = BF makes BF × (rotating + ½ reciprocating); for {percent} % of the reciprocating masses beside all that rotate write counterweights = {{ rotating = 1, reciprocating = \"{percent}/100\" }}"
+        );
+        return Err(misread("balance factor", written, right, text));
+    }
     let value = parse_number(written).map_err(|error| misread("balance factor", written, error.to_string(), text))?;
     if !units::has_a_size(&value) {
         return Err(misread("balance factor", written, "out of range; such as 0.5".to_owned(), text));

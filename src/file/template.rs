@@ -13,7 +13,7 @@ use super::written;
 use crate::engine::Cycle;
 
 /// The tables of a layout file, each of which is one form of engine.
-const FORMS: [&str; 7] = ["cylinder", "inline", "vee", "flat", "boxer", "fan", "radial"];
+const FORMS: [&str; 9] = ["cylinder", "inline", "vee", "flat", "boxer", "fan", "vr", "w", "radial"];
 /// Longer paths than this are no keys of a layout file.
 const DEEPEST: usize = 4;
 

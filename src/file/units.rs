@@ -51,7 +51,7 @@ const ANGLES: Units = &[
     ("deg", (1, 360)),
     ("°", (1, 360)),
 ];
-const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("m", (1, 1))];
+const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("ft", (381, 1250)), ("m", (1, 1))];
 const SPEEDS: Units = &[("rpm", (1, 1)), ("1/min", (1, 1)), ("rev/s", (60, 1)), ("Hz", (60, 1))];
 const MASS_RADII: Units = &[
     ("kg mm", (1, 1000)),
@@ -60,6 +60,12 @@ const MASS_RADII: Units = &[
     ("g mm", (1, 1_000_000)),
     ("g cm", (1, 100_000)),
     ("g m", (1, 1000)),
+    ("oz in", (45_359_237 * 127, 1_600_000_000 * 5000)),
+    ("oz·in", (45_359_237 * 127, 1_600_000_000 * 5000)),
+    ("lb in", (45_359_237 * 127, 100_000_000 * 5000)),
+    ("lb·in", (45_359_237 * 127, 100_000_000 * 5000)),
+    ("lb ft", (45_359_237 * 381, 100_000_000 * 1250)),
+    ("lb·ft", (45_359_237 * 381, 100_000_000 * 1250)),
 ];
 const PRESSURES: Units = &[
     ("mbar", (100, 1)),
@@ -70,7 +76,10 @@ const PRESSURES: Units = &[
     // A pound-force of 4.4482216152605 N on a square inch.
     ("psi", (44_482_216_152_605, 6_451_600_000)),
 ];
-const ENERGIES: Units = &[("MJ", (1_000_000, 1)), ("kJ", (1000, 1)), ("J", (1, 1))];
+/// A pound-force on a foot: 4.4482216152605 N times 0.3048 m.
+const FOOT_POUND: (i64, i64) = (8_896_443_230_521 * 381, 2_000_000_000_000 * 1250);
+const ENERGIES: Units =
+    &[("MJ", (1_000_000, 1)), ("kJ", (1000, 1)), ("J", (1, 1)), ("ft lbf", FOOT_POUND), ("ft·lbf", FOOT_POUND)];
 const INERTIAS: Units = &[
     ("kg m²", (1, 1)),
     ("kg·m²", (1, 1)),
@@ -80,6 +89,10 @@ const INERTIAS: Units = &[
     ("kg cm2", (1, 10_000)),
     ("g m²", (1, 1000)),
     ("g m2", (1, 1000)),
+    ("lb ft²", (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
+    ("lb ft^2", (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
+    ("lb in²", (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
+    ("lb in^2", (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
 ];
 const TORSIONAL_STIFFNESSES: Units = &[
     ("MN m/rad", (1_000_000, 1)),
@@ -89,8 +102,11 @@ const TORSIONAL_STIFFNESSES: Units = &[
     ("N m/rad", (1, 1)),
     ("N·m/rad", (1, 1)),
     ("Nm/rad", (1, 1)),
+    ("ft lbf/rad", FOOT_POUND),
+    ("lbf ft/rad", FOOT_POUND),
 ];
-const MASSES: Units = &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000))];
+const MASSES: Units =
+    &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000)), ("oz", (45_359_237, 1_600_000_000))];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
@@ -109,18 +125,35 @@ pub fn turns_per_unit(unit: &str) -> Option<BigRational> {
 
 /// A length; without a unit, metres or multiples of the spacing.
 pub(crate) fn length(text: &str) -> Result<Length, String> {
-    let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\" or \"4.4 in\"")?;
+    let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\", \"4.4 in\" or \"0.4 ft\"")?;
     Ok(Length { value: sized(number * ratio(unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
 }
 
 /// A mass; kilograms where no unit stands.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
-    in_units(text, MASSES, "\"0.65\", \"650 g\" or \"1.4 lb\"")
+    in_units(text, MASSES, "\"0.65\", \"650 g\", \"1.4 lb\" or \"23 oz\"")
 }
 
-/// A mass times a radius in kilogram-metres; kilogram-metres where no unit stands.
-pub(crate) fn mass_radius(text: &str) -> Result<BigRational, String> {
-    in_units(text, MASS_RADII, "\"0.012\", \"0.012 kg m\", \"12 kg mm\" or \"1200 g cm\"")
+/// A mass times a radius.
+pub(crate) enum MassRadius {
+    /// In kilogram-metres, which is also what a number without a unit means.
+    KilogramMetres(BigRational),
+    /// In multiples of m r, the reciprocating mass and the crank radius of the engine.
+    Multiples(BigRational),
+}
+
+/// A mass times a radius.
+pub(crate) fn mass_radius(text: &str) -> Result<MassRadius, String> {
+    const EXAMPLES: &str = "\"0.012\", \"0.012 kg m\", \"12 kg mm\", \"16.7 oz in\" or \"1/4 m r\"";
+    let multiple = text.trim().strip_suffix("m r").map(str::trim_end);
+    match multiple.filter(|number| !number.ends_with(char::is_alphabetic)) {
+        Some("") => Ok(MassRadius::Multiples(BigRational::from_integer(1.into()))),
+        Some(number) => parse_number(number)
+            .map_err(|error| format!("{error}; for instance {EXAMPLES}"))
+            .and_then(sized)
+            .map(MassRadius::Multiples),
+        None => in_units(text, MASS_RADII, EXAMPLES).map(MassRadius::KilogramMetres),
+    }
 }
 
 /// Pascals in a unit of pressure.

@@ -8,7 +8,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::{Missing, Motion};
 use crate::engine::{Engine, Mechanism};
 use crate::motion::{Coefficient, Tail};
-use crate::order::{self, mass_radius};
+use crate::order::{self, Factor, mass_radius};
 use crate::proof::Quantity;
 
 /// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
@@ -52,13 +52,42 @@ impl Tails {
             Quantity::Force | Quantity::Moment => tail.force(order),
             Quantity::Torque | Quantity::Roll => tail.torque(order),
         });
-        let [force, moment] = faster_shafts(engine, order).map(|size| rounded_up(&size));
+        let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
             Quantity::Force => force,
             Quantity::Moment => moment,
             Quantity::Torque | Quantity::Roll => 0.0,
         };
         (pistons + shafts) * SLACK
+    }
+
+    /// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
+    /// multiples of m r ω²: what they add where higher orders are left out.
+    fn faster_shafts(&self, engine: &Engine, highest: u32) -> [f64; 2] {
+        let half = BigRational::new(1.into(), 2.into());
+        let mut sums: BTreeMap<(Factor, u32), [BigRational; 2]> = BTreeMap::new();
+        for shaft in order::turning_masses(engine).into_iter().filter(|mass| mass.order > highest) {
+            let size = shaft.weight().abs() * &half;
+            let arm = (&shaft.position - engine.reference_plane()).abs();
+            let [force, moment] = sums.entry((shaft.factor, shaft.order)).or_default();
+            *moment += &size * arm;
+            *force += size;
+        }
+        // c_k is one of the orders above k − 1 that the tail is above.
+        let most = |factor: &Factor, order: u32| match factor {
+            Factor::One => 1.0,
+            Factor::Motion(mechanism) => {
+                self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |tail| 1.0 + tail.force(order.saturating_sub(1)))
+            }
+            Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => f64::INFINITY,
+        };
+        sums.into_iter().fold([0.0, 0.0], |[force, moment], ((factor, order), sizes)| {
+            let [more_force, more_moment] = sizes.map(|size| match rounded_up(&size) {
+                0.0 => 0.0,
+                size => size * most(&factor, order) * SLACK,
+            });
+            [force + more_force, moment + more_moment]
+        })
     }
 
     /// The orders above this one, of at least 1, add at most this to what carries these parts of the loads of the crankpins, a part per
@@ -114,16 +143,4 @@ impl Tails {
 /// The float at or above a number that is not negative; 0 only of 0.
 fn rounded_up(number: &BigRational) -> f64 {
     if number.is_zero() { 0.0 } else { number.to_f64().unwrap_or(f64::INFINITY).next_up() }
-}
-
-/// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
-/// multiples of m r ω²: what they add where higher orders are left out.
-fn faster_shafts(engine: &Engine, highest: u32) -> [BigRational; 2] {
-    let half = BigRational::new(1.into(), 2.into());
-    let shafts = order::turning_masses(engine).into_iter().filter(|mass| mass.order > highest);
-    shafts.fold([BigRational::zero(), BigRational::zero()], |[force, moment], shaft| {
-        let size = shaft.weight() * &half;
-        let arm = (&shaft.position - engine.reference_plane()).abs();
-        [force + &size, moment + size * arm]
-    })
 }

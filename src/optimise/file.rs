@@ -1,11 +1,8 @@
 //! How is a layout file written with other counterweights? The file as it stands, its counterweights replaced.
 
-use num_rational::BigRational;
-use num_traits::{Signed, Zero};
-
 use super::error::OptimiseError;
 use crate::engine::{Counterweight, Engine};
-use crate::file::parse;
+use crate::file::{comment, counterweight_table, parse, without_counterweights};
 
 /// The engine with these counterweights, read back from its own file: what is written is what is measured.
 ///
@@ -23,7 +20,7 @@ pub(super) fn with_counterweights(
             text += &format!("\n{}", comment(note));
         }
         for part in parts {
-            text += &table(part);
+            text += &counterweight_table(part);
         }
     }
     let advice = match engine.gas() {
@@ -42,71 +39,4 @@ pub(super) fn with_counterweights(
         && (&read.crankshaft().pins, &read.crankshaft().webs, &read.crankshaft().balancers)
             == (&engine.crankshaft().pins, &engine.crankshaft().webs, &engine.crankshaft().balancers);
     if is_meant { Ok(read) } else { Err(OptimiseError::File(advice.to_owned())) }
-}
-
-fn comment(text: &str) -> String {
-    text.lines().map(|line| format!("# {line}\n")).collect()
-}
-
-fn table(weight: &Counterweight) -> String {
-    format!(
-        "[[counterweight]]\nangle = {}\nmass = {}\nradius = {}\nposition = {}\n",
-        number(&weight.angle.degrees()),
-        number(&weight.mass),
-        number(&weight.radius),
-        number(&weight.position),
-    )
-}
-
-/// A decimal where it ends, else a fraction in quotes.
-fn number(value: &BigRational) -> String {
-    let ten = BigRational::from_integer(10.into());
-    let mut scaled = value.abs();
-    let mut places = 0;
-    while !scaled.is_integer() && places < 12 {
-        scaled *= &ten;
-        places += 1;
-    }
-    if !scaled.is_integer() {
-        return format!("\"{value}\"");
-    }
-    let sign = if value.is_negative() { "-" } else { "" };
-    let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
-    let (whole, fraction) = digits.split_at(digits.len() - places);
-    match (fraction.is_empty() || scaled.is_zero(), whole.len() > 18) {
-        (_, true) => format!("\"{value}\""),
-        (true, _) => format!("{sign}{whole}"),
-        (false, _) => format!("{sign}{whole}.{fraction}"),
-    }
-}
-
-/// The text without `[[counterweight]]` tables and the keys of `[crankshaft]` that make counterweights.
-fn without_counterweights(text: &str) -> String {
-    const MAKERS: [&str; 3] = ["balance_factor", "counterweight_radius", "web_offset"];
-    let mut kept = Vec::new();
-    let (mut table, mut open) = (String::new(), 0_i32);
-    for line in text.lines() {
-        let bare = line.split('#').next().unwrap_or(line).trim();
-        if open > 0 {
-            // The rest of a list that is left out.
-            open += brackets(bare);
-            continue;
-        }
-        if bare.starts_with('[') {
-            table = bare.to_owned();
-        }
-        let key = bare.split('=').next().unwrap_or_default().trim();
-        let makes = table == "[crankshaft]" && MAKERS.contains(&key);
-        let dotted = key.strip_prefix("crankshaft.").is_some_and(|key| MAKERS.contains(&key.trim()));
-        if makes || dotted {
-            open = brackets(bare);
-        } else if table != "[[counterweight]]" {
-            kept.push(line);
-        }
-    }
-    kept.join("\n")
-}
-
-fn brackets(text: &str) -> i32 {
-    text.chars().map(|letter| i32::from(letter == '[') - i32::from(letter == ']')).sum()
 }

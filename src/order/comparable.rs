@@ -36,8 +36,9 @@ impl std::error::Error for NotComparable {}
 /// What the engine lacks for that.
 pub fn comparable(engine: &Engine) -> Result<(), NotComparable> {
     let (dimensions, crankshaft) = (engine.dimensions(), engine.crankshaft());
-    let in_metres =
-        !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
+    let has_weights = !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
+    let has_distances = crankshaft.balancers.iter().any(|shaft| !shaft.height.is_zero() || !shaft.offset.is_zero());
+    let in_metres = !crankshaft.webs.is_empty() || has_distances || (has_weights && !crankshaft.in_multiples);
     let has_rotating = engine.cylinders().iter().any(|cylinder| !cylinder.rotating_mass.is_zero());
     let turns = in_metres || has_rotating || !crankshaft.pins.is_empty();
     match (dimensions.mass.is_none() && turns, dimensions.crank_radius.is_none() && in_metres) {

@@ -101,7 +101,7 @@ impl<'a> Sources<'a> {
         turning.map(|mass| Contribution {
             source: mass.source,
             position: mass.position.clone(),
-            factor: Factor::One,
+            factor: mass.factor.clone(),
             term: Term { angle: mass.angle.clone(), weight: mass.weight() },
         })
     }

@@ -33,4 +33,4 @@ pub use pin::{has_constant_pin_loads, pin_contributions, shaft_contributions};
 pub use roll::has_arms;
 pub use source::Source;
 pub use sum::{OrderSum, by_factor};
-pub use turning::{TurningMass, mass_radius, turning_masses, unit_mass, unit_radius};
+pub use turning::{TurningMass, mass_radius, shaft_factor, turning_masses, unit_mass, unit_radius};

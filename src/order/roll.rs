@@ -44,7 +44,7 @@ impl Sources<'_> {
                 Contribution {
                     source: mass.source,
                     position: mass.position.clone(),
-                    factor: Factor::One,
+                    factor: mass.factor.clone(),
                     term: Term { angle, weight: &square * &axis.weight },
                 }
             })

@@ -3,8 +3,9 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::factor::Factor;
 use super::source::Source;
-use crate::engine::{self, Cylinder, Engine};
+use crate::engine::{self, Balancer, Cylinder, Engine};
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
@@ -17,8 +18,10 @@ pub struct TurningMass {
     pub order: u32,
     /// With the crank or against it.
     pub sense: Sense,
-    /// Mass times radius U, in multiples of m r.
+    /// Mass times radius U, in multiples of m r; below 0 where the coefficient that it stands before changes its sign.
     pub mass_radius: BigRational,
+    /// What it stands before: 1, or a number of the motion that a balancer shaft is sized by.
+    pub factor: Factor,
     /// Its direction at θ = 0.
     pub angle: Turn,
     /// Where it stands along the crankshaft.
@@ -29,9 +32,9 @@ pub struct TurningMass {
 }
 
 impl TurningMass {
-    /// Whether it stands on the crankshaft, or on a shaft that turns as it does.
+    /// Whether it stands on the crankshaft, or on a shaft that turns as it does and whose weight is a plain number.
     pub fn turns_with_the_crank(&self) -> bool {
-        (self.order, self.sense) == (1, Sense::Direct)
+        (self.order, self.sense) == (1, Sense::Direct) && self.factor == Factor::One
     }
 
     /// What it adds to its vector: a mass-radius U at angle γ adds `2n²U e^{iγ}` (theory, section 3).
@@ -50,6 +53,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
         order: 1,
         sense: cranks.get(crank).map_or(Sense::Direct, |crank| crank.sense),
         mass_radius,
+        factor: Factor::One,
         angle: angle.clone(),
         position: position.clone(),
         axis: cranks.get(crank).map_or_else(Vec::new, |crank| crank.axis.clone()),
@@ -75,23 +79,35 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
             (&weight.position, weight.crank),
         )
     });
-    let shafts = crankshaft.balancers.iter().enumerate().map(|(index, shaft)| TurningMass {
-        source: Source::Balancer(index),
-        order: shaft.order,
-        sense: shaft.sense,
-        mass_radius: shaft.mass_radius.clone(),
-        angle: shaft.angle.clone(),
-        position: shaft.position.clone(),
-        axis: [(&shaft.height, Turn::zero()), (&shaft.offset, Turn::fraction(1, 4))]
-            .into_iter()
-            .filter(|(distance, _)| !distance.is_zero())
-            .map(|(distance, angle)| Term { angle, weight: distance / &radius })
-            .collect(),
+    let shafts = crankshaft.balancers.iter().enumerate().map(|(index, shaft)| {
+        let (factor, sign) = shaft_factor(engine, shaft);
+        TurningMass {
+            source: Source::Balancer(index),
+            order: shaft.order,
+            sense: shaft.sense,
+            mass_radius: &shaft.mass_radius * sign,
+            factor,
+            angle: shaft.angle.clone(),
+            position: shaft.position.clone(),
+            axis: [(&shaft.height, Turn::zero()), (&shaft.offset, Turn::fraction(1, 4))]
+                .into_iter()
+                .filter(|(distance, _)| !distance.is_zero())
+                .map(|(distance, angle)| Term { angle, weight: distance / &radius })
+                .collect(),
+        }
     });
     let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
     let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
     weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
+}
+
+/// What the mass-radius of a balancer shaft stands before, and with which sign.
+pub fn shaft_factor(engine: &Engine, shaft: &Balancer) -> (Factor, BigRational) {
+    match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
+        Some(cylinder) => Factor::of_force(cylinder.mechanism.as_ref(), shaft.order),
+        None => (Factor::One, BigRational::one()),
+    }
 }
 
 /// Mass times crank radius of a cylinder, in multiples of m r; 0 in an engine without reciprocating masses.
@@ -104,11 +120,10 @@ pub fn mass_radius(engine: &Engine, cylinder: &Cylinder) -> BigRational {
 
 /// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
 pub fn unit_mass(engine: &Engine) -> BigRational {
-    let mass = engine.dimensions().mass.clone().filter(|mass| !mass.is_zero());
-    mass.unwrap_or_else(BigRational::one)
+    engine.unit_mass()
 }
 
 /// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
 pub fn unit_radius(engine: &Engine) -> BigRational {
-    engine.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
+    engine.unit_radius()
 }

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
-use super::Language;
 use super::figure::Figure;
 use super::text::Text;
+use super::{Language, Units};
 use crate::text::Untrusted;
 
 /// What a question answers with, in no format yet.
@@ -170,6 +170,33 @@ pub struct Picture {
     pub caption: Text,
     /// The drawing.
     pub figure: Figure,
+}
+
+impl Picture {
+    /// The same counted in these units.
+    pub(super) fn counted_in(&self, units: Units) -> Picture {
+        match (&self.figure.in_inches, units) {
+            (Some(figure), Units::Inch) => Picture { figure: figure.as_ref().clone(), ..self.clone() },
+            (_, Units::Inch | Units::Si) => self.clone(),
+        }
+    }
+}
+
+/// Whether formulas stand in some of these on lines of their own.
+pub(super) fn in_si_units(blocks: &[Block]) -> bool {
+    blocks.iter().any(|block| match block {
+        Block::Formula(..) => true,
+        Block::Folded(fold) => in_si_units(&fold.blocks),
+        Block::Heading(..)
+        | Block::Paragraph(_)
+        | Block::Answer(_)
+        | Block::Table(_)
+        | Block::Pictures(_)
+        | Block::List(_)
+        | Block::Note(_)
+        | Block::Live(_)
+        | Block::Verbatim(..) => false,
+    })
 }
 
 impl From<Table> for Block {

@@ -28,6 +28,6 @@ pub use symbols::Symbols;
 pub(crate) use text::phrase;
 pub use text::{Piece, Text};
 pub use tikz::tikz;
-pub use unit::Unit;
+pub use unit::{Unit, Units};
 pub(crate) use write::say;
 pub use write::{Alone, File, Format, Math, Options, text_in, write};

@@ -32,6 +32,14 @@ pub(crate) fn short(value: &BigRational) -> String {
     if is_long(value) { approximate(value.to_f64().unwrap_or(f64::NAN)) } else { number(value) }
 }
 
+/// An exact number that was converted: its decimals, after ≈ where they do not end soon.
+pub(crate) fn in_decimals(value: &BigRational) -> String {
+    match terminating(value) {
+        Some(_) => number(value),
+        None => approximate(value.to_f64().unwrap_or(f64::NAN)),
+    }
+}
+
 /// Whether an exact number is shown in decimals, for it is too long.
 pub(crate) fn is_rounded(value: &BigRational) -> bool {
     exact_text(value).len() > MOST_LETTERS

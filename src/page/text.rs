@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use num_rational::BigRational;
+
 use super::Unit;
 use super::number::{Amount, Bearing, Number};
 use crate::numbers::Form;
@@ -31,6 +33,12 @@ pub enum Piece {
     Bearing(Bearing),
     /// A decimal with its unit, to sensible figures: a unit says that it is one.
     Quantity(f64, Unit),
+    /// A decimal whose unit stands elsewhere, as over its column, and how its digits are set.
+    Measured(f64, Unit, fn(f64) -> String),
+    /// An exact number whose unit stands elsewhere.
+    Exactly(BigRational, Unit),
+    /// The name of a unit alone.
+    Unit(Unit),
     /// A formula in TeX.
     Formula(String),
     /// What is typed: a command, a name of a file.
@@ -58,6 +66,11 @@ impl Text {
     /// A formula in TeX.
     pub fn formula(tex: impl Into<String>) -> Self {
         Piece::Formula(tex.into()).into()
+    }
+
+    /// A decimal after ≈, whose unit stands elsewhere.
+    pub fn measured(value: f64, unit: Unit) -> Self {
+        Piece::Measured(value, unit, super::number::approximate).into()
     }
 
     /// What is typed.
@@ -105,6 +118,9 @@ impl Text {
                 | Piece::Form(_)
                 | Piece::Bearing(_)
                 | Piece::Quantity(..)
+                | Piece::Measured(..)
+                | Piece::Exactly(..)
+                | Piece::Unit(_)
                 | Piece::Formula(_)
                 | Piece::Code(_) => {}
             }
@@ -176,6 +192,12 @@ impl From<usize> for Text {
 impl From<&Untrusted> for Text {
     fn from(words: &Untrusted) -> Self {
         Piece::Person(words.clone()).into()
+    }
+}
+
+impl From<Unit> for Text {
+    fn from(unit: Unit) -> Self {
+        Piece::Unit(unit).into()
     }
 }
 

@@ -43,6 +43,7 @@ const OUTSIDE: &str = "the numbers outside of `evidence`, such as newtons and de
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
+const LEFT_OUT: &str = "the orders and senses in `left_out`, which are said to be below a millionth of the load: their sums need not vanish";
 const ONE_LAW: &str =
     "the pressure: a star that vanishes is about every law that all its cylinders share, with pistons of one size";
 const TWIST: &str = "the twist of the crankshaft, which is taken to be rigid";
@@ -96,12 +97,13 @@ impl Checked {
     }
 
     pub(super) fn remedy(document: &RemedyDocument, rods_known: bool, counts: Counts) -> Self {
+        let left_out = (!document.left_out.is_empty()).then_some(LEFT_OUT);
         let unknown = (!rods_known).then_some(EQUAL_RODS);
         Checked {
             masses: vec![document.masses],
             orders: exact(&document.orders),
             quantities: document.quantities.clone(),
-            not_covered: [WEIGHTS].into_iter().chain(unknown).collect(),
+            not_covered: [WEIGHTS].into_iter().chain(left_out).chain(unknown).collect(),
             ..Checked::of_sums(counts)
         }
     }

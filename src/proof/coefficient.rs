@@ -66,6 +66,12 @@ impl Factor {
         }
     }
 
+    /// In the force of a mass that turns: that of the rod that it names, or 1.
+    pub fn of_shaft(rod: Option<&RodStatement>, order: u32) -> Self {
+        let one = || Factor { coefficient: Coefficient::One, is_zero: false, sign: BigRational::one() };
+        rod.map_or_else(one, |rod| Factor::of_force(rod, order))
+    }
+
     /// In the inertia torque, where only an infinitely long rod lacks orders: it has the second and no other.
     pub fn of_torque(rod: &RodStatement, order: u32) -> Self {
         let (coefficient, is_zero) = match rod {

@@ -116,6 +116,9 @@ pub struct TurningMassClaim {
     /// Mass times radius, in multiples of m r, as a cylinder's mass times its crank radius is.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
+    /// The rod whose coefficient c_k of this order the mass-radius stands before; left out for 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coefficient_of: Option<RodStatement>,
     /// Where the axis that it turns about stands in the plane across it, in multiples of the common radius: the sum of these; none
     /// where that is the middle.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

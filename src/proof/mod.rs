@@ -58,7 +58,8 @@ pub use open_check::check_open_document;
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
 pub use refusal::Refusal;
 pub use remedy::{
-    CorrectedClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart, check_remedy_document,
+    CorrectedClaim, LeftOutClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart,
+    check_remedy_document,
 };
 pub use rod::coefficient_bounds;
 pub use shape::{MirrorClaim, Shape, ShapeClaim, ShapeEvidence};

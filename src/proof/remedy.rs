@@ -42,6 +42,9 @@ pub struct RemedyDocument {
     pub turning_masses: Vec<TurningClaim>,
     /// The weights of the remedy.
     pub weights: Vec<WeightClaim>,
+    /// The orders and senses that are too little for a weight, and need not vanish.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOutClaim>,
     /// The sums of the corrected engine, by order, quantity, sense and coefficient.
     pub sums: Vec<CorrectedClaim>,
 }
@@ -83,6 +86,9 @@ pub struct TurningClaim {
     /// Mass times radius, in multiples of m r.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
+    /// The rod whose coefficient c_k of this order the mass-radius stands before; left out for 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coefficient_of: Option<RodStatement>,
 }
 
 /// A weight of the remedy: `Σ coefficient · Σ weight e^{2πi·angle}`, its mass-radius in multiples of m r.
@@ -114,7 +120,17 @@ pub struct WeightPart {
     pub angle_deg: Decimal,
 }
 
-/// One sum of the corrected engine, which is zero.
+/// An order and sense that is left as it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LeftOutClaim {
+    /// The order k.
+    pub order: u32,
+    /// Direct or reverse.
+    pub sense: Sense,
+}
+
+/// One sum of the corrected engine, which is zero but where its order and sense are left out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CorrectedClaim {
@@ -128,12 +144,12 @@ pub struct CorrectedClaim {
     pub coefficient: Coefficient,
     /// The sum, in multiples of m r, collected.
     pub terms: Vec<Vector>,
-    /// The evidence that it is zero.
+    /// The evidence that it is zero, or that it is not.
     pub certificate: Certificate,
 }
 
 /// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that each order has all
-/// of them, and that each is zero.
+/// of them, and that each is zero but where it is left out.
 ///
 /// # Errors
 /// The first entry that does not hold.
@@ -160,7 +176,8 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                     {
                         return Err(Fault::new(place, "another sum stands here"));
                     }
-                    check_sum(claim, sum, &audit).map_err(|reason| Fault { place, reason })?;
+                    let may_stay = document.left_out.contains(&LeftOutClaim { order, sense });
+                    check_sum(claim, sum, may_stay, &audit).map_err(|reason| Fault { place, reason })?;
                 }
             }
         }
@@ -189,7 +206,8 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
     if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
     }
-    let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod));
+    let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
+    let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod).chain(of_shafts));
     rods.map(|rods| rods.is_some()).map_err(|reason| Fault::new("cylinders", reason))
 }
 
@@ -211,8 +229,8 @@ fn check_weight(document: &RemedyDocument, weight: &WeightClaim, audit: &Audit) 
     Ok(())
 }
 
-fn check_sum(claim: &CorrectedClaim, expected: Collected, audit: &Audit) -> Result<(), Reason> {
-    certify(&expected, true, &claim.certificate, audit)?;
+fn check_sum(claim: &CorrectedClaim, expected: Collected, may_stay: bool, audit: &Audit) -> Result<(), Reason> {
+    certify(&expected, !may_stay || claim.certificate.claims_zero(), &claim.certificate, audit)?;
     match vectors(expected) == claim.terms {
         true => Ok(()),
         false => Err("its terms are not those of the engine and the weights, collected".into()),
@@ -247,8 +265,12 @@ impl RemedyDocument {
         let k = BigRational::from_integer(BigInt::from(order));
         let double = &k * &k * BigRational::from_integer(2.into());
         for mass in self.turning_masses.iter().filter(|mass| (mass.order, mass.sense) == (order, sense)) {
-            let weight = &double * &mass.mass_radius * arm(&mass.position);
-            sums.entry(Coefficient::One).or_default().push((mass.angle.clone(), weight));
+            let Factor { coefficient, is_zero, sign } = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
+            if is_zero {
+                continue;
+            }
+            let weight = &double * &mass.mass_radius * arm(&mass.position) * sign;
+            sums.entry(coefficient).or_default().push((mass.angle.clone(), weight));
         }
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
             let share = &double * arm(&weight.position);

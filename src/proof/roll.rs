@@ -61,8 +61,8 @@ pub(super) fn of_torque(cylinder: &Cylinder, order: u32) -> Vec<Vector> {
     vec![Vector { angle: phase(&cylinder.throw, &cylinder.bank, order, None), weight }]
 }
 
-/// The terms of a mass that turns.
-pub(super) fn of_turning(mass: &TurningMassClaim) -> Vec<Vector> {
+/// The terms of a mass that turns, whose sign above its coefficient is `factor`.
+pub(super) fn of_turning(mass: &TurningMassClaim, factor: &BigRational) -> Vec<Vector> {
     let square = BigRational::from_integer(BigInt::from(mass.order) * mass.order);
     let sign = match mass.sense {
         Sense::Direct => BigRational::one(),
@@ -70,7 +70,7 @@ pub(super) fn of_turning(mass: &TurningMassClaim) -> Vec<Vector> {
     };
     let term = |axis: &Vector| Vector {
         angle: &sign * (&mass.angle - &axis.angle - quarter(1)),
-        weight: &square * &mass.mass_radius * &axis.weight,
+        weight: &square * &mass.mass_radius * &axis.weight * factor,
     };
     mass.axis.iter().map(term).collect()
 }

@@ -12,12 +12,12 @@ use super::engine::{Cylinder, Masses, Quantity, Sense, TurningMassClaim};
 use super::roll;
 use super::verdict::{Vector, phase};
 
-/// What makes a force: a cylinder, with the sign of its term, or a mass that turns.
+/// What makes a force: a cylinder or a mass that turns, with the sign of its term.
 pub(super) enum Source<'a> {
     Cylinder(&'a Cylinder, BigRational),
     /// The torque on the crank of a cylinder.
     Torque(&'a Cylinder),
-    Turning(&'a TurningMassClaim),
+    Turning(&'a TurningMassClaim, BigRational),
 }
 
 /// The sources of an order whose terms stand before one coefficient.
@@ -69,7 +69,8 @@ impl Document {
         };
         let turning = self.turning_masses.iter().filter(|mass| self.masses.turn() && mass.order == order);
         for mass in turning.filter(|mass| is_there(mass)) {
-            groups.add(Coefficient::One, false, Source::Turning(mass));
+            let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
+            groups.add(factor.coefficient, factor.is_zero, Source::Turning(mass, factor.sign));
         }
         groups.or_empty()
     }
@@ -103,10 +104,10 @@ impl Document {
                 let angle = phase(&cylinder.throw, &cylinder.bank, order, None);
                 (cylinder.name.clone(), vec![Vector { angle, weight }])
             }
-            Source::Turning(mass) if is_roll => (mass.name.clone(), roll::of_turning(mass)),
-            Source::Turning(mass) => {
+            Source::Turning(mass, sign) if is_roll => (mass.name.clone(), roll::of_turning(mass, sign)),
+            Source::Turning(mass, sign) => {
                 let twice_the_square = BigRational::from_integer(BigInt::from(order) * order * 2);
-                let weight = twice_the_square * &mass.mass_radius * lever(&mass.position);
+                let weight = twice_the_square * &mass.mass_radius * lever(&mass.position) * sign;
                 let vector = Vector { angle: mass.angle.clone(), weight };
                 (mass.name.clone(), if Some(mass.sense) == sense { vec![vector] } else { Vec::new() })
             }

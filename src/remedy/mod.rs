@@ -7,6 +7,7 @@
 mod comparable_engine;
 mod corrected;
 mod counterweights;
+mod file;
 mod height;
 mod partial;
 mod shafts;
@@ -20,9 +21,10 @@ use num_traits::ToPrimitive;
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
+pub use file::{FileError, corrected_file};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
-pub use shafts::{Kind, Shaft, shaft, shafts};
+pub use shafts::{Kind, LEAST, Shaft, is_slight, shaft, shafts};
 pub use weight::{Weight, with_counterweights};
 
 use crate::engine::{Engine, throws};
@@ -57,6 +59,8 @@ pub struct Remedy {
     pub crankshaft: Option<Shaft>,
     /// Balancer shafts for all the rest.
     pub shafts: Vec<Shaft>,
+    /// What would take away less than [`LEAST`] of the load, and is left out; the orders and senses keep what they have.
+    pub left_out: Vec<Shaft>,
     /// Heights at which the Lanchester pairs take away the roll moment of their order too.
     pub heights: Vec<PairHeight>,
     /// The sums of the corrected engine.
@@ -79,9 +83,14 @@ impl Remedy {
         Some(bare + masses.sum::<Option<f64>>()?)
     }
 
-    /// Whether every sum of the corrected engine is proved to be zero.
+    /// Whether every sum of the corrected engine is proved to be zero, but for those that are left out.
     pub fn holds(&self) -> bool {
-        self.corrected.iter().all(Corrected::vanishes)
+        self.corrected.iter().all(|sum| sum.vanishes() || self.leaves_out(sum.order, sum.sense))
+    }
+
+    /// Whether what is left of an order and sense is too little for a weight.
+    pub fn leaves_out(&self, order: u32, sense: Sense) -> bool {
+        self.left_out.iter().any(|shaft| (shaft.order, shaft.sense) == (order, sense))
     }
 }
 
@@ -168,10 +177,22 @@ pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, RemedyError> {
         wish.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, wish.planes.is_some()));
     let crankshaft = crankshaft.flatten();
     let shafts = shafts(&subject, &wish.orders, &planes);
+    let (slight, crankshaft): (Vec<Shaft>, Vec<Shaft>) =
+        crankshaft.into_iter().partition(|one| is_slight(&subject, one));
+    let (slighter, shafts): (Vec<Shaft>, Vec<Shaft>) = shafts.into_iter().partition(|one| is_slight(&subject, one));
+    let (crankshaft, left_out) = (crankshaft.into_iter().next(), [slight, slighter].concat());
     let pairs = shafts.iter().filter(|shaft| shaft.lanchester && shaft.sense == Sense::Direct);
     let heights = pairs.filter_map(|shaft| pair_height(engine, shaft.order)).collect();
-    let mut remedy =
-        Remedy { subject, orders: wish.orders.clone(), bays, crankshaft, shafts, heights, corrected: Vec::new() };
+    let mut remedy = Remedy {
+        subject,
+        orders: wish.orders.clone(),
+        bays,
+        crankshaft,
+        shafts,
+        left_out,
+        heights,
+        corrected: Vec::new(),
+    };
     remedy.corrected = corrected(&remedy.subject, &remedy.orders, &remedy.weights());
     Ok(remedy)
 }
@@ -189,7 +210,13 @@ fn on_the_crankshaft(
         moment = moment.plus(&weight.adds().scaled(&weight.position));
     }
     let found = shaft(1, Sense::Direct, &force, &moment, planes)?;
-    let weights = if planes_named { two_planes(1, Sense::Direct, &force, &moment, planes) } else { found.weights };
+    let ends = subject.engine().shaft_ends();
+    let is_beyond =
+        |weight: &Weight| ends.as_ref().is_some_and(|[low, high]| weight.position < *low || weight.position > *high);
+    let weights = match planes_named || found.weights.iter().any(is_beyond) {
+        true => two_planes(1, Sense::Direct, &force, &moment, planes),
+        false => found.weights,
+    };
     Some(Shaft { weights, ..found })
 }
 

@@ -8,7 +8,8 @@ use num_rational::BigRational;
 use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
 use super::weight::Weight;
-use crate::order::OrderSum;
+use crate::numbers;
+use crate::order::{self, MassGroup, OrderSum};
 use crate::proof::Sense;
 
 /// What a shaft takes away.
@@ -75,6 +76,27 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
         shafts.append(&mut pair);
     }
     shafts
+}
+
+/// A shaft whose weights make less than this part of the load is left out.
+pub const LEAST: f64 = 1e-6;
+
+/// Whether the force of each weight of a shaft is below [`LEAST`] of the load: of what pistons, rods, pins and webs make at
+/// order 1, end to end. Where c_k is not known it counts 1.
+pub fn is_slight(subject: &ComparableEngine, shaft: &Shaft) -> bool {
+    let engine = subject.engine();
+    let pistons = engine.cylinders().iter().map(|cylinder| numbers::float(&order::mass_radius(engine, cylinder)));
+    let turning = order::turning_masses(engine).into_iter().filter(|mass| match mass.source.group() {
+        MassGroup::Rotating | MassGroup::Crankshaft => true,
+        MassGroup::Reciprocating | MassGroup::Counterweights | MassGroup::Balancers => false,
+    });
+    let load = pistons.sum::<f64>() + turning.map(|mass| numbers::float(&mass.mass_radius).abs()).sum::<f64>();
+    let square = f64::from(shaft.order) * f64::from(shaft.order);
+    let force = |weight: &Weight| {
+        let bare = || weight.vector.parts().values().map(|sum| numbers::evaluate(sum).norm()).sum();
+        square * weight.decimals(subject).map_or_else(bare, |[size, _]| size)
+    };
+    shaft.weights.iter().all(|weight| force(weight) < LEAST * load)
 }
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {

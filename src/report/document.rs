@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use crate::engine::{self, Engine, Mechanism, Rod};
 use crate::exact::Term;
 use crate::numbers;
-use crate::order::{self, Factor, Masses, Sources};
+use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
     self, Coefficient, CrankClaim, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement,
     ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
@@ -54,10 +54,29 @@ fn turning_masses(engine: &Engine, masses: Masses, with_roll: bool) -> Vec<Turni
         sense: mass.sense,
         position: mass.position.clone(),
         angle: mass.angle.turns().clone(),
-        mass_radius: mass.mass_radius.clone(),
+        mass_radius: shaft_radius(engine, mass),
+        coefficient_of: shaft_rod(engine, mass),
         axis: if with_roll { vectors(&mass.axis) } else { Vec::new() },
     };
     Sources::new(engine, masses).turning().iter().map(claim).collect()
+}
+
+/// The rod whose coefficient a balancer shaft is sized by, as data.
+pub(super) fn shaft_rod(engine: &Engine, mass: &order::TurningMass) -> Option<RodStatement> {
+    balancer(engine, mass).and_then(|shaft| engine.cylinders().get(shaft.coefficient_of?)).map(rod_statement)
+}
+
+/// The mass-radius of what turns, before the coefficient of that rod: the sign of the coefficient is the checker's to find.
+pub(super) fn shaft_radius(engine: &Engine, mass: &order::TurningMass) -> num_rational::BigRational {
+    let sign = balancer(engine, mass).map(|shaft| order::shaft_factor(engine, shaft).1);
+    sign.map_or_else(|| mass.mass_radius.clone(), |sign| &mass.mass_radius * sign)
+}
+
+fn balancer<'a>(engine: &'a Engine, mass: &order::TurningMass) -> Option<&'a engine::Balancer> {
+    match mass.source {
+        Source::Balancer(index) => engine.crankshaft().balancers.get(index),
+        Source::Piston(_) | Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) => None,
+    }
 }
 
 fn cylinder(engine: &Engine, cylinder: &engine::Cylinder, with_roll: bool) -> Cylinder {

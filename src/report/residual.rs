@@ -193,8 +193,8 @@ pub(super) const LEGEND: &str = "0 is proved; any other number is the largest va
                           m r ω² c_k, moments in that times the unit of the positions.";
 
 /// What the torque and the roll moment are counted in, where crankshafts are geared together.
-pub(super) const ROLL_LEGEND: &str = "Torque: that of all crankshafts at the reference one, in m r² ω² t_k. Roll: what the frame feels about the middle of the engine, \
-                               of the forces by their arms in crank radii, in m r² ω² c_k, and of the torques, in m r² ω² t_k; one alone \
+pub(super) const ROLL_LEGEND: &str = "Torque: that of all crankshafts at the reference one, in m r² ω² $t_k$. Roll: what the frame feels about the middle of the engine, \
+                               of the forces by their arms in crank radii, in m r² ω² $c_k$, and of the torques, in m r² ω² $t_k$; one alone \
                                is the amplitude.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.

@@ -8,7 +8,7 @@ use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::exact::Turn;
 use crate::order::{self, Source, TurningMass};
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
 
@@ -88,16 +88,16 @@ pub(super) fn cylinders(engine: &Engine) -> Table {
 
 /// A position along the crankshaft: in millimetres, or in multiples of the spacing.
 pub(super) fn position(engine: &Engine, value: &BigRational) -> Text {
-    Text::label(match engine.length_unit() {
-        LengthUnit::Metre => typeset::number(&(value * BigRational::from_integer(1000.into()))),
-        LengthUnit::Spacing => typeset::number(value),
-    })
+    match engine.length_unit() {
+        LengthUnit::Metre => Piece::Exactly(value * BigRational::from_integer(1000.into()), Unit::MILLIMETRE).into(),
+        LengthUnit::Spacing => Text::label(typeset::number(value)),
+    }
 }
 
 /// The same with its unit.
 pub(super) fn place(engine: &Engine, value: &BigRational) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => phrase!("{} mm", position(engine, value)),
+        LengthUnit::Metre => phrase!("{} {}", position(engine, value), Unit::MILLIMETRE),
         LengthUnit::Spacing => position(engine, value),
     }
 }
@@ -105,7 +105,7 @@ pub(super) fn place(engine: &Engine, value: &BigRational) -> Text {
 /// What stands over positions along the crankshaft.
 pub(super) fn position_heading(engine: &Engine) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => "Position z (mm)".into(),
+        LengthUnit::Metre => phrase!("Position z ({})", Unit::MILLIMETRE),
         LengthUnit::Spacing => "Position z".into(),
     }
 }

@@ -30,7 +30,11 @@ pub struct ShortCut {
 
 /// The parameters with flags of their own.
 pub const SHORT_CUTS: [ShortCut; 6] = [
-    ShortCut { flag: "bank-angle", keys: &[("vee", "vee.bank_angle")], instead_of: &[] },
+    ShortCut {
+        flag: "bank-angle",
+        keys: &[("vee", "vee.bank_angle"), ("vr", "vr.bank_angle"), ("w", "w.bank_angle")],
+        instead_of: &[],
+    },
     ShortCut { flag: "pin-split", keys: &[("vee", "vee.pin_split")], instead_of: &[] },
     ShortCut {
         flag: "spacing",
@@ -40,12 +44,26 @@ pub const SHORT_CUTS: [ShortCut; 6] = [
             ("flat", "flat.spacing"),
             ("boxer", "boxer.spacing"),
             ("fan", "fan.spacing"),
+            ("vr", "vr.spacing"),
+            ("w", "w.spacing"),
             ("radial", "radial.row_spacing"),
         ],
-        instead_of: &["inline.positions", "vee.positions", "flat.positions", "boxer.positions", "fan.positions"],
+        instead_of: &[
+            "inline.positions",
+            "vee.positions",
+            "flat.positions",
+            "boxer.positions",
+            "fan.positions",
+            "vr.positions",
+            "w.positions",
+        ],
     },
     ShortCut { flag: "rod-ratio", keys: &[("*", "mechanism.rod_ratio")], instead_of: &["mechanism.rod_length"] },
-    ShortCut { flag: "balance-factor", keys: &[("*", "crankshaft.balance_factor")], instead_of: &["counterweight"] },
+    ShortCut {
+        flag: "balance-factor",
+        keys: &[("*", "crankshaft.balance_factor")],
+        instead_of: &["counterweight", "crankshaft.counterweights"],
+    },
     ShortCut { flag: "speed", keys: &[("*", "speed")], instead_of: &[] },
 ];
 

@@ -406,6 +406,7 @@ fn mistakes_about_crankshafts_get_a_message_at_their_place() {
         (format!("{two}{}", cylinder("crankshaft = 'c'")), "one of a, b"),
         (cylinder("crankshaft = 'c'"), "no crankshaft is called c"),
         (two.replace("'b'", "'a'") + &cylinder("crankshaft = 'a'"), "a name of its own"),
+        (two.replace("'b'", "'a b'") + &cylinder("crankshaft = 'a'"), "letters or digits"),
         (two.replace("'with'", "'against'") + &cylinder("crankshaft = 'a'"), "the first crankshaft"),
         (two.replace("'with'", "'backwards'") + &cylinder("crankshaft = 'a'"), "against"),
         (two.replace("offset = 4", "offset = '40 mm'") + &cylinder("crankshaft = 'a'"), "crank radius is not known"),

@@ -227,7 +227,9 @@ impl Figure {
     /// The same drawing so many times as large, its letters and lines with it.
     pub fn scaled(mut self, by: f64) -> Figure {
         self.marks.iter_mut().for_each(|mark| mark.scaled(by));
-        Figure { width: by * self.width, height: by * self.height, letters: by * self.letters, marks: self.marks }
+        let in_inches = self.in_inches.map(|figure| Box::new(figure.scaled(by)));
+        let (width, height) = (by * self.width, by * self.height);
+        Figure { width, height, letters: by * self.letters, marks: self.marks, in_inches }
     }
 
     /// The same marks on a page that they fill, with a margin in millimetres.

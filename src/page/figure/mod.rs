@@ -160,12 +160,14 @@ pub struct Figure {
     pub letters: f64,
     /// What is drawn, in order.
     pub marks: Vec<Mark>,
+    /// The same with its values in inches and pounds, where it has any in units.
+    pub in_inches: Option<Box<Figure>>,
 }
 
 impl Figure {
     /// An empty drawing.
     pub fn new(width: f64, height: f64) -> Self {
-        Figure { width, height, letters: LETTERS, marks: Vec::new() }
+        Figure { width, height, letters: LETTERS, marks: Vec::new(), in_inches: None }
     }
 
     /// The same drawing with letters of this size in millimetres.

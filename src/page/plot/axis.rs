@@ -1,5 +1,8 @@
 //! Which values does an axis cover, and at which of them does it have ticks?
 
+use num_traits::ToPrimitive;
+
+use super::super::Unit;
 use super::number::{labels, ten_to};
 
 /// How lengths on the page follow values.
@@ -14,8 +17,10 @@ pub enum Scale {
 /// An axis as it is asked for.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// What is measured, in which unit: plain text.
+    /// What is measured, in which unit: plain text, with a place `{}` for the unit where one is named.
     pub label: String,
+    /// What the values are counted in.
+    pub unit: Option<Unit>,
     /// Linear or logarithmic.
     pub scale: Scale,
     /// First and last value; from the data, rounded to ticks, where none or no usable one is given.
@@ -61,7 +66,7 @@ const MANY_DECADES: i32 = 3;
 impl Axis {
     /// A linear axis that covers the data.
     pub fn linear(label: impl Into<String>) -> Self {
-        Axis { label: label.into(), scale: Scale::Linear, range: None, ticks: None, from_zero: false }
+        Axis { label: label.into(), unit: None, scale: Scale::Linear, range: None, ticks: None, from_zero: false }
     }
 
     /// A linear axis that covers zero and the data.
@@ -89,6 +94,25 @@ impl Axis {
             Some(step) if high - low >= 4.0 => Axis::angle(label, low, high, step),
             _ => Axis::linear(label).within(low, high),
         }
+    }
+
+    /// The same axis with values in this unit, whose name takes the place `{}` of the label.
+    pub fn counted_in(self, unit: Unit) -> Self {
+        Axis { unit: Some(unit), ..self }
+    }
+
+    /// What stands at it.
+    pub(super) fn words(&self) -> String {
+        self.unit.map_or_else(|| self.label.clone(), |unit| self.label.replacen("{}", unit.name, 1))
+    }
+
+    /// How many units stand for one where inches are asked for, with the axis over them; none where they stay.
+    pub(super) fn in_inches(&self) -> Option<(f64, Axis)> {
+        let (inch, size) = self.unit?.inch()?;
+        let factor = size.recip().to_f64()?;
+        let range = self.range.map(|(low, high)| (low * factor, high * factor));
+        let ticks = self.ticks.as_ref().map(|ticks| ticks.iter().map(|tick| tick * factor).collect());
+        Some((factor, Axis { unit: Some(inch), range, ticks, ..self.clone() }))
     }
 
     /// The same axis from one value to another.

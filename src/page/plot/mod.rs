@@ -116,6 +116,27 @@ impl Plot {
     /// The drawing, 112 mm wide and about 70 mm high: curves are named where they run, and in a legend above the frame
     /// where there is no room for that.
     pub fn figure(&self) -> Figure {
+        let in_inches = self.in_inches().map(|plot| Box::new(plot.drawn()));
+        Figure { in_inches, ..self.drawn() }
+    }
+
+    /// The same in inches and pounds; none where neither axis has a unit that changes.
+    fn in_inches(&self) -> Option<Plot> {
+        let (x, y) = (self.x.in_inches(), self.y.in_inches());
+        if x.is_none() && y.is_none() {
+            return None;
+        }
+        let (right, x) = x.unwrap_or_else(|| (1.0, self.x.clone()));
+        let (up, y) = y.unwrap_or_else(|| (1.0, self.y.clone()));
+        let mut plot = Plot { x, y, ..self.clone() };
+        let scale = |at: &mut (f64, f64)| *at = (at.0 * right, at.1 * up);
+        plot.curves.iter_mut().flat_map(|curve| &mut curve.points).for_each(scale);
+        plot.marks.iter_mut().for_each(|mark| scale(&mut mark.at));
+        plot.rules.iter_mut().for_each(|rule| rule.at *= if rule.upright { right } else { up });
+        Some(plot)
+    }
+
+    fn drawn(&self) -> Figure {
         let points = || {
             let of_curves = self.curves.iter().flat_map(|curve| &curve.points).copied();
             of_curves.chain(self.marks.iter().map(|mark| mark.at))
@@ -138,7 +159,7 @@ impl Plot {
         for (curve, run) in self.curves.iter().zip(&lines) {
             draw_pieces(&mut figure, run.clone(), curve, &mut labels);
         }
-        frame.axes(&mut figure, &self.x.label, &self.y.label);
+        frame.axes(&mut figure, &self.x.words(), &self.y.words());
         draw_marks(&mut figure, &self.marks, &frame, &mut labels);
         for (rule, ends) in drawn.iter().filter(|(rule, _)| !rule.label.is_empty()) {
             labels.write(&mut figure, &rule.label, &beside(rule, *ends));

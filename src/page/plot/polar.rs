@@ -1,5 +1,6 @@
 //! Where does a vector point while it turns? The curve of its tip, to equal scales.
 
+use super::super::Unit;
 use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::axis::Axis;
 use super::curve::{Area, Curve, pieces};
@@ -12,8 +13,10 @@ use super::{PointMark, draw_pieces};
 pub struct Polar {
     /// Heading, in plain text.
     pub title: String,
-    /// What the lengths are, in which unit.
+    /// What the lengths are, in which unit: with a place `{}` for the unit where one is named.
     pub label: String,
+    /// What they are counted in.
+    pub unit: Option<Unit>,
     /// Curves through tips `(right, up)`.
     pub curves: Vec<Curve>,
     /// Marked tips.
@@ -33,7 +36,14 @@ impl Polar {
     /// The directions of an end view: 0° upwards, angles anticlockwise.
     pub fn new(title: impl Into<String>, label: impl Into<String>, curves: Vec<Curve>) -> Self {
         let directions = [0, 90, 180, 270].map(|degrees| (f64::from(degrees), format!("{degrees}°")));
-        Polar { title: title.into(), label: label.into(), curves, marks: Vec::new(), directions: directions.into() }
+        Polar {
+            title: title.into(),
+            label: label.into(),
+            unit: None,
+            curves,
+            marks: Vec::new(),
+            directions: directions.into(),
+        }
     }
 
     /// Marks the crank angles 0°, 90°, 180° and 270° along a curve through equal steps of a revolution; those at one place
@@ -56,6 +66,23 @@ impl Polar {
 
     /// The drawing, 110 mm wide and about as high.
     pub fn figure(&self) -> Figure {
+        let axis = Axis { unit: self.unit, ..Axis::linear(self.label.clone()) };
+        let in_inches = axis.in_inches().map(|(factor, axis)| {
+            let mut polar = Polar { unit: axis.unit, ..self.clone() };
+            let scale = |at: &mut (f64, f64)| *at = (at.0 * factor, at.1 * factor);
+            polar.curves.iter_mut().flat_map(|curve| &mut curve.points).for_each(scale);
+            polar.marks.iter_mut().for_each(|mark| scale(&mut mark.at));
+            Box::new(polar.drawn(&axis.words()))
+        });
+        Figure { in_inches, ..self.drawn(&axis.words()) }
+    }
+
+    /// The same with lengths in this unit, whose name takes the place `{}` of the label.
+    pub fn counted_in(self, unit: Unit) -> Self {
+        Polar { unit: Some(unit), ..self }
+    }
+
+    fn drawn(&self, label: &str) -> Figure {
         let keys = Key::all(&self.curves, &self.marks);
         let head = Head::new(&self.title, &keys, WIDTH);
         let below = ROOM + LINE + 1.5;
@@ -103,7 +130,7 @@ impl Polar {
         for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
             labels.name_point(&mut figure, &mark.label, *at);
         }
-        figure.text(Point::new(centre.re, LINE / 2.0 + 1.0), self.label.clone(), Anchor::Middle);
+        figure.text(Point::new(centre.re, LINE / 2.0 + 1.0), label.to_owned(), Anchor::Middle);
         figure
     }
 

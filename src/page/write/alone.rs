@@ -23,7 +23,7 @@ pub enum Alone {
 impl Alone {
     /// The picture as a text.
     pub fn write(self, picture: &Picture, options: &Options) -> String {
-        let picture = &options.symbols.in_picture(&options.language.picture(picture));
+        let picture = &options.symbols.in_picture(&options.language.picture(&picture.counted_in(options.units)));
         match self {
             Alone::Svg => {
                 let drawing = svg(&picture.figure, &plain(&picture.caption, options));

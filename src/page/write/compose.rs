@@ -7,6 +7,7 @@ use super::super::language::has_comma;
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
+use super::super::{Units, block::in_si_units};
 use super::columns::{Cells, Letters};
 use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
 use super::labels::{Caption, Labels, short};
@@ -56,7 +57,10 @@ impl<'a> Composer<'a> {
         }
         let first = document.blocks.iter().position(|block| matches!(block, Block::Heading(..)));
         let (before, rest) = document.blocks.split_at(first.unwrap_or(document.blocks.len()));
-        let before = self.blocks(before);
+        let mut before = self.blocks(before);
+        if self.options.units == Units::Inch && in_si_units(&document.blocks) {
+            before += &self.blocks(&[Block::Note(IN_SI.into())]);
+        }
         let body = self.blocks(rest);
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
         let whole = Whole {
@@ -178,6 +182,7 @@ impl<'a> Composer<'a> {
         }
         let mut drawn = Vec::new();
         for picture in pictures {
+            let picture = &picture.counted_in(self.options.units);
             let renamed = self.options.symbols.in_picture(&self.options.language.picture(picture));
             let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
             // A picture that stands twice is one file.
@@ -251,10 +256,17 @@ impl<'a> Composer<'a> {
                 None => self.numbers(&bearing.degrees()),
             },
             Piece::Quantity(value, unit) => {
-                let (value, unit) = unit.at_sight(*value);
+                let (value, unit) = self.options.units.of(*value, *unit);
+                let (value, unit) = unit.at_sight(value);
                 let set = self.options.siunitx.then(|| writer.quantity(value, unit)).flatten();
                 set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(value), number::behind(unit))))
             }
+            Piece::Measured(value, unit, set) => self.numbers(&set(self.options.units.of(*value, *unit).0)),
+            Piece::Exactly(value, unit) => self.numbers(&match self.options.units {
+                Units::Si => number::number(value),
+                Units::Inch => number::in_decimals(&Units::Inch.of_exact(value, *unit).0),
+            }),
+            Piece::Unit(unit) => self.words(&language.label(self.options.units.of(0.0, *unit).1.name)),
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
@@ -290,6 +302,8 @@ impl<'a> Composer<'a> {
     }
 }
 
+/// What is said where formulas have numbers in them that are not converted.
+const IN_SI: &str = "Formulas with numbers put in are reckoned, and stay, in SI units.";
 /// Between values in English.
 const COMMA: &str = ", ";
 

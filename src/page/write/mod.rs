@@ -17,7 +17,7 @@ mod typst;
 use super::block::{Document, Picture};
 use super::symbols::Symbols;
 use super::text::Text;
-use super::{Language, Unit};
+use super::{Language, Unit, Units};
 pub use alone::Alone;
 use compose::Composer;
 pub(crate) use templates::say;
@@ -93,6 +93,8 @@ pub struct Options {
     pub siunitx: bool,
     /// The language.
     pub language: Language,
+    /// The units that quantities are shown in.
+    pub units: Units,
 }
 
 impl Options {

@@ -2,7 +2,7 @@
 
 use super::super::calculation::Unit;
 use crate::loads::{BearingLoads, Peak};
-use crate::page::{Number, Text, number, phrase};
+use crate::page::{Text, number, phrase};
 
 pub(super) use super::super::calculation::{largest, vector};
 
@@ -13,7 +13,7 @@ pub(super) fn unit_of(loads: &BearingLoads) -> Unit {
 
 /// The size of a peak: a decimal, or 0.
 pub(super) fn size(peak: &Peak, unit: Unit) -> Text {
-    if peak.value == 0.0 { Text::zero() } else { Number::Decimal(peak.value * unit.factor).into() }
+    if peak.value == 0.0 { Text::zero() } else { Text::measured(peak.value * unit.factor, unit.shown()) }
 }
 
 /// The crank angle of a peak.

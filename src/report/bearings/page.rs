@@ -1,6 +1,6 @@
 //! What stands on the page of the main bearings, and on the terminal?
 
-use super::super::calculation::{digits, percent};
+use super::super::calculation::{in_digits, percent};
 use super::{amounts, plots, tables};
 use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
@@ -13,8 +13,8 @@ pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
     let peak = loads.worst.first().map(|index| &loads.bearings[*index].peak)?;
     let size = amounts::size(peak, unit);
     Some(match numbers.as_slice() {
-        [only] => phrase!("bearing {} with {} {}", only.clone(), size, unit.name),
-        several => phrase!("bearings {} with {} {}", several.join(", "), size, unit.name),
+        [only] => phrase!("bearing {} with {} {}", only.clone(), size, unit.label()),
+        several => phrase!("bearings {} with {} {}", several.join(", "), size, unit.label()),
     })
 }
 
@@ -46,7 +46,7 @@ pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> Text {
         [only] => phrase!("bearing {} is the worst", only.clone()),
         several => phrase!("bearings {} are the worst", several.join(", ")),
     };
-    phrase!("The peaks of the bearings in {} are, in order, {}: {}.", unit.name, peaks, worst)
+    phrase!("The peaks of the bearings in {} are, in order, {}: {}.", unit.label(), peaks, worst)
 }
 
 pub(in crate::report) const ASSUMPTIONS: [&str; 4] = [
@@ -85,8 +85,8 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
         }
         None => phrase!(
             "The orders that are not shown add at most {} {} to the load of any bearing.",
-            digits((bound.most * unit.factor).next_up()),
-            unit.name
+            in_digits((bound.most * unit.factor).next_up(), unit),
+            unit.label()
         ),
     })
 }

@@ -30,7 +30,7 @@ fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
         number
     );
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear(format!("Force in {}", unit.name)));
+    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in {}").counted_in(unit.shown()));
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         let point = |(step, tip): (usize, &(f64, f64))| (step as f64 * 360.0 / STEPS as f64, value(tip));
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
@@ -45,8 +45,9 @@ fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit
          mark crank angles, the dot the largest force.",
         number
     );
-    let label = format!("Force in {}; 0° is the reference direction", unit.name);
-    let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())]);
+    let label = "Force in {}; 0° is the reference direction";
+    let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())])
+        .counted_in(unit.shown());
     polar.mark_quarters(&tips, STEPS);
     let tip = bearing.peak.vector * unit.factor;
     if let Some(angle) = bearing.peak.angle {

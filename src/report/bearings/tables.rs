@@ -19,11 +19,11 @@ pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, deter
     let mut rows = Table::new([
         "Bearing".into(),
         table::position_heading(engine),
-        phrase!("Peak of R in {}", unit.name),
+        phrase!("Peak of R in {}", unit.label()),
         "at θ".into(),
-        phrase!("Peak of y in {}", unit.name),
-        phrase!("Peak of x in {}", unit.name),
-        phrase!("Determinate R in {}", unit.name),
+        phrase!("Peak of y in {}", unit.label()),
+        phrase!("Peak of x in {}", unit.label()),
+        phrase!("Determinate R in {}", unit.label()),
     ]);
     let marked = |loads: &BearingLoads, index: usize| {
         let size = amounts::size(&loads.bearings[index].peak, unit);
@@ -47,7 +47,7 @@ pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, deter
 pub(in crate::report) fn orders(loads: &BearingLoads) -> Table {
     let unit = amounts::unit_of(loads);
     let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
-    let heading = |order: u32| phrase!("Order {} in {}", order, unit.name);
+    let heading = |order: u32| phrase!("Order {} in {}", order, unit.label());
     let mut table = Table::new([Text::from("Bearing")].into_iter().chain(orders.iter().map(|o| heading(o.order))));
     for (index, bearing) in loads.bearings.iter().enumerate() {
         let cells = bearing.orders.iter().map(|order| amounts::largest(&order.swing, unit));
@@ -63,9 +63,9 @@ pub(super) fn vectors(loads: &BearingLoads) -> Table {
         "Order".into(),
         "Bearing".into(),
         "Direct, exact".into(),
-        phrase!("Direct in {}", unit.name),
+        phrase!("Direct in {}", unit.label()),
         "Reverse, exact".into(),
-        phrase!("Reverse in {}", unit.name),
+        phrase!("Reverse in {}", unit.label()),
     ]);
     let count = loads.bearings.first().map_or(0, |bearing| bearing.orders.len());
     let row = |place: usize, (index, bearing): (usize, &BearingLoad)| {
@@ -151,10 +151,10 @@ pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
     let unit = Unit::of_force(pins.scale.as_ref());
     let mut rows = Table::new([
         "Cylinder".into(),
-        phrase!("Largest load in {}", unit.name),
+        phrase!("Largest load in {}", unit.label()),
         "at θ".into(),
-        phrase!("Along the throw in {}", unit.name),
-        phrase!("Across it in {}", unit.name),
+        phrase!("Along the throw in {}", unit.label()),
+        phrase!("Across it in {}", unit.label()),
     ]);
     for (cylinder, pin) in engine.cylinders().iter().zip(&pins.pins) {
         rows.push(vec![

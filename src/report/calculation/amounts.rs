@@ -3,7 +3,7 @@
 use crate::engine::Engine;
 use crate::loads::{Arm, Loads, Outcome, Scale, Swing, Vector};
 use crate::numbers;
-use crate::page::{Number, Text, number as typeset, phrase};
+use crate::page::{Piece, Text, number as typeset, phrase};
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
@@ -21,6 +21,11 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
+    /// Its name on a page, in the units of the reader.
+    pub fn label(self) -> Text {
+        self.shown().into()
+    }
+
     /// As a page shows it.
     pub fn shown(self) -> crate::page::Unit {
         crate::page::Unit { name: self.name, tex: self.tex }
@@ -62,12 +67,17 @@ pub(crate) fn digits(value: f64) -> String {
     super::expression::figures(value, DIGITS, power).replace('-', "−")
 }
 
+/// A value of six digits, whose unit stands beside it.
+pub(crate) fn in_digits(value: f64, unit: Unit) -> Text {
+    Piece::Measured(value, unit.shown(), digits).into()
+}
+
 /// A value in its unit, which the heading of the column names.
 pub(crate) fn amount(value: f64, unit: Unit) -> Text {
     match unit.factor == 0.0 {
         // At rest, and without masses, every force is exactly zero.
         true => Text::zero(),
-        false => Number::Decimal(value * unit.factor).into(),
+        false => Text::measured(value * unit.factor, unit.shown()),
     }
 }
 
@@ -100,7 +110,7 @@ fn bounded(vectors: &[&Vector], unit: Unit) -> Text {
 pub(super) fn undecided(below: f64, unit: Unit) -> Text {
     match unit.factor == 0.0 {
         true => Text::zero(),
-        false => phrase!("not decided, below {}", digits((below * unit.factor).next_up())),
+        false => phrase!("not decided, below {}", in_digits((below * unit.factor).next_up(), unit)),
     }
 }
 

@@ -28,6 +28,8 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
         Measure::ReciprocatingMass => ("reciprocating mass per cylinder", "m", "kg"),
         Measure::PistonMass => ("piston with rings", "m_{\\mathrm{P}}", "kg"),
         Measure::PinMass => ("piston pin", "m_{\\mathrm{B}}", "kg"),
+        Measure::PistonRodMass => ("piston rod", "m_{\\mathrm{S}}", "kg"),
+        Measure::CrossheadMass => ("crosshead", "m_{\\mathrm{K}}", "kg"),
         Measure::RodMass => ("rod", "m_{\\mathrm{R}}", "kg"),
         Measure::RodCentre => ("centre of gravity of the rod from its big end", "x_{\\mathrm{G}}", "m"),
         Measure::RotatingMass => ("rotating mass at the crankpin, per cylinder", "m_{\\mathrm{rot}}", "kg"),
@@ -88,7 +90,13 @@ pub(super) fn turning(engine: &Engine) -> Table {
             Sense::Direct => Text::from(shaft.order),
             Sense::Reverse => Text::label(format!("−{}", shaft.order)),
         };
-        let product = phrase!("{} kg·m", number(&shaft.mass_radius));
+        let product = match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
+            Some(cylinder) => {
+                let symbol = Text::formula(format!("c_{{{}}}", shaft.order));
+                phrase!("{} kg·m × {} of cylinder {}", number(&shaft.mass_radius), symbol, cylinder.name.clone())
+            }
+            None => phrase!("{} kg·m", number(&shaft.mass_radius)),
+        };
         row("balancer shaft".into(), product, "–".into(), &shaft.angle, &shaft.position, speed);
     }
     table
@@ -158,7 +166,7 @@ fn masses(
 ) -> Vec<Line> {
     let Some(piston) = of(Measure::PistonMass) else { return Vec::new() };
     let mut terms = vec![piston];
-    terms.extend(of(Measure::PinMass));
+    terms.extend([Measure::PinMass, Measure::PistonRodMass, Measure::CrossheadMass].into_iter().filter_map(of));
     let mut lines = Vec::new();
     if let (Some(rod), Some(centre), Some(length)) =
         (of(Measure::RodMass), of(Measure::RodCentre), of(Measure::RodLength))

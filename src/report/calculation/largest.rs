@@ -1,6 +1,6 @@
 //! How are the largest values said, with how sure they are, and what the orders shown leave out?
 
-use super::amounts::{Unit, digits};
+use super::amounts::{Unit, digits, in_digits};
 use super::summary;
 use crate::accuracy::{Largest, LargestLoads};
 use crate::engine::Engine;
@@ -57,25 +57,29 @@ fn value(largest: &Largest, unit: Unit) -> Text {
         Largest::Zero => "0, at every order, proved".into(),
         _ if unit.factor == 0.0 => Text::zero(),
         Largest::Known { value, angle, error } => {
-            let (size, part) = (digits(value * unit.factor), percent(error / value));
+            let (size, part) = (in_digits(value * unit.factor, unit), percent(error / value));
             match angle {
                 Some(angle) => phrase!(
                     "≈ {} {} at θ ≈ {}°, of the exact motion with all orders, to within {} %",
                     size,
-                    unit.name,
+                    unit.label(),
                     digits(*angle),
                     part
                 ),
                 None => phrase!(
                     "≈ {} {} at every crank angle, of the exact motion with all orders, to within {} %",
                     size,
-                    unit.name,
+                    unit.label(),
                     part
                 ),
             }
         }
         Largest::Below(bound) => {
-            phrase!("below {} {}, and not proved to be 0", digits((bound * unit.factor).next_up()), unit.name)
+            phrase!(
+                "below {} {}, and not proved to be 0",
+                in_digits((bound * unit.factor).next_up(), unit),
+                unit.label()
+            )
         }
     }
 }
@@ -132,7 +136,7 @@ pub(super) fn chosen_lines(
         let unit = Unit::of(engine, loads, quantity);
         Some(match bound.part() {
             Some(part) => phrase!(of_peak, percent(part)),
-            None => phrase!(alone, digits((bound.most * unit.factor).next_up()), unit.name),
+            None => phrase!(alone, in_digits((bound.most * unit.factor).next_up(), unit), unit.label()),
         })
     };
     let bounds = [

@@ -14,7 +14,7 @@ mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, digits, largest, vector};
+pub(super) use amounts::{Unit, in_digits, largest, vector};
 pub use largest::Numbers;
 pub(super) use largest::percent;
 pub use page::loads_page;

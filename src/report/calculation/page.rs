@@ -49,14 +49,15 @@ fn scale(engine: &Engine, loads: &Loads) -> Text {
     let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| Unit::of(engine, loads, quantity));
     match &loads.scale {
         Some(scale) => phrase!(
-            "The values are zero to peak, at {} rpm, where m r ω² is {} N.",
+            "The values are zero to peak, at {} rpm, where m r ω² is {} {}.",
             Number::exact(&scale.speed),
-            amount(1.0, force)
+            amount(1.0, force),
+            force.label()
         ),
         None => phrase!(
             "The values are zero to peak, forces in {}, moments in {}: the layout does not give mass, crank radius and speed together.",
-            force.name,
-            moment.name
+            force.label(),
+            moment.label()
         ),
     }
 }

@@ -27,12 +27,6 @@ struct Drawing<'a> {
     axis: &'static str,
 }
 
-impl Drawing<'_> {
-    fn axis(&self) -> String {
-        self.axis.replacen("{}", self.unit.name, 1)
-    }
-}
-
 /// What stands above a plot, and what its caption begins with.
 type Heading = [&'static str; 2];
 
@@ -111,7 +105,7 @@ fn curves(
     left.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)).then(a.0.cmp(&b.0)));
     let plot = |heading: &str| {
         let angle = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-        Plot::new(heading, angle, Axis::linear(drawing.axis()))
+        Plot::new(heading, angle, Axis::linear(drawing.axis).counted_in(drawing.unit.shown()))
     };
     let mut first = plot(heading);
     if left.len() > 1 {
@@ -194,7 +188,7 @@ fn path(drawing: &Drawing, [heading, caption]: [&'static str; 2]) -> Picture {
     };
     let tips: Vec<(f64, f64)> = (0..=STEPS).map(tip).collect();
     let curve = Curve::new(0, "", tips.clone());
-    let mut polar = Polar::new(heading, drawing.axis(), vec![curve]);
+    let mut polar = Polar::new(heading, drawing.axis, vec![curve]).counted_in(drawing.unit.shown());
     polar.mark_quarters(&tips, STEPS);
     Picture { name: format!("{}-path", drawing.name), caption: caption.into(), figure: polar.figure() }
 }

@@ -1,7 +1,7 @@
 //! What does `loads` show on a terminal? The largest values, a row per order, and the peaks.
 
 use super::super::residual;
-use super::amounts::{self, Unit, amount, digits};
+use super::amounts::{self, Unit, amount, digits, in_digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed, OrderLoads, Outcome, Peak, Swing, TorqueOrder};
@@ -21,8 +21,8 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     let [force, moment, torque] =
         [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(engine, loads, quantity));
     let mut header: Vec<Text> =
-        vec!["Order".into(), phrase!("Force in {}", force.name), phrase!("Moment in {}", moment.name)];
-    header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.name)));
+        vec!["Order".into(), phrase!("Force in {}", force.label()), phrase!("Moment in {}", moment.label())];
+    header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
     let mut table = Table::new(header);
     let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
     all.extend(loads.torque.iter().flat_map(|torque| torque.orders.iter().map(|order| order.order)));
@@ -81,7 +81,9 @@ fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Tex
 pub(super) fn peak(peak: &Peak, unit: Unit) -> Text {
     match peak.angle {
         _ if peak.value == 0.0 || unit.factor == 0.0 => Text::zero(),
-        Some(angle) => phrase!("≈ {} {} at θ ≈ {}°", digits(peak.value * unit.factor), unit.name, digits(angle)),
-        None => phrase!("≈ {} {} at every crank angle", digits(peak.value * unit.factor), unit.name),
+        Some(angle) => {
+            phrase!("≈ {} {} at θ ≈ {}°", in_digits(peak.value * unit.factor, unit), unit.label(), digits(angle))
+        }
+        None => phrase!("≈ {} {} at every crank angle", in_digits(peak.value * unit.factor, unit), unit.label()),
     }
 }

@@ -23,7 +23,9 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
             let (peak, unit) = &peaks[place];
             match loads.map(|loads| [&loads.force, &loads.moment][place]) {
                 Some(waveform) if peak.value == 0.0 || waveform.harmonics().is_empty() => Text::zero(),
-                Some(waveform) => phrase!("{} {}", Number::Decimal(share(waveform, peak) * unit.factor), unit.name),
+                Some(waveform) => {
+                    phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.shown()), unit.label())
+                }
                 None => "–".into(),
             }
         })
@@ -100,13 +102,13 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
     let first = match Arm::of(engine) {
         Arm::Metre => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 m.",
-            force.name,
-            moment.name
+            force.label(),
+            moment.label()
         ),
         Arm::Spacing => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times the spacing a.",
-            force.name,
-            moment.name
+            force.label(),
+            moment.label()
         ),
     };
     first.and(" ").and(
@@ -121,7 +123,7 @@ pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
     let unit = Unit::of(engine, loads, Quantity::Torque);
     let mut table = Table::new([
         "Order".into(),
-        phrase!("Amplitude in {}", unit.name),
+        phrase!("Amplitude in {}", unit.label()),
         "Phase at θ = 0".into(),
         Text::from("In m r² ω²"),
     ]);

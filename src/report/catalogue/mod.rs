@@ -54,9 +54,9 @@ pub(super) fn families(engines: &[(Entry, Engine)]) -> Vec<Family<'_>> {
 fn family(form: Form) -> (&'static str, &'static str) {
     match form {
         Form::Inline => ("stars-in-line", "In line"),
-        Form::Vee => ("stars-v", "V engines"),
+        Form::Vee | Form::Vr => ("stars-v", "V engines"),
         Form::Flat | Form::Boxer => ("stars-boxer", "Boxer engines"),
-        Form::Fan => ("stars-w", "W engines"),
+        Form::Fan | Form::W => ("stars-w", "W engines"),
         Form::Radial => ("stars-radial", "Radial engines"),
         Form::OpposedPiston | Form::U | Form::H | Form::Delta => ("stars-geared", "Engines with several crankshafts"),
         Form::General => ("stars-other", "Other engines"),

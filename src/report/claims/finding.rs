@@ -180,7 +180,7 @@ fn sense(verdict: &Verdict) -> &'static str {
 
 fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
     let unit = if subject.quantity == Quantity::Moment { Unit::NEWTON_METRE } else { Unit::NEWTON };
-    let value = |value: f64| Text::from(Number::Decimal(value)).and(Piece::Label(format!("\u{202f}{}", unit.name)));
+    let value = |value: f64| Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit);
     match subject.order {
         1 => phrase!("That is {}.", value(absolute.whole)),
         _ => phrase!(

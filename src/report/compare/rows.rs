@@ -41,8 +41,12 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
     if all.iter().all(Compared::has_newtons) {
         add("Speed in rpm".into(), &speed);
         for &order in &orders {
-            add(phrase!("Force {} in N", order), &|engine| newtons(engine, order, Quantity::Force));
-            add(phrase!("Moment {} in N·m", order), &|engine| newtons(engine, order, Quantity::Moment));
+            add(phrase!("Force {} in {}", order, page::Unit::NEWTON), &|engine| {
+                newtons(engine, order, Quantity::Force)
+            });
+            add(phrase!("Moment {} in {}", order, page::Unit::NEWTON_METRE), &|engine| {
+                newtons(engine, order, Quantity::Moment)
+            });
         }
     }
     if all.iter().any(|engine| engine.bearings.as_ref().err() != Some(&Missing::Bearings)) {

@@ -21,7 +21,7 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
             phrase!("{} at {}", typeset::short(&term.weight), typeset::degrees(&typeset::signed_degrees(&term.angle)))
         });
         table.push(vec![
-            (&crank.name).into(),
+            crank.name.clone().into(),
             turns(crank.sense).into(),
             if crank.axis.is_empty() { "in the middle".into() } else { Text::joined(axis, " + ") },
             typeset::names(&names).into(),

@@ -8,7 +8,7 @@ use super::super::torque::names;
 use crate::engine::Engine;
 use crate::journal::{Course, CycleBearing, CycleBearings, CycleLoads, SharedPin};
 use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
-use crate::page::{Picture, phrase};
+use crate::page::{Picture, Unit, phrase};
 
 /// Steps of a revolution: a degree each.
 const STEPS: usize = 360;
@@ -47,7 +47,7 @@ pub(super) fn bearings(loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Pic
 fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Picture {
     let last = angles.last().map_or(360.0, |theta| theta.to_degrees().round());
     let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in N"));
+    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in {}").counted_in(Unit::NEWTON));
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         Curve::new(place, name, angles.iter().zip(tips).map(|(theta, tip)| (theta.to_degrees(), value(tip))).collect())
     };
@@ -63,9 +63,9 @@ fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Pictu
 }
 
 fn polar(number: usize, bearing: &CycleBearing, all: Vec<(f64, f64)>, inertia: Vec<(f64, f64)>) -> Picture {
-    let label = "Force in N; 0° is the reference direction";
+    let label = "Force in {}; 0° is the reference direction";
     let curves = vec![Curve::new(0, "with gas", all), Curve::new(1, "without gas", inertia)];
-    let mut polar = Polar::new(format!("Main bearing {number}"), label, curves);
+    let mut polar = Polar::new(format!("Main bearing {number}"), label, curves).counted_in(Unit::NEWTON);
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
     Picture {
         name: format!("bearing-{number}-cycle-polar"),
@@ -87,14 +87,15 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
         let picture = |end: &str, label: &str, tips: Vec<(f64, f64)>| {
             let mut polar =
-                Polar::new(format!("Crankpin of cylinder {name}"), label, vec![Curve::new(0, "", tips.clone())]);
+                Polar::new(format!("Crankpin of cylinder {name}"), label, vec![Curve::new(0, "", tips.clone())])
+                    .counted_in(Unit::NEWTON);
             polar.mark_quarters(&tips, STEPS);
             (format!("pin-{}-{end}", index + 1), polar.figure())
         };
         let seen = path(&|theta| course.pin(index, theta));
         let turning = path(&|theta| course.pin_on_the_crank(index, theta));
-        let (of_engine, from_engine) = picture("engine", "Force in N; 0° is the reference direction", seen);
-        let (of_crank, from_crank) = picture("crank", "Force in N; 0° is outward along the throw", turning);
+        let (of_engine, from_engine) = picture("engine", "Force in {}; 0° is the reference direction", seen);
+        let (of_crank, from_crank) = picture("crank", "Force in {}; 0° is outward along the throw", turning);
         [
             Picture {
                 name: of_engine,

@@ -4,12 +4,12 @@ use super::super::table;
 use super::super::torque::{angle, names};
 use crate::engine::Engine;
 use crate::journal::{CycleBearings, CycleLoads};
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::{Table, Text, Unit, phrase};
 use crate::torque::Extreme;
 
 /// A force in newtons: 0 where nothing loads.
 fn size(value: f64) -> Text {
-    if value == 0.0 { Text::zero() } else { Number::Decimal(value).into() }
+    if value == 0.0 { Text::zero() } else { Text::measured(value, Unit::NEWTON) }
 }
 
 /// The largest load of every bearing, with and without gas; the worst is marked.
@@ -17,11 +17,11 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
     let mut rows = Table::new([
         "Bearing".into(),
         table::position_heading(engine),
-        "Largest load in N".into(),
+        phrase!("Largest load in {}", Unit::NEWTON),
         "at θ".into(),
-        "Gas in it in N".into(),
-        "Without gas in N".into(),
-        "Determinate in N".into(),
+        phrase!("Gas in it in {}", Unit::NEWTON),
+        phrase!("Without gas in {}", Unit::NEWTON),
+        phrase!("Determinate in {}", Unit::NEWTON),
     ]);
     let marked = |bearings: &CycleBearings, index: usize| {
         let size = size(bearings.bearings[index].peak.value);
@@ -47,7 +47,13 @@ fn name(engine: &Engine, index: usize) -> Text {
 
 /// The largest load of every crankpin, with and without gas.
 pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
-    let header = ["Cylinder", "Load of the crankpin in N", "at θ", "Gas in it in N", "Without gas in N"];
+    let header: [Text; 5] = [
+        "Cylinder".into(),
+        phrase!("Load of the crankpin in {}", Unit::NEWTON),
+        "at θ".into(),
+        phrase!("Gas in it in {}", Unit::NEWTON),
+        phrase!("Without gas in {}", Unit::NEWTON),
+    ];
     let mut rows = Table::new(header);
     for (index, cylinder) in loads.cylinders.iter().enumerate() {
         let peaks = &cylinder.peaks;
@@ -65,13 +71,13 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
 /// The load of every crankpin that rods share, and that of the rod that loads it the most.
 pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
     let mut rows = Table::new([
-        "Crankpin",
-        "Rods of cylinders",
-        "All rods together in N",
-        "at θ",
-        "Gas in it in N",
-        "Without gas in N",
-        "One rod alone in N",
+        Text::from("Crankpin"),
+        Text::from("Rods of cylinders"),
+        phrase!("All rods together in {}", Unit::NEWTON),
+        Text::from("at θ"),
+        phrase!("Gas in it in {}", Unit::NEWTON),
+        phrase!("Without gas in {}", Unit::NEWTON),
+        phrase!("One rod alone in {}", Unit::NEWTON),
     ]);
     for pin in &loads.shared_pins {
         let of_one = pin.largest_of_a_rod(loads);
@@ -92,13 +98,13 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
 /// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston.
 pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
     let mut rows = Table::new([
-        "Cylinder",
-        "Rod pressed with N",
-        "at θ",
-        "pulled with N",
-        "at θ",
-        "Big end pulls with N",
-        "Side force in N",
+        Text::from("Cylinder"),
+        phrase!("Rod pressed with {}", Unit::NEWTON),
+        "at θ".into(),
+        phrase!("pulled with {}", Unit::NEWTON),
+        "at θ".into(),
+        phrase!("Big end pulls with {}", Unit::NEWTON),
+        phrase!("Side force in {}", Unit::NEWTON),
     ]);
     // What never is says nothing of an angle.
     let pair = |one: Extreme| match one.value > 0.0 {
@@ -120,7 +126,7 @@ pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
 
 /// The largest value of each order of each bearing: a row an order, a column a bearing.
 pub(super) fn orders(bearings: &CycleBearings) -> Table {
-    let heads = (1..=bearings.bearings.len()).map(|number| phrase!("Bearing {} in N", number));
+    let heads = (1..=bearings.bearings.len()).map(|number| phrase!("Bearing {} in {}", number, Unit::NEWTON));
     let mut table = Table::new([Text::from("Order κ")].into_iter().chain(heads));
     let row = |name: Text, cells: &mut dyn Iterator<Item = Text>| [name].into_iter().chain(cells).collect();
     let means = bearings.bearings.iter().map(|bearing| &bearing.series.mean);

@@ -82,9 +82,12 @@ fn picture(remedy: &Remedy) -> Option<Picture> {
     let points = |axis: fn(&Ellipse) -> f64| -> Vec<(f64, f64)> {
         curve.iter().map(|(part, ellipse)| (part.to_f64().unwrap_or(f64::NAN), axis(ellipse) * factor)).collect()
     };
-    let unit = if scale.is_some() { "Force in N" } else { "Force in m r ω²" };
+    let force = match scale.is_some() {
+        true => Axis::linear("Force in {}").counted_in(Unit::NEWTON),
+        false => Axis::linear("Force in m r ω²"),
+    };
     let x = Axis::linear("Balanced part f of the reciprocating masses");
-    let mut plot = Plot::new("First-order force", x, Axis::linear(unit));
+    let mut plot = Plot::new("First-order force", x, force);
     plot.curves.push(Curve::new(0, "largest in a revolution", points(|ellipse| ellipse.peak_decimal)));
     plot.curves.push(Curve::new(1, "smallest in a revolution", points(|ellipse| ellipse.least_decimal)));
     let caption = "The largest and the smallest first-order force in a revolution over the part f of the reciprocating masses that counterweights balance. Where both are equal the force turns without changing its size; where the smallest is 0 it swings along a line.";

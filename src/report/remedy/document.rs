@@ -1,14 +1,14 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use super::super::document::{coefficient_claim, rod_statement, vectors};
+use super::super::document::{coefficient_claim, rod_statement, shaft_radius, shaft_rod, vectors};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
 use crate::numbers;
 use crate::order::{self, Factor};
 use crate::proof::{
-    Certificate, Coefficient, CorrectedClaim, Format, Masses, Quantity, RemedyDocument, RodCylinder, Sense,
-    TurningClaim, WeightClaim, WeightPart,
+    Certificate, Coefficient, CorrectedClaim, Format, LeftOutClaim, Masses, Quantity, RemedyDocument, RodCylinder,
+    Sense, TurningClaim, WeightClaim, WeightPart,
 };
 use crate::remedy::{ComparableEngine, Remedy, Weight};
 
@@ -41,6 +41,7 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
     RemedyDocument {
         orders: remedy.orders.clone(),
         weights: remedy.weights().iter().map(weight).collect(),
+        left_out: remedy.left_out.iter().map(|shaft| LeftOutClaim { order: shaft.order, sense: shaft.sense }).collect(),
         sums,
         ..engine_of(subject)
     }
@@ -72,9 +73,10 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
     let masses = order::turning_masses(engine).into_iter().map(|mass| TurningClaim {
         order: mass.order,
         sense: mass.sense,
-        position: mass.position,
+        position: mass.position.clone(),
         angle: mass.angle.turns().clone(),
-        mass_radius: mass.mass_radius,
+        mass_radius: shaft_radius(engine, &mass),
+        coefficient_of: shaft_rod(engine, &mass),
     });
     RemedyDocument {
         format: Format::Remedy,
@@ -86,6 +88,7 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
         cylinders: cylinders.collect(),
         turning_masses: masses.collect(),
         weights: Vec::new(),
+        left_out: Vec::new(),
         sums: Vec::new(),
     }
 }

@@ -17,15 +17,16 @@ const LONGEST_FORM: usize = 24;
 pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     let in_numbers = remedy.subject.scale().is_some();
     let position = match remedy.subject.engine().length_unit() {
-        LengthUnit::Metre => "Position z in mm",
-        LengthUnit::Spacing => "Position z",
+        LengthUnit::Metre => phrase!("Position z in {}", Unit::MILLIMETRE),
+        LengthUnit::Spacing => "Position z".into(),
     };
     let size_of = match in_numbers {
         true => ["Mass × radius", "In multiples"].as_slice(),
         false => ["Mass × radius"].as_slice(),
     };
-    let before = ["Weight", "Turns", position].into_iter();
-    let mut table = Table::new(before.chain(size_of.iter().copied()).chain(["Angle at θ = 0"]));
+    let before = ["Weight".into(), "Turns".into(), position].into_iter();
+    let sizes = size_of.iter().copied().map(Text::from);
+    let mut table = Table::new(before.chain(sizes).chain(["Angle at θ = 0".into()]));
     let mut add = |name: Text, weight: &Weight| {
         let before = [name, turns(weight), position_of(remedy.subject.engine(), weight)].into_iter();
         let sizes = in_numbers.then(|| in_short(remedy, weight)).into_iter().chain([size(remedy, weight)]);
@@ -50,7 +51,9 @@ fn turns(weight: &Weight) -> Text {
 /// Along the crankshaft: in millimetres where the layout gives lengths in units, else in the unit of its positions.
 fn position_of(engine: &Engine, weight: &Weight) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => given(&(&weight.position * BigRational::from_integer(1000.into()))),
+        LengthUnit::Metre => {
+            Piece::Exactly(&weight.position * BigRational::from_integer(1000.into()), Unit::MILLIMETRE).into()
+        }
         LengthUnit::Spacing => given(&weight.position),
     }
 }
@@ -61,7 +64,7 @@ pub(super) fn listed(remedy: &Remedy, weights: &[Weight]) -> Text {
         let size = in_short(remedy, weight);
         let at = position_of(remedy.subject.engine(), weight);
         match remedy.subject.engine().length_unit() {
-            LengthUnit::Metre => phrase!("{} at z = {} mm", size, at),
+            LengthUnit::Metre => phrase!("{} at z = {} {}", size, at, Unit::MILLIMETRE),
             LengthUnit::Spacing => phrase!("{} at z = {}", size, at),
         }
     };

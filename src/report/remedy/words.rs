@@ -32,6 +32,7 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
             None => of_one(remedy, shaft),
         });
     }
+    lines.extend(remedy.left_out.iter().map(left_out));
     lines.push(proof(remedy));
     if !remedy.shafts.is_empty() {
         lines.push(
@@ -40,6 +41,19 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
         );
     }
     lines
+}
+
+/// What is too little for a weight.
+fn left_out(shaft: &Shaft) -> Text {
+    let words = match shaft.sense {
+        Sense::Direct => {
+            "Nothing is proposed for what turns with the crank at order {}: a weight against it would make less than 10⁻⁶ of the load, which is the force of pistons, rods, pins and webs at order 1, end to end."
+        }
+        Sense::Reverse => {
+            "Nothing is proposed for what turns against the crank at order {}: a weight against it would make less than 10⁻⁶ of the load, which is the force of pistons, rods, pins and webs at order 1, end to end."
+        }
+    };
+    phrase!(words, shaft.order)
 }
 
 fn on_the_crankshaft(remedy: &Remedy, shaft: &Shaft) -> Text {
@@ -120,11 +134,19 @@ fn of_one(remedy: &Remedy, shaft: &Shaft) -> Text {
 }
 
 fn proof(remedy: &Remedy) -> Text {
-    let left = remedy.corrected.iter().filter(|sum| !sum.vanishes()).count();
-    if left > 0 {
+    let sums = remedy.corrected.iter().filter(|sum| sum.vanishes()).count();
+    let left = remedy.corrected.len() - sums;
+    if !remedy.holds() {
         return phrase!("{} sums of the corrected engine do not vanish.", left);
     }
-    let sums = remedy.corrected.len();
+    if left > 0 {
+        return phrase!(
+            "Of the sums of force and moment of the corrected engine at the orders {} {} are proved zero, and {} are left below 10⁻⁶ of the load.",
+            orders(remedy),
+            sums,
+            left
+        );
+    }
     match (remedy.weights().is_empty(), remedy.orders.len() == 1) {
         (true, true) => {
             phrase!("Nothing is left of force and moment at order {}: no weight is needed.", orders(remedy))
@@ -202,8 +224,17 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
             None => "none".into(),
         });
         lines.push(phrase!(
-            "Balance factors of the throws, by the counterweights in the layout file: {}.",
+            "Balance factors of the throws, of rotating and half the reciprocating masses, by the counterweights in the layout file: {}.",
             Text::joined(factors, ", ")
+        ));
+        let parts = engine.reciprocating_factors();
+        let parts = parts.iter().map(|part| match part {
+            Some(part) => Text::label(typeset::number(part)),
+            None => "none".into(),
+        });
+        lines.push(phrase!(
+            "By the other convention the same counterweights hold all that rotates in balance, and these parts of the reciprocating masses of each throw: {}.",
+            Text::joined(parts, ", ")
         ));
     }
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::engine::Engine;
 use crate::page::plot::{Axis, Curve, Plot, Rule};
-use crate::page::{Picture, phrase};
+use crate::page::{Picture, Unit, phrase};
 use crate::torque::{Class, EngineTorque};
 
 /// Steps of a revolution.
@@ -24,7 +24,7 @@ pub(super) fn torque(torque: &EngineTorque) -> Picture {
             .collect()
     };
     let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
-    let mut plot = Plot::new("Torque", x, Axis::amplitude("Torque in N·m"));
+    let mut plot = Plot::new("Torque", x, Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
     if torque.has_inertia() {
         plot.curves.push(Curve::new(1, "gas", points(&|theta| course.gas(theta))));
         plot.curves.push(Curve::new(2, "inertia", points(&|theta| course.inertia(theta))));
@@ -55,10 +55,13 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
     let mut over_angle = Plot::new(
         "Pressure over the crank angle",
         Axis::angle("Angle ψ after the firing dead centre in °", -last, last, step),
-        Axis::amplitude("Pressure in bar"),
+        Axis::amplitude("Pressure in {}").counted_in(Unit::BAR),
     );
-    let mut loops =
-        Plot::new("Pressure over the volume", Axis::amplitude("Volume in cm³"), Axis::amplitude("Pressure in bar"));
+    let mut loops = Plot::new(
+        "Pressure over the volume",
+        Axis::amplitude("Volume in {}").counted_in(Unit::CUBIC_CENTIMETRE),
+        Axis::amplitude("Pressure in {}").counted_in(Unit::BAR),
+    );
     for (index, class) in drawn() {
         let bar = |psi: f64| class.gas.pressure(psi) / 1e5;
         let at = (0..=steps).map(angle);

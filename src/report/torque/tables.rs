@@ -18,13 +18,13 @@ const BAR: f64 = 1e5;
 /// What the gas of each class does in a cycle.
 pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
     let mut table = Table::new([
-        "Cylinders",
-        "Peak pressure in bar",
-        "at ψ",
-        "Mean pressure in bar",
-        "Work of a cycle in J",
-        "Heat of a cycle in J",
-        "Mean torque of each in N·m",
+        Text::from("Cylinders"),
+        phrase!("Peak pressure in {}", Unit::BAR),
+        "at ψ".into(),
+        phrase!("Mean pressure in {}", Unit::BAR),
+        phrase!("Work of a cycle in {}", Unit::JOULE),
+        phrase!("Heat of a cycle in {}", Unit::JOULE),
+        phrase!("Mean torque of each in {}", Unit::NEWTON_METRE),
     ]);
     for (index, class) in torque.classes.iter().enumerate() {
         let (peak, at) = class.gas.peak_pressure();
@@ -32,12 +32,16 @@ pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
         let at = (at + half).rem_euclid(class.gas.period()) - half;
         table.push(vec![
             cylinders(engine, torque, index),
-            Number::Decimal(peak / BAR).into(),
+            Text::measured(peak / BAR, Unit::BAR),
             angle(at.to_degrees()),
-            Number::Decimal(class.gas.mean_pressure() / BAR).into(),
-            Number::Decimal(class.gas.work()).into(),
-            class.gas.heat().filter(|heat| *heat > 0.0).map_or_else(|| "–".into(), |heat| Number::Decimal(heat).into()),
-            Number::Decimal(class.harmonics.torque[0].re).into(),
+            Text::measured(class.gas.mean_pressure() / BAR, Unit::BAR),
+            Text::measured(class.gas.work(), Unit::JOULE),
+            class
+                .gas
+                .heat()
+                .filter(|heat| *heat > 0.0)
+                .map_or_else(|| "–".into(), |heat| Text::measured(heat, Unit::JOULE)),
+            Text::measured(class.harmonics.torque[0].re, Unit::NEWTON_METRE),
         ]);
     }
     table
@@ -45,7 +49,7 @@ pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
 
 /// A vector that rotates: 0 where it is proved, else how long it is.
 fn amplitude(order: &TorqueOrder, value: Complex<f64>) -> Text {
-    if order.vanishes { Text::zero() } else { Number::Decimal(value.norm()).into() }
+    if order.vanishes { Text::zero() } else { Text::measured(value.norm(), Unit::NEWTON_METRE) }
 }
 
 /// The firing star of an order, where all cylinders are alike.
@@ -59,9 +63,9 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
     let with_inertia = torque.has_inertia();
     let mut header: Vec<Text> = vec!["Order κ".into()];
     header.extend(one_class.then(|| "Firing star".into()));
-    header.push("Gas in N·m".into());
+    header.push(phrase!("Gas in {}", Unit::NEWTON_METRE));
     if with_inertia {
-        header.extend(["Inertia in N·m".into(), "Together in N·m".into()]);
+        header.extend([phrase!("Inertia in {}", Unit::NEWTON_METRE), phrase!("Together in {}", Unit::NEWTON_METRE)]);
     }
     header.push("Angle at θ = 0".into());
     let mut table = Table::new(header);
@@ -72,7 +76,11 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
         }
         row.push(amplitude(order, order.gas));
         if let Some(inertia) = order.inertia.filter(|_| with_inertia) {
-            row.push(if order.inertia_vanishes { Text::zero() } else { Number::Decimal(inertia.norm()).into() });
+            row.push(if order.inertia_vanishes {
+                Text::zero()
+            } else {
+                Text::measured(inertia.norm(), Unit::NEWTON_METRE)
+            });
             row.push(amplitude(order, order.total()));
         }
         row.push(match order.vanishes {
@@ -112,8 +120,13 @@ pub(super) fn flywheel(evenness: &Evenness) -> Table {
 
 /// The guide-force moments of the orders that have any.
 pub(super) fn guides(moments: &[GuideMoments]) -> Table {
-    let mut table = Table::new(["Order κ", "H, rocking, in N·m", "X, twisting, in N·m"]);
-    let size = |moment: Option<f64>| moment.map_or_else(Text::zero, |moment| Number::Decimal(moment).into());
+    let mut table = Table::new([
+        Text::from("Order κ"),
+        phrase!("H, rocking, in {}", Unit::NEWTON_METRE),
+        phrase!("X, twisting, in {}", Unit::NEWTON_METRE),
+    ]);
+    let size =
+        |moment: Option<f64>| moment.map_or_else(Text::zero, |moment| Text::measured(moment, Unit::NEWTON_METRE));
     for moment in moments.iter().filter(|moment| moment.rocking.is_some() || moment.twisting.is_some()) {
         table.push(vec![Text::label(moment.order.to_string()), size(moment.rocking), size(moment.twisting)]);
     }

@@ -39,7 +39,11 @@ fn offset_words(engine: &Engine) -> Option<String> {
     let amount = |offset: &BigRational| {
         Amount { exact: Some(Form::rational(offset.clone())), decimal: offset.to_f64().unwrap_or(f64::NAN) }.plain()
     };
-    let mut offsets: Vec<String> = engine.rods().map(|rod| amount(&rod.offset)).collect();
-    offsets.dedup();
+    let mut offsets: Vec<String> = Vec::new();
+    for offset in engine.rods().map(|rod| amount(&rod.offset)) {
+        if !offsets.contains(&offset) {
+            offsets.push(offset);
+        }
+    }
     (engine.has_offset() && offsets.len() <= MOST_LABELS).then(|| format!("Offset e/l {}", offsets.join(", ")))
 }

@@ -6,7 +6,7 @@ use super::MOST_LABELS;
 use super::below::write_below;
 use super::crop::cropped;
 use super::linkage::{Linkage, Linkages, linkages};
-use super::names::{name_banks, name_pins, name_pistons};
+use super::names::{name_banks, name_offsets, name_pins, name_pistons};
 use crate::engine::Engine;
 use crate::proof::Sense;
 
@@ -53,6 +53,7 @@ fn of_crankshaft(linkages: &[Linkage], sense: Sense, heads: bool, has_labels: bo
         if heads {
             name_banks(&mut figure, &mut labels, linkages, half);
         }
+        name_offsets(&mut figure, &mut labels, linkages);
     }
     figure
 }

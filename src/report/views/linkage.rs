@@ -3,10 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::super::figure::Point;
 use super::super::star::towards;
+use super::super::typeset;
 use crate::engine::{Cylinder, Engine, Form, GearedCrank, Mechanism};
 use crate::exact::Turn;
 use crate::proof::Sense;
@@ -35,6 +36,9 @@ pub(super) struct Linkage<'a> {
     pub stroke: (f64, f64),
     /// Of a radial with several rows: which, from the free end.
     pub row: usize,
+    /// How far the axis passes the shaft, in millimetres where the engine gives lengths, else against the rod length; none
+    /// where it meets the shaft.
+    pub dimension: Option<String>,
     /// Which of several crankshafts: all points are seen from its axis.
     pub crank: usize,
 }
@@ -61,6 +65,19 @@ fn rod(cylinder: &Cylinder) -> (f64, f64) {
     (length, rod.offset.to_f64().unwrap_or(0.0) * length)
 }
 
+/// `e = 12.5 mm`, `e/l = 0.08`; its sign says on which side.
+fn dimension(engine: &Engine, cylinder: &Cylinder) -> Option<String> {
+    let rod = cylinder.rod().filter(|rod| !rod.offset.is_zero())?;
+    let thousand = BigRational::from_integer(1000.into());
+    Some(match engine.dimensions().crank_radius.as_ref().filter(|_| !rod.ratio.is_zero()) {
+        Some(unit) => {
+            let offset = &rod.offset * unit * &cylinder.crank_radius / &rod.ratio * thousand;
+            format!("e = {} mm", typeset::short(&offset))
+        }
+        None => format!("e/l = {}", typeset::short(&rod.offset)),
+    })
+}
+
 /// Whether some rod is too long to be drawn.
 pub(super) fn is_shortened(engine: &Engine) -> bool {
     engine.rods().any(|rod| rod.ratio.to_f64().is_none_or(|ratio| ratio * LONGEST_ROD < 1.0))
@@ -70,7 +87,9 @@ pub(super) fn is_shortened(engine: &Engine) -> bool {
 pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
     let positions: BTreeSet<&BigRational> = match engine.form() {
         Form::Radial => engine.cylinders().iter().map(|cylinder| &cylinder.position).collect(),
-        Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::General => BTreeSet::new(),
+        Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::General => {
+            BTreeSet::new()
+        }
         Form::OpposedPiston | Form::U | Form::H | Form::Delta => BTreeSet::new(),
     };
     if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
@@ -118,6 +137,7 @@ pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
             foot,
             stroke: (leg(length - radius, offset), leg(length + radius, offset)),
             row,
+            dimension: dimension(engine, cylinders[0]),
             crank,
         }
     });

@@ -132,3 +132,22 @@ pub(super) fn name_banks(figure: &mut Figure, labels: &mut Labels, linkages: &[L
         write(figure, labels, &signed_angle(bank), head, &places.collect::<Vec<_>>());
     }
 }
+
+/// How far the axes pass the shaft, each at its foot, where there are few.
+pub(super) fn name_offsets(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]) {
+    let mut feet: Vec<(&Linkage, &str)> = Vec::new();
+    for linkage in linkages {
+        let is_new = feet.iter().all(|(other, _)| (other.foot - linkage.foot).norm() > 1e-6);
+        feet.extend(linkage.dimension.as_deref().filter(|_| is_new).map(|dimension| (linkage, dimension)));
+    }
+    for (linkage, dimension) in feet.iter().filter(|_| feet.len() <= MOST_ANGLES) {
+        let out = linkage.foot / linkage.foot.norm();
+        let back = -linkage.along;
+        let ways = |far: f64| {
+            [back + out, back + out * 0.3, out, out - back * 0.5, back - out]
+                .map(|way| beside(linkage.foot, way / way.norm(), far))
+        };
+        let places: Vec<Place> = [3.0, 6.0, 9.0, 13.0, 17.0].into_iter().flat_map(ways).collect();
+        write(figure, labels, dimension, linkage.foot, &places);
+    }
+}

@@ -21,8 +21,28 @@ const ANGLES: f64 = -RADIUS - 4.6;
 /// Lines of the legend are not longer than this, or than the crankshaft.
 const LEGEND: f64 = 82.0;
 
-/// The engine from the side, positions to scale: pins at their heights, filled where they stand towards the reader.
+/// Between the views of two crankshafts.
+const APART: f64 = 6.0;
+
+/// The engine from the side, positions to scale: pins at their heights, filled where they stand towards the reader; of several
+/// crankshafts one below the other.
 pub fn side_view(engine: &Engine) -> Figure {
+    if engine.geared_cranks().is_empty() {
+        return of_crankshaft(engine);
+    }
+    let (mut whole, mut top) = (Figure::new(0.0, 0.0), 0.0);
+    for (index, crank) in engine.geared_cranks().iter().enumerate() {
+        let Some(alone) = engine.crankshaft_alone(index) else { continue };
+        let view = of_crankshaft(&alone);
+        whole.heading(Point::new(0.0, top), crank.name.as_str());
+        top -= LINE + view.height;
+        whole.place(view, Point::new(0.0, top));
+        top -= APART;
+    }
+    cropped(whole)
+}
+
+fn of_crankshaft(engine: &Engine) -> Figure {
     let scale = Scale::new(engine);
     let throws = drawn_throws(engine, &scale);
     let (left, right) = ends(&scale, &throws);

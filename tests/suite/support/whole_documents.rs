@@ -31,7 +31,16 @@ pub fn cylinder(name: &str, [throw, bank, position]: [&str; 3], rod: Option<[&st
 
 pub fn turning(name: &str, order: u32, sense: Sense, [position, angle, mass_radius]: [&str; 3]) -> TurningMassClaim {
     let [position, angle, mass_radius] = [position, angle, mass_radius].map(ratio);
-    TurningMassClaim { name: name.to_owned(), order, sense, position, angle, mass_radius, axis: Vec::new() }
+    TurningMassClaim {
+        name: name.to_owned(),
+        order,
+        sense,
+        position,
+        angle,
+        mass_radius,
+        coefficient_of: None,
+        axis: Vec::new(),
+    }
 }
 
 pub fn document(

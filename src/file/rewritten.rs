@@ -1,0 +1,108 @@
+//! How is a layout file written with other weights? The tables of weights, and the text without those that it has.
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use crate::engine::{Balancer, Counterweight, Engine};
+use crate::proof::Sense;
+
+/// A balancer shaft as a table of a layout file; its mass-radius is written in multiples of m r, where `unit` is m r in
+/// kilogram-metres and the file does not give it, else in kilogram-metres.
+pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRational>) -> String {
+    let mass_radius = match unit {
+        Some(unit) => format!("\"{} m r\"", &shaft.mass_radius / unit),
+        None => exact_number(&shaft.mass_radius),
+    };
+    let sense = match shaft.sense {
+        Sense::Direct => "with",
+        Sense::Reverse => "against",
+    };
+    let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
+    let coefficient = cylinder.map(|cylinder| format!("coefficient_of = \"{}\"\n", cylinder.name)).unwrap_or_default();
+    format!(
+        "[[balancer]]\norder = {}\nsense = \"{sense}\"\nmass_radius = {mass_radius}\n{coefficient}angle = {}\nposition = {}\n",
+        shaft.order,
+        exact_number(&shaft.angle.degrees()),
+        exact_number(&shaft.position),
+    )
+}
+
+/// A counterweight in multiples of m r, which is `unit` in kilogram-metres.
+pub fn counterweight_in_multiples(weight: &Counterweight, unit: &BigRational) -> String {
+    format!(
+        "[[counterweight]]\nangle = {}\nmass_radius = \"{} m r\"\nposition = {}\n",
+        exact_number(&weight.angle.degrees()),
+        weight.mass_radius() / unit,
+        exact_number(&weight.position),
+    )
+}
+
+/// Lines of a file that say something to its reader.
+pub fn comment(text: &str) -> String {
+    text.lines().map(|line| format!("# {line}\n")).collect()
+}
+
+/// A counterweight as a table of a layout file, by its own angle.
+pub fn counterweight_table(weight: &Counterweight) -> String {
+    format!(
+        "[[counterweight]]\nangle = {}\nmass = {}\nradius = {}\nposition = {}\n",
+        exact_number(&weight.angle.degrees()),
+        exact_number(&weight.mass),
+        exact_number(&weight.radius),
+        exact_number(&weight.position),
+    )
+}
+
+/// An exact number as a layout file has it: a decimal where it ends, else a fraction in quotes.
+pub fn exact_number(value: &BigRational) -> String {
+    let ten = BigRational::from_integer(10.into());
+    let mut scaled = value.abs();
+    let mut places = 0;
+    while !scaled.is_integer() && places < 12 {
+        scaled *= &ten;
+        places += 1;
+    }
+    if !scaled.is_integer() {
+        return format!("\"{value}\"");
+    }
+    let sign = if value.is_negative() { "-" } else { "" };
+    let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    match (fraction.is_empty() || scaled.is_zero(), whole.len() > 18) {
+        (_, true) => format!("\"{value}\""),
+        (true, _) => format!("{sign}{whole}"),
+        (false, _) => format!("{sign}{whole}.{fraction}"),
+    }
+}
+
+/// The text of a layout file without `[[counterweight]]` tables and the keys of `[crankshaft]` that make counterweights.
+pub fn without_counterweights(text: &str) -> String {
+    const MAKERS: [&str; 4] = ["balance_factor", "counterweights", "counterweight_radius", "web_offset"];
+    let mut kept = Vec::new();
+    let (mut table, mut open) = (String::new(), 0_i32);
+    for line in text.lines() {
+        let bare = line.split('#').next().unwrap_or(line).trim();
+        if open > 0 {
+            // The rest of a list that is left out.
+            open += brackets(bare);
+            continue;
+        }
+        if bare.starts_with('[') {
+            table = bare.to_owned();
+        }
+        let key = bare.split('=').next().unwrap_or_default().trim();
+        let makes = table == "[crankshaft]" && MAKERS.contains(&key.split('.').next().unwrap_or_default().trim());
+        let first = |key: &str| key.split('.').next().unwrap_or_default().trim().to_owned();
+        let dotted = key.strip_prefix("crankshaft.").is_some_and(|key| MAKERS.contains(&first(key).as_str()));
+        if makes || dotted {
+            open = brackets(bare);
+        } else if table != "[[counterweight]]" && table != "[crankshaft.counterweights]" {
+            kept.push(line);
+        }
+    }
+    kept.join("\n")
+}
+
+fn brackets(text: &str) -> i32 {
+    text.chars().map(|letter| i32::from(letter == '[') - i32::from(letter == ']')).sum()
+}

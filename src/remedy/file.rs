@@ -1,0 +1,182 @@
+//! How is the layout file of the corrected engine written? The file as it stands, the weights of the remedy behind it, exact.
+//!
+//! A weight is a sum of vectors at rational angles, each before 1 or a coefficient c_k of some piston: each is a table of its own,
+//! a counterweight where it turns with the crank and is a plain number, else a balancer shaft. What is written is read back and
+//! judged anew, so that it is the engine that was promised.
+
+use std::fmt;
+
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::{Corrected, Remedy, Shaft, Weight};
+use crate::engine::{Balancer, Counterweight, Engine};
+use crate::exact::Term;
+use crate::file::{
+    Beside, LayoutError, balancer_table, comment, counterweight_in_multiples, counterweight_table, parse_beside,
+    without_counterweights,
+};
+use crate::order::{self, Factor};
+use crate::proof::Sense;
+
+/// Why no file can be written.
+#[derive(Clone, Debug)]
+pub enum FileError {
+    /// The engine was not read from a layout file.
+    NoFile,
+    /// The file with the weights behind it is not read.
+    Layout(Box<LayoutError>),
+    /// It is read as an engine that is not the corrected one.
+    AnotherEngine,
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const RIGHT: &str =
+            "write [crankshaft], [[counterweight]] and [[balancer]] as tables of their own, one key per line";
+        match self {
+            FileError::NoFile => {
+                f.write_str("the engine was not read from a layout file, to which weights could be added")
+            }
+            FileError::Layout(error) => {
+                write!(f, "the layout file does not take the weights of the remedy; {RIGHT}: {error}")
+            }
+            FileError::AnotherEngine => write!(f, "the layout file does not take the weights of the remedy; {RIGHT}"),
+        }
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// The layout file of the engine with the counterweights and balancer shafts of the remedy; `name` is what messages call it.
+///
+/// # Errors
+/// Why the file cannot be written.
+pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result<String, FileError> {
+    let engine = remedy.subject.engine();
+    let source = engine.file().written();
+    if source.trim().is_empty() {
+        return Err(FileError::NoFile);
+    }
+    let text = with_tables(remedy, source);
+    let read = parse_beside(name, &text, beside).map_err(|error| FileError::Layout(Box::new(error)))?;
+    match is_meant(remedy, &read) {
+        true => Ok(text),
+        false => Err(FileError::AnotherEngine),
+    }
+}
+
+/// Whether it is the corrected engine: the same but for the weights, and each sum is zero that was proved to be.
+fn is_meant(remedy: &Remedy, read: &Engine) -> bool {
+    let engine = remedy.subject.engine();
+    let same = read.cylinders() == engine.cylinders()
+        && read.dimensions() == engine.dimensions()
+        && read.reference_plane() == engine.reference_plane()
+        && read.bearings() == engine.bearings();
+    let sum = |judged: &Corrected| {
+        let whole = order::all_masses(read, judged.quantity, judged.order, judged.sense);
+        whole.parts().contains_key(&judged.factor) != judged.vanishes()
+    };
+    same && remedy.corrected.iter().all(sum)
+}
+
+fn with_tables(remedy: &Remedy, source: &str) -> String {
+    let engine = remedy.subject.engine();
+    // Counterweights that a balance factor makes stand beside no others: they are listed.
+    let (mut text, listed) = match engine.crankshaft().balance_factors.is_empty() {
+        true => (source.trim_end().to_owned() + "\n", &[][..]),
+        false => (without_counterweights(source).trim_end().to_owned() + "\n", &engine.crankshaft().counterweights[..]),
+    };
+    if !listed.is_empty() {
+        text += &format!("\n{}", comment("The counterweights that the balance factor of the file makes."));
+        text.extend(listed.iter().map(|weight| counterweight_of_throw(engine, weight)));
+    }
+    let orders = remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let head = format!(
+        "What takes away force and moment of these orders: {orders}. Tables at one position are parts of one weight."
+    );
+    if !remedy.weights().is_empty() {
+        text += &format!("\n{}", comment(&head));
+    }
+    let bays = remedy.bays.iter().flat_map(|weight| tables(remedy, weight));
+    text.extend(bays);
+    for shaft in remedy.crankshaft.iter().chain(&remedy.shafts) {
+        text += &format!("\n{}", comment(&heading(shaft)));
+        text.extend(shaft.weights.iter().flat_map(|weight| tables(remedy, weight)));
+    }
+    text
+}
+
+fn heading(shaft: &Shaft) -> String {
+    match (shaft.order, shaft.sense) {
+        (1, Sense::Direct) => "On the crankshaft.".to_owned(),
+        (order, Sense::Direct) => format!("A shaft at {order} times crank speed, with the crank."),
+        (order, Sense::Reverse) => format!("A shaft at {order} times crank speed, against the crank."),
+    }
+}
+
+/// One that a balance factor made, with the throw that it belongs to.
+fn counterweight_of_throw(engine: &Engine, weight: &Counterweight) -> String {
+    let throws = crate::engine::throws(engine);
+    let Some((index, throw)) = weight.throw.and_then(|index| Some((index, throws.get(index)?))) else {
+        return counterweight_table(weight);
+    };
+    let turned = Counterweight { angle: &weight.angle - &throw.angle, ..weight.clone() };
+    counterweight_table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
+}
+
+/// A table for each vector of a weight.
+fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
+    let engine = remedy.subject.engine();
+    let (radius, unit) = (engine.unit_radius(), engine.unit_mass() * engine.unit_radius());
+    let is_known = remedy.subject.scale().is_some();
+    let table = |(factor, term): (&Factor, &Term)| {
+        let (coefficient_of, sign) = coefficient(engine, factor, weight.order);
+        let size = &term.weight * &unit * sign;
+        let angle = if size.is_negative() { term.angle.opposite() } else { term.angle.clone() };
+        let size = size.abs();
+        if (weight.order, weight.sense, coefficient_of) == (1, Sense::Direct, None) {
+            let mass = &size / &radius;
+            let weight = Counterweight {
+                throw: None,
+                angle,
+                mass,
+                radius: radius.clone(),
+                position: weight.position.clone(),
+                crank: 0,
+            };
+            return match is_known {
+                true => counterweight_table(&weight),
+                false => counterweight_in_multiples(&weight, &unit),
+            };
+        }
+        let shaft = Balancer {
+            order: weight.order,
+            sense: weight.sense,
+            mass_radius: size,
+            coefficient_of,
+            angle,
+            position: weight.position.clone(),
+            height: BigRational::default(),
+            offset: BigRational::default(),
+        };
+        balancer_table(engine, &shaft, (!is_known).then_some(&unit))
+    };
+    let parts = weight.vector.parts().iter();
+    parts.flat_map(|(factor, sum)| sum.terms().iter().map(move |term| (factor, term))).map(table).collect()
+}
+
+/// The cylinder whose coefficient a factor is, and the sign between the two; none for 1.
+fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
+    let one = BigRational::from_integer(1.into());
+    match factor {
+        Factor::One => (None, one),
+        Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
+            let cylinders = engine.cylinders().iter().enumerate();
+            let found =
+                cylinders.map(|(index, cylinder)| (index, Factor::of_force(cylinder.mechanism.as_ref(), order)));
+            let found = found.into_iter().find(|(_, (own, _))| own == factor);
+            found.map_or((None, one), |(index, (_, sign))| (Some(index), sign))
+        }
+    }
+}
