@@ -1,6 +1,7 @@
 //! The forces of all pistons on their exact paths, added up at each moment of a revolution: no star, no coefficient.
 
 use std::f64::consts::TAU;
+use std::ops::{Add, Mul, Sub};
 
 use num_complex::Complex;
 use num_traits::ToPrimitive;
@@ -39,15 +40,16 @@ fn vector(engine: &Engine, order: f64, with_arm: bool) -> Complex<f64> {
         let forces = engine.cylinders().iter().map(|cylinder| {
             let arm = if with_arm { cylinder.position.to_f64().expect("a position") } else { 1.0 };
             let bank = TAU * cylinder.bank.turns().to_f64().expect("an angle");
-            Complex::from_polar(1.0, bank) * (arm * force(cylinder, theta))
+            let mass = cylinder.reciprocating_mass.to_f64().expect("a mass");
+            Complex::from_polar(1.0, bank) * (-arm * mass * path(cylinder, theta).0[2])
         });
         forces.sum::<Complex<f64>>() * Complex::from_polar(1.0, -order * theta)
     };
     steps.map(at).sum::<Complex<f64>>() * (2.0 / STEPS as f64)
 }
 
-/// `−s''` of one piston, times its mass: `s = cos ψ + √(l² − (sin ψ − e)²)`, lengths in crank radii.
-fn force(cylinder: &Cylinder, theta: f64) -> f64 {
+/// Where a piston is, how fast it goes and how fast that changes, over the crank angle; lengths in crank radii.
+fn path(cylinder: &Cylinder, theta: f64) -> Jet {
     let [throw, bank] = [&cylinder.throw, &cylinder.bank].map(|angle| TAU * angle.turns().to_f64().expect("an angle"));
     let (rod, offset) = match cylinder.rod() {
         Some(rod) => {
@@ -56,19 +58,64 @@ fn force(cylinder: &Cylinder, theta: f64) -> f64 {
         }
         None => (1.0 / RATIO, 0.0),
     };
-    let mass = cylinder.reciprocating_mass.to_f64().expect("a mass");
-    mass * acceleration(theta + throw - bank, rod, offset)
+    slider(theta + throw - bank, rod, offset)
 }
 
-fn acceleration(psi: f64, rod: f64, offset: f64) -> f64 {
-    let (u, du, ddu) = (psi.sin() - offset, psi.cos(), -psi.sin());
-    let g = (rod * rod - u * u).sqrt();
-    psi.cos() + (du * du + u * ddu) / g + (u * du) * (u * du) / (g * g * g)
+/// `cos ψ + √(l² − (sin ψ − e)²)`.
+fn slider(psi: f64, rod: f64, offset: f64) -> Jet {
+    let across = Jet::sine(psi) - Jet::fixed(offset);
+    Jet::cosine(psi) + (Jet::fixed(rod * rod) - across * across).root()
 }
 
 /// `c_k` of a rod that is not named, by the mean of its own motion.
 fn coefficient(order: u32) -> f64 {
     let steps = (0..STEPS).map(|step| TAU * step as f64 / STEPS as f64);
-    let part = steps.map(|psi| acceleration(psi, 1.0 / RATIO, 0.0) * (f64::from(order) * psi).cos());
+    let part = steps.map(|psi| -slider(psi, 1.0 / RATIO, 0.0).0[2] * (f64::from(order) * psi).cos());
     part.sum::<f64>() * (2.0 / STEPS as f64)
+}
+
+/// A number with its first and second derivative.
+#[derive(Clone, Copy)]
+struct Jet([f64; 3]);
+
+impl Jet {
+    fn fixed(value: f64) -> Self {
+        Jet([value, 0.0, 0.0])
+    }
+
+    fn sine(angle: f64) -> Self {
+        Jet([angle.sin(), angle.cos(), -angle.sin()])
+    }
+
+    fn cosine(angle: f64) -> Self {
+        Jet([angle.cos(), -angle.sin(), -angle.cos()])
+    }
+
+    fn root(self) -> Self {
+        let [value, first, second] = self.0;
+        let root = value.sqrt();
+        Jet([root, first / (2.0 * root), second / (2.0 * root) - first * first / (4.0 * root * value)])
+    }
+}
+
+impl Add for Jet {
+    type Output = Jet;
+    fn add(self, other: Jet) -> Jet {
+        Jet(std::array::from_fn(|at| self.0[at] + other.0[at]))
+    }
+}
+
+impl Sub for Jet {
+    type Output = Jet;
+    fn sub(self, other: Jet) -> Jet {
+        Jet(std::array::from_fn(|at| self.0[at] - other.0[at]))
+    }
+}
+
+impl Mul for Jet {
+    type Output = Jet;
+    fn mul(self, other: Jet) -> Jet {
+        let ([a, da, dda], [b, db, ddb]) = (self.0, other.0);
+        Jet([a * b, da * b + a * db, dda * b + 2.0 * da * db + a * ddb])
+    }
 }
