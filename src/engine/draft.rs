@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::convention::Convention;
 use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
@@ -38,6 +39,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub source: Option<Untrusted>,
     /// Which form of layout file describes it.
     pub form: Form,
+    /// How its file draws it; the angles here grow in the sense of rotation whatever that is.
+    pub convention: Convention,
     /// The cylinders.
     pub cylinders: Vec<Cylinder<A, L>>,
     /// The crankshafts, where several are geared together; none where there is one, in the middle.
@@ -94,6 +97,7 @@ impl<A, L> Draft<A, L> {
             title: Untrusted::new(title),
             source: None,
             form: Form::General,
+            convention: Convention::default(),
             cylinders: Vec::new(),
             geared_cranks: Vec::new(),
             reference_plane: ReferencePlane::Middle,
@@ -125,6 +129,7 @@ impl<A, L> Draft<A, L> {
             title: self.title.clone(),
             source: self.source.clone(),
             form: self.form,
+            convention: self.convention,
             cylinders,
             geared_cranks: self.geared_cranks.clone(),
             reference_plane,

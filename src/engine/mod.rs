@@ -3,6 +3,7 @@
 //! A [`Draft`] is free to say anything; what [`Draft::build`] accepts is an [`Engine`], and holds together.
 
 mod build;
+mod convention;
 mod crankshaft;
 mod cycle_order;
 mod cylinder;
@@ -25,6 +26,7 @@ mod title_block;
 mod torsion;
 
 pub use build::{BuildError, MOST_CYLINDERS};
+pub use convention::{Convention, Rotation, SeenFrom};
 pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
 pub use cycle_order::{CycleOrder, NotACycleOrder};
 pub use cylinder::Cylinder;

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::build::BuildError;
+use super::convention::Convention;
 use super::crankshaft::{Counterweight, Crankshaft};
 use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
@@ -63,6 +64,11 @@ impl<A, L> Engine<A, L> {
     /// Which form of layout file describes it.
     pub fn form(&self) -> Form {
         self.draft.form
+    }
+
+    /// How its file draws it. The angles of the engine grow in the sense of rotation whatever that is.
+    pub fn convention(&self) -> Convention {
+        self.draft.convention
     }
 
     /// The cylinders, one at least, each with a name of its own.

@@ -36,6 +36,7 @@ pub(super) fn read(
     along: impl FnOnce(&Text) -> Result<BigRational, LayoutError>,
 ) -> Result<(Balancer, bool), LayoutError> {
     let keys = &table.get_ref().0;
+    let convention = engine.convention();
     let unit = engine.unit_mass() * engine.unit_radius();
     let (mass_radius, in_multiples) = match (&keys.mass, &keys.radius, &keys.mass_radius) {
         (Some(weight), Some(radius), None) => (mass(weight)? * positive_metres(radius)?, false),
@@ -67,10 +68,11 @@ pub(super) fn read(
         },
         mass_radius,
         coefficient_of: keys.coefficient_of.as_ref().map(|text| cylinder(engine, text)).transpose()?,
-        angle: Turn::new(quantities::known_angle(&keys.angle)?),
+        angle: Turn::new(convention.in_the_sense_of_rotation(quantities::known_angle(&keys.angle)?)),
         position: along(&keys.position)?,
         height: zero(&keys.height)?,
-        offset: zero(&keys.offset)?,
+        // To the left of the drawing: the side of angle 90 there.
+        offset: convention.in_the_sense_of_rotation(zero(&keys.offset)?),
     };
     Ok((shaft, in_multiples))
 }

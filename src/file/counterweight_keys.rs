@@ -109,9 +109,13 @@ pub(super) fn read(
 ) -> Result<(Counterweight, bool), LayoutError> {
     let keys = &table.get_ref().0;
     let throw = keys.throw.as_ref().map(|text| number_of_throw(text, throws.len())).transpose()?;
+    // As drawn, in the sense of rotation.
+    let direction = |text: &Text| -> Result<Turn, LayoutError> {
+        Ok(Turn::new(engine.convention().in_the_sense_of_rotation(quantities::known_angle(text)?)))
+    };
     let angle = match (&keys.angle, throw) {
-        (Some(text), None) => Turn::new(quantities::known_angle(text)?),
-        (Some(text), Some(throw)) => &throws[throw].angle + &Turn::new(quantities::known_angle(text)?),
+        (Some(text), None) => direction(text)?,
+        (Some(text), Some(throw)) => &throws[throw].angle + &direction(text)?,
         (None, Some(throw)) => throws[throw].angle.opposite(),
         (None, None) => {
             let right = "add its angle, and its throw if the angle counts from one";

@@ -1,4 +1,4 @@
-//! How is it written when the cylinders fire, and which throws make an in-line engine fire in an order?
+//! How is it written when the cylinders fire?
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,8 +11,7 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::quantities;
 use super::written::{Text, Written, place};
-use crate::engine::{Cycle, Cylinder, Family, MOST_CYLINDERS, OpenFiring};
-use crate::exact::Turn;
+use crate::engine::{Cylinder, Family, OpenFiring};
 
 /// A firing order as written: `"1-3-4-2"` or `[1, 3, 4, 2]`.
 pub(super) struct FiringOrder(Vec<String>);
@@ -53,21 +52,9 @@ impl FiringOrder {
         self.permutation(&names, span)
     }
 
-    /// The throws of an in-line engine that fires evenly in this order; cylinder 1 stands at 0.
-    pub fn even_throws(&self, cycle: Cycle, span: Option<Range<usize>>) -> Result<Vec<Turn>, LayoutError> {
-        if self.0.len() > MOST_CYLINDERS {
-            let message = format!("a firing order of {} cylinders", self.0.len());
-            return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), span));
-        }
-        let names: Vec<String> = (1..=self.0.len()).map(|number| number.to_string()).collect();
-        let order = self.permutation(&names.iter().map(String::as_str).collect::<Vec<_>>(), span)?;
-        let interval = cycle.turns() / BigRational::from_integer(order.len().into());
-        let mut throws = vec![Turn::zero(); order.len()];
-        for (position, &cylinder) in order.iter().enumerate() {
-            throws[cylinder] = Turn::new(-&interval * BigRational::from_integer(position.into()));
-        }
-        let first = throws.first().cloned().unwrap_or_else(Turn::zero);
-        Ok(throws.iter().map(|throw| throw - &first).collect())
+    /// How many cylinders it names.
+    pub fn len(&self) -> usize {
+        self.0.len()
     }
 
     fn permutation(&self, names: &[&str], span: Option<Range<usize>>) -> Result<Vec<usize>, LayoutError> {
@@ -96,8 +83,8 @@ impl FiringOrder {
 
 /// What a file whose angles or positions are open says of its firing.
 pub(super) fn open_firing(
-    order: &Option<Spanned<FiringOrder>>,
-    angles: &Option<Spanned<Vec<Text>>>,
+    order: Option<&Spanned<FiringOrder>>,
+    angles: Option<&Spanned<Vec<Text>>>,
     values: &BTreeMap<String, BigRational>,
     family: &Family,
 ) -> Result<Option<OpenFiring>, LayoutError> {
@@ -130,10 +117,10 @@ pub(super) fn known_angle(text: &Text, values: &BTreeMap<String, BigRational>) -
 
 /// A file that says when the cylinders fire, and not in which cycle.
 pub(super) fn without_cycle(
-    order: &Option<Spanned<FiringOrder>>,
-    angles: &Option<Spanned<Vec<Text>>>,
+    order: Option<&Spanned<FiringOrder>>,
+    angles: Option<&Spanned<Vec<Text>>>,
 ) -> Result<(), LayoutError> {
-    match order.as_ref().and_then(place).or(angles.as_ref().and_then(place)) {
+    match order.and_then(place).or_else(|| angles.and_then(place)) {
         None => Ok(()),
         span => Err(LayoutError::new(
             "when the cylinders fire depends on the cycle, which is missing",
@@ -145,10 +132,10 @@ pub(super) fn without_cycle(
 
 /// Where two pistons share a cylinder, it is not pistons that fire.
 pub(super) fn without_pistons_of_their_own(
-    order: &Option<Spanned<FiringOrder>>,
-    angles: &Option<Spanned<Vec<Text>>>,
+    order: Option<&Spanned<FiringOrder>>,
+    angles: Option<&Spanned<Vec<Text>>>,
 ) -> Result<(), LayoutError> {
-    let given = order.as_ref().and_then(place).or(angles.as_ref().and_then(place));
+    let given = order.and_then(place).or_else(|| angles.and_then(place));
     match given {
         None => Ok(()),
         Some(span) => Err(LayoutError::new(

@@ -7,14 +7,14 @@ use std::ops::Range;
 use num_rational::BigRational;
 use num_traits::Signed;
 use serde::Deserialize;
-use serde_spanned::Spanned;
 
+use super::above::{Above, Throws};
 use super::error::LayoutError;
-use super::firing_order::FiringOrder;
 use super::geared_keys::Geared;
+use super::numbering::{self, Along};
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
 use super::written::{Column, Text, Values, Written, place};
-use crate::engine::{Cycle, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 
 /// What every form comes to.
 pub(super) struct Expanded {
@@ -23,6 +23,8 @@ pub(super) struct Expanded {
     pub length_unit: LengthUnit,
     /// Whether the positions are those of the file; else the cylinders stand one spacing apart.
     pub positions_given: bool,
+    /// Where the throws of the cylinders come from.
+    pub throws: Throws,
     /// How far the axis of each cylinder passes the crankshaft, where the form says so: read with crank and rods.
     pub pin_offsets: Option<Column>,
     /// The crankshafts, where several are geared together.
@@ -36,6 +38,7 @@ pub(super) struct Inline {
     throws: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,
+    numbering: Option<Column>,
 }
 
 /// `[vee]`: bank 1 at −φ/2, bank 2 at +φ/2; the pin of bank 2 stands `pin_split` ahead of that of bank 1; `pin_offset` one a bank.
@@ -43,35 +46,35 @@ pub(super) struct Inline {
 #[serde(deny_unknown_fields)]
 pub(super) struct Vee {
     bank_angle: Text,
-    throws: List,
+    throws: Option<List>,
     pin_split: Option<Text>,
     bank_offset: Option<Text>,
     pin_offset: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,
-    numbering: Option<Text>,
+    numbering: Option<Column>,
 }
 
 /// `[flat]`: a vee of 180° on shared pins.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Flat {
-    throws: List,
+    throws: Option<List>,
     bank_offset: Option<Text>,
     spacing: Option<Text>,
     positions: Option<List>,
-    numbering: Option<Text>,
+    numbering: Option<Column>,
 }
 
 /// `[boxer]`: a vee of 180° whose opposed pins stand 180° apart, `stagger` apart along the crankshaft.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Boxer {
-    throws: List,
+    throws: Option<List>,
     stagger: Text,
     spacing: Option<Text>,
     positions: Option<List>,
-    numbering: Option<Text>,
+    numbering: Option<Column>,
 }
 
 /// `[fan]`: any number of banks on common pins: W and X engines.
@@ -79,13 +82,13 @@ pub(super) struct Boxer {
 #[serde(deny_unknown_fields)]
 pub(super) struct Fan {
     banks: List,
-    throws: List,
+    throws: Option<List>,
     pin_splits: Option<List>,
     bank_offsets: Option<List>,
     pin_offsets: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,
-    numbering: Option<Text>,
+    numbering: Option<Column>,
 }
 
 /// `[radial]`: rows of cylinders evenly round one throw per row, all rods on the pin itself.
@@ -97,6 +100,7 @@ pub(super) struct Radial {
     row_rotation: Option<Text>,
     row_throw: Option<Text>,
     row_spacing: Option<Text>,
+    numbering: Option<Column>,
 }
 
 /// One bank of a fan: axis, pin split, axial offset, and how far its axes pass the crankshaft where the form says so.
@@ -114,82 +118,67 @@ pub(super) struct Pins {
 }
 
 impl Inline {
-    pub fn expand(
-        &self,
-        span: Range<usize>,
-        order: Option<&Spanned<FiringOrder>>,
-        cycle: Option<Cycle>,
-    ) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
-        let (throws, place) = match (&self.throws, order, cycle) {
-            (Some(list), _, _) => (angles(list)?, list.span()),
-            (None, Some(order), Some(cycle)) => {
-                let throws = order.get_ref().even_throws(cycle, place(order))?;
-                (throws.iter().map(|throw| Linear::constant(throw.turns().clone())).collect(), order.span())
-            }
-            (None, _, _) => {
-                return Err(LayoutError::new(
-                    "the crank throws are missing",
-                    "add throws = [0, 180, …], or above the table a firing_order with its cycle",
-                    Some(span),
-                ));
-            }
-        };
+        let (throws, place) = above.throws(&self.throws, 1, table)?;
         let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
         let bank =
             Bank { angle: Linear::default(), split: Linear::default(), offset: Linear::default(), pin_offset: None };
-        fan(Form::Inline, &[bank], &pins, None, unit)
+        fan(Form::Inline, &[bank], &pins, self.numbering.as_ref(), unit, Throws::of(&self.throws, false))
     }
 }
 
 impl Vee {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let angle = angle(&self.bank_angle)?;
-        if angle.as_known().is_some_and(|angle| angle.is_negative() || *angle >= one()) {
-            let right = "the angle between the banks, from 0 up to 360 degrees".to_owned();
+        if angle.as_known().is_some_and(|angle| angle.abs() >= one()) {
+            let right =
+                "the angle between the banks, below 360 degrees; below 0 where bank 1 is the other bank".to_owned();
             return Err(misread("bank angle", &self.bank_angle.get_ref().0, right, &self.bank_angle));
         }
         let split = optional_angle(&self.pin_split)?;
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
-        let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
+        let (throws, place) = above.throws(&self.throws, 2, table)?;
+        let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
+        let throws = Throws::of(&self.throws, self.pin_split.is_some());
         let mut banks = two_banks(&angle, split, &offset);
         set_pin_offsets(&mut banks, self.pin_offset.as_ref())?;
-        fan(Form::Vee, &banks, &pins, self.numbering.as_ref(), unit)
+        fan(Form::Vee, &banks, &pins, self.numbering.as_ref(), unit, throws)
     }
 }
 
 impl Flat {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
-        let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
+        let (throws, place) = above.throws(&self.throws, 2, table)?;
+        let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
         fan(
             Form::Flat,
             &two_banks(&Linear::constant(half()), Linear::default(), &offset),
             &pins,
             self.numbering.as_ref(),
             unit,
+            Throws::of(&self.throws, true),
         )
     }
 }
 
 impl Boxer {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let stagger = length(&self.stagger, &mut unit)?;
         let between_pairs = stagger.scaled(&integer(2));
-        let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, between_pairs, &mut unit)?;
+        let (throws, place) = above.throws(&self.throws, 2, table)?;
+        let pins = pins(throws, place, &self.spacing, &self.positions, between_pairs, &mut unit)?;
         let banks = two_banks(&Linear::constant(half()), Linear::constant(half()), &stagger);
-        fan(Form::Boxer, &banks, &pins, self.numbering.as_ref(), unit)
+        fan(Form::Boxer, &banks, &pins, self.numbering.as_ref(), unit, Throws::of(&self.throws, true))
     }
 }
 
 impl Fan {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let axes = angles(&self.banks)?;
         let splits = match &self.pin_splits {
@@ -213,18 +202,19 @@ impl Fan {
         if axes.is_empty() {
             return Err(LayoutError::new("a fan without banks", "the angles of its banks", place(&self.banks)));
         }
-        let throws = angles(&self.throws)?;
-        let pins = pins(throws, self.throws.span(), &self.spacing, &self.positions, unit_length(), &mut unit)?;
+        let (throws, place) = above.throws(&self.throws, axes.len(), table)?;
+        let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
         let banks = axes.into_iter().zip(splits).zip(offsets);
         let banks = banks.map(|((angle, split), offset)| Bank { angle, split, offset, pin_offset: None });
         let mut banks: Vec<Bank> = banks.collect();
         set_pin_offsets(&mut banks, self.pin_offsets.as_ref())?;
-        fan(Form::Fan, &banks, &pins, self.numbering.as_ref(), unit)
+        let throws = Throws::of(&self.throws, self.pin_splits.is_some());
+        fan(Form::Fan, &banks, &pins, self.numbering.as_ref(), unit, throws)
     }
 }
 
 impl Radial {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let count = whole(&self.cylinders, "cylinders of a row")?;
         let rows = self.rows.as_ref().map_or(Ok(1), |rows| whole(rows, "number of rows"))?;
@@ -239,30 +229,40 @@ impl Radial {
         let (rotation, throw) = match (&self.row_rotation, &self.row_throw) {
             (Some(rotation), Some(throw)) => (angle(rotation)?, angle(throw)?),
             (None, None) if rows == 1 => (Linear::default(), Linear::default()),
+            (Some(rotation), None) if above.firing_place().is_some() => (angle(rotation)?, Linear::default()),
             (None, _) => return Err(missing("row_rotation")),
             (_, None) => return Err(missing("row_throw")),
         };
+        let follows = rows > 1 && self.row_throw.is_none();
+        let throws = if follows { Throws::Follow { splits_given: true } } else { Throws::Listed };
+        // The cylinders of a row follow each other in the sense of rotation, however the engine is drawn.
+        let turn = above.convention.in_the_sense_of_rotation(one());
         let spacing = optional_length(&self.row_spacing, unit_length(), &mut unit)?;
         let cylinders = (0..rows).flat_map(|row| {
             let (rotation, throw) = (rotation.scaled(&integer(row)), throw.scaled(&integer(row)));
             let position = spacing.scaled(&BigRational::new((rows - 1 - 2 * row).into(), 2.into()));
+            let turn = turn.clone();
             (0..count).map(move |i| {
                 Cylinder::new(
                     throw.clone(),
-                    Linear::constant(BigRational::new(i.into(), count.into())).plus(&rotation),
+                    Linear::constant(BigRational::new(i.into(), count.into()) * &turn).plus(&rotation),
                     position.clone(),
                     row as usize,
                 )
             })
         });
         let positions_given = rows == 1 || self.row_spacing.is_some();
+        let cylinders = numbering::name(cylinders.collect(), self.numbering.as_ref())?;
+        let cylinders = numbering::in_order(&cylinders).into_iter().map(|index| cylinders[index].clone()).collect();
+        let geared = Vec::new();
         Ok(Expanded {
             form: Form::Radial,
-            cylinders: cylinders.collect(),
+            cylinders,
             length_unit: unit,
             positions_given,
+            throws,
             pin_offsets: None,
-            geared: Vec::new(),
+            geared,
         })
     }
 }
@@ -305,37 +305,30 @@ fn fan(
     form: Form,
     banks: &[Bank],
     pins: &Pins,
-    numbering: Option<&Text>,
+    numbering: Option<&Column>,
     unit: LengthUnit,
+    throws: Throws,
 ) -> Result<Expanded, LayoutError> {
     if banks.len() * pins.pins.len() > MOST_CYLINDERS {
         let message = format!("{} cylinders", banks.len() * pins.pins.len());
         return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
     }
     let numbers = || 0..pins.pins.len();
-    let pairs: Vec<(&Bank, usize)> = match numbering.map(|text| text.get_ref().0.as_str()) {
-        None | Some("by-bank") => banks.iter().flat_map(|bank| numbers().map(move |pin| (bank, pin))).collect(),
-        Some("by-pin") => numbers().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
-        Some(other) => {
-            let place = numbering.and_then(place);
-            let message = format!("cannot read the numbering `{other}`");
-            return Err(LayoutError::new(message, "\"by-bank\" or \"by-pin\"", place));
-        }
+    let pairs: Vec<(&Bank, usize)> = match numbering::along(numbering)? {
+        Along::Banks => banks.iter().flat_map(|bank| numbers().map(move |pin| (bank, pin))).collect(),
+        Along::Pins => numbers().flat_map(|pin| banks.iter().map(move |bank| (bank, pin))).collect(),
     };
-    let pin_offsets = offsets_of(pairs.iter().map(|(bank, _)| bank.pin_offset.clone()).collect());
-    let cylinders = pairs.into_iter().map(|(bank, pin)| {
-        let (throw, position) = &pins.pins[pin];
-        Cylinder::new(throw.plus(&bank.split), bank.angle.clone(), position.plus(&bank.offset), pin)
+    let cylinders = pairs.iter().map(|(bank, pin)| {
+        let (throw, position) = &pins.pins[*pin];
+        Cylinder::new(throw.plus(&bank.split), bank.angle.clone(), position.plus(&bank.offset), *pin)
     });
     let positions_given = pins.positions_given;
-    Ok(Expanded {
-        form,
-        cylinders: cylinders.collect(),
-        length_unit: unit,
-        positions_given,
-        pin_offsets,
-        geared: Vec::new(),
-    })
+    let cylinders = numbering::name(cylinders.collect(), numbering)?;
+    let order = numbering::in_order(&cylinders);
+    let pin_offsets = offsets_of(order.iter().map(|&index| pairs[index].0.pin_offset.clone()).collect());
+    let cylinders = order.iter().map(|&index| cylinders[index].clone()).collect();
+    let geared = Vec::new();
+    Ok(Expanded { form, cylinders, length_unit: unit, positions_given, throws, pin_offsets, geared })
 }
 
 /// Throws with positions: as listed, or evenly spaced about 0 with pin 1 at the free end.

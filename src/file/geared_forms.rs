@@ -6,6 +6,7 @@
 use num_rational::BigRational;
 use serde::Deserialize;
 
+use super::above::Throws;
 use super::error::LayoutError;
 use super::forms::{Expanded, pins};
 use super::geared_keys::{Axis, Distance, Geared, sense};
@@ -267,7 +268,9 @@ fn of_throws(
         })
     });
     let cylinders = cylinders.collect();
-    Ok(Expanded { form, cylinders, length_unit, positions_given: pins.positions_given, pin_offsets: None, geared })
+    let positions_given = pins.positions_given;
+    let throws = Throws::Listed;
+    Ok(Expanded { form, cylinders, length_unit, positions_given, throws, pin_offsets: None, geared })
 }
 
 fn degrees(angle: i64) -> Linear {

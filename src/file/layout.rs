@@ -8,27 +8,32 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 use toml::de::DeTable;
 
+use super::above::{Above, Throws};
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
+use super::convention_keys;
 use super::counterweight_keys;
 use super::crankshaft_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
+use super::firing_throws;
 use super::flywheel_keys;
 use super::forms::{self, Expanded};
 use super::gas_keys;
 use super::geared_forms;
 use super::geared_keys;
+use super::known_firing;
 use super::mechanism_keys;
 use super::narrow;
+use super::numbering::cylinder_name;
 use super::quantities;
 use super::title_block_keys;
 use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
 use crate::engine::{
-    BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Firing, Form,
-    LengthUnit, Linear, MOST_CYLINDERS, ORDERS, PHI, ReferencePlane,
+    BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Form, LengthUnit,
+    Linear, MOST_CYLINDERS, ORDERS, PHI, ReferencePlane,
 };
 use crate::text::Untrusted;
 
@@ -39,6 +44,8 @@ struct File {
     source: Option<Text>,
     orders: Option<Spanned<Vec<Text>>>,
     reference_plane: Option<Text>,
+    rotation: Option<Text>,
+    seen_from: Option<Text>,
     cycle: Option<Text>,
     firing_order: Option<Spanned<FiringOrder>>,
     firing_angles: Option<Spanned<Vec<Text>>>,
@@ -74,7 +81,7 @@ struct File {
 #[serde(deny_unknown_fields)]
 struct CylinderTable {
     name: Option<Text>,
-    throw: Text,
+    throw: Option<Text>,
     bank: Text,
     position: Text,
     reciprocating_mass: Option<Text>,
@@ -152,8 +159,11 @@ pub(super) fn read_layout(
 
 fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
-    let mut expanded = expand(&file, cycle)?;
+    let convention = convention_keys::read(file.rotation.as_ref(), file.seen_from.as_ref())?;
+    let above = Above { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
+    let mut expanded = expand(&file, &above)?;
     if !expanded.geared.is_empty() {
+        convention_keys::of_one_crankshaft(file.rotation.as_ref().or(file.seen_from.as_ref()))?;
         let given = [
             ("gas", file.gas.as_ref().and_then(place)),
             ("main bearings", file.bearings.as_ref().and_then(place)),
@@ -165,8 +175,10 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         }
     }
     if expanded.form.has_two_pistons_in_a_cylinder() {
-        firing_order::without_pistons_of_their_own(&file.firing_order, &file.firing_angles)?;
+        firing_order::without_pistons_of_their_own(above.order, above.angles)?;
     }
+    convention_keys::turn(&mut expanded.cylinders, convention);
+    firing_throws::follow(&mut expanded, &above)?;
     let dimensions = dimensions(&file, &mut expanded)?;
     let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions, &mut expanded.cylinders)?;
     let mut length_unit = expanded.length_unit;
@@ -179,6 +191,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         title: file.title.as_ref().map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
+        convention,
         cylinders: expanded.cylinders,
         geared_cranks,
         reference_plane: plane.map_or(ReferencePlane::Middle, ReferencePlane::Named),
@@ -223,7 +236,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
             return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
         }
         let open = valued.unwrap_or(family);
-        let said = firing_order::open_firing(&file.firing_order, &file.firing_angles, &values, &open)?;
+        let said = firing_order::open_firing(above.order, above.angles, &values, &open)?;
         let open = match said {
             Some(said) => built(Draft { open_firing: Some(said), ..open.into_draft() }.build())?,
             None => open,
@@ -241,7 +254,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     }
     let firing = match engine.form().has_two_pistons_in_a_cylinder() {
         true => None,
-        false => firing(&file.firing_order, &file.firing_angles, &values, cycle, engine.cylinders())?,
+        false => known_firing::read(&above, &values, &engine)?,
     };
     if let Some(firing) = firing {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
@@ -325,23 +338,22 @@ fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Family) -> Resu
 }
 
 /// The one form that the file uses, as cylinders.
-fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
+fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
     let several = geared_keys::several(file.crankshaft.as_ref());
     if let Some(table) = several.first().filter(|_| file.cylinder.is_none()) {
         let right = "[[crankshaft]] goes with [[cylinder]] tables, which name theirs; a short form has its own, and takes [crankshaft]";
         return Err(LayoutError::new("crankshafts that no cylinder can name", right, place(table)));
     }
-    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables, several))));
-    let order = file.firing_order.as_ref();
-    forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), order, cycle))));
-    forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables, several, above))));
+    forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
+    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
+    forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above))));
     forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     forms.extend(file.square_four.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
@@ -360,19 +372,32 @@ fn expand(file: &File, cycle: Option<Cycle>) -> Result<Expanded, LayoutError> {
 fn general(
     list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>,
     several: &[Spanned<Table<geared_keys::Keys>>],
+    above: &Above<'_>,
 ) -> Result<Expanded, LayoutError> {
     let tables = list.get_ref();
     if tables.is_empty() || tables.len() > MOST_CYLINDERS {
         let message = format!("{} cylinders", tables.len());
         return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), place(list)));
     }
+    let without = tables.iter().find(|table| table.get_ref().0.throw.is_none());
+    let throws = match without {
+        None => Throws::Listed,
+        Some(_) if tables.iter().all(|table| table.get_ref().0.throw.is_none()) && above.firing_place().is_some() => {
+            Throws::Follow { splits_given: false }
+        }
+        Some(table) => {
+            let right =
+                "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
+            return Err(LayoutError::new("the key `throw` is missing", right, place(table)));
+        }
+    };
     let mut length_unit = LengthUnit::Spacing;
     let cranks = geared_keys::read(several)?;
     let cylinders = tables.iter().enumerate().map(|(index, spanned)| {
         let table = &spanned.get_ref().0;
         let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
         let position = quantities::length(&table.position, &mut length_unit)?;
-        let (throw, bank) = (quantities::angle(&table.throw)?, quantities::angle(&table.bank)?);
+        let (throw, bank) = (quantities::optional_angle(&table.throw)?, quantities::angle(&table.bank)?);
         let crank = geared_keys::named(&cranks, table.crankshaft.as_ref(), || place(spanned))?;
         let throw = match cranks.get(crank) {
             Some((geared, phase)) => {
@@ -395,7 +420,8 @@ fn general(
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
     let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, pin_offsets: None, geared })
+    let pin_offsets = None;
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, pin_offsets, geared })
 }
 
 /// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins
@@ -411,16 +437,6 @@ fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
     numbers.dedup();
     for cylinder in cylinders {
         cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
-    }
-}
-
-fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
-    let name = &text.get_ref().0;
-    let fits = (1..=6).contains(&name.len()) && name.bytes().all(|byte| byte.is_ascii_alphanumeric());
-    if fits {
-        Ok(name.clone())
-    } else {
-        Err(quantities::misread("name", name, "one to six letters or digits, such as \"L2\"".to_owned(), text))
     }
 }
 
@@ -462,32 +478,4 @@ fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
     orders.sort_unstable();
     orders.dedup();
     Ok(orders)
-}
-
-fn firing(
-    order: &Option<Spanned<FiringOrder>>,
-    angles: &Option<Spanned<Vec<Text>>>,
-    values: &BTreeMap<String, BigRational>,
-    cycle: Option<Cycle>,
-    cylinders: &[Cylinder],
-) -> Result<Option<Firing>, LayoutError> {
-    let Some(cycle) = cycle else { return firing_order::without_cycle(order, angles).map(|()| None) };
-    match (order, angles) {
-        (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
-        (None, None) => Ok(None),
-        (Some(order), None) => {
-            let indices = order.get_ref().indices(cylinders, place(order))?;
-            Firing::from_order(&indices, cycle, cylinders)
-                .map(Some)
-                .map_err(|(message, right)| LayoutError::new(message, right, place(order)))
-        }
-        (None, Some(list)) => {
-            let angle = |text| firing_order::known_angle(text, values);
-            let angles = list.get_ref().iter().map(angle).collect::<Result<Vec<_>, _>>()?;
-            Firing::from_angles(&angles, cycle, cylinders)
-                .map(Some)
-                .map_err(|(message, right)| LayoutError::new(message, right, place(list)))
-        }
-        (Some(_), Some(list)) => Err(firing_order::both_given(list)),
-    }
 }

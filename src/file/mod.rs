@@ -2,14 +2,18 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod above;
 mod balancer_keys;
 mod bearings;
 mod beside;
 mod catalogue;
+mod contradiction;
+mod convention_keys;
 mod counterweight_keys;
 mod crankshaft_keys;
 mod error;
 mod firing_order;
+mod firing_throws;
 mod flywheel_keys;
 mod forms;
 mod gas_keys;
@@ -17,11 +21,13 @@ mod gas_process;
 mod gas_table;
 mod geared_forms;
 mod geared_keys;
+mod known_firing;
 mod layout;
 mod linear;
 mod mechanism_keys;
 mod narrow;
 mod number;
+mod numbering;
 mod quantities;
 mod rewritten;
 mod template;

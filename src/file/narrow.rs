@@ -8,11 +8,12 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use serde::Deserialize;
 
+use super::above::Throws;
 use super::error::LayoutError;
 use super::forms::{Expanded, half, offsets_of, pins, unit_length};
 use super::quantities::{List, angle, angles, misread, optional_angle, optional_length};
 use super::written::{Text, Written};
-use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS, Rotation};
 
 /// `[vr]`: bank 1 at −φ/2, bank 2 at +φ/2, a throw for each cylinder, the first of bank 1.
 #[derive(Deserialize)]
@@ -53,25 +54,28 @@ struct Narrow<'a> {
     angle: &'a Text,
     splay: &'a Option<Text>,
     pin_offset: &'a Option<Text>,
+    convention: Convention,
 }
 
 impl Vr {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, convention: Convention) -> Result<Expanded, LayoutError> {
         let middle = Middle { angle: Linear::default(), split: Linear::default(), offset: Linear::default() };
-        let narrow = Narrow { angle: &self.bank_angle, splay: &self.pin_splay, pin_offset: &self.pin_offset };
+        let narrow =
+            Narrow { angle: &self.bank_angle, splay: &self.pin_splay, pin_offset: &self.pin_offset, convention };
         narrow.expand(Form::Vr, &[middle], (&self.throws, &self.spacing, &self.positions), LengthUnit::Spacing)
     }
 }
 
 impl W {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, convention: Convention) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let wide = bank_angle(&self.bank_angle)?.scaled(&half());
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?.scaled(&half());
         let minus = -BigRational::from_integer(1.into());
         let first = Middle { angle: wide.scaled(&minus), split: Linear::default(), offset: offset.clone() };
         let second = Middle { angle: wide, split: optional_angle(&self.pin_split)?, offset: offset.scaled(&minus) };
-        let narrow = Narrow { angle: &self.narrow_angle, splay: &self.pin_splay, pin_offset: &self.pin_offset };
+        let narrow =
+            Narrow { angle: &self.narrow_angle, splay: &self.pin_splay, pin_offset: &self.pin_offset, convention };
         narrow.expand(Form::W, &[first, second], (&self.throws, &self.spacing, &self.positions), unit)
     }
 }
@@ -103,8 +107,13 @@ impl Narrow<'_> {
                     position.plus(&middle.offset),
                     pin,
                 ));
+                // Outwards is against the rotation where the bank stands at an angle below 0 in the sense of rotation.
+                let against = match self.convention.rotation {
+                    Rotation::Anticlockwise => is_first,
+                    Rotation::Clockwise => !is_first,
+                };
                 pin_offsets
-                    .push(self.pin_offset.as_ref().map(|text| if is_first { negated(text) } else { text.clone() }));
+                    .push(self.pin_offset.as_ref().map(|text| if against { negated(text) } else { text.clone() }));
             }
         }
         let positions_given = pins.positions_given;
@@ -113,6 +122,7 @@ impl Narrow<'_> {
             cylinders,
             length_unit: unit,
             positions_given,
+            throws: Throws::Listed,
             pin_offsets: offsets_of(pin_offsets),
             geared: Vec::new(),
         })

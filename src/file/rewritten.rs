@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use crate::engine::{Balancer, Counterweight, Engine};
+use crate::engine::{Balancer, Convention, Counterweight, Engine};
 use crate::proof::Sense;
 
 /// A balancer shaft as a table of a layout file; its mass-radius is written in multiples of m r, where `unit` is m r in
@@ -22,16 +22,16 @@ pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRation
     format!(
         "[[balancer]]\norder = {}\nsense = \"{sense}\"\nmass_radius = {mass_radius}\n{coefficient}angle = {}\nposition = {}\n",
         shaft.order,
-        exact_number(&shaft.angle.degrees()),
+        exact_number(&engine.convention().as_written(&shaft.angle).degrees()),
         exact_number(&shaft.position),
     )
 }
 
 /// A counterweight in multiples of m r, which is `unit` in kilogram-metres.
-pub fn counterweight_in_multiples(weight: &Counterweight, unit: &BigRational) -> String {
+pub fn counterweight_in_multiples(weight: &Counterweight, convention: Convention, unit: &BigRational) -> String {
     format!(
         "[[counterweight]]\nangle = {}\nmass_radius = \"{} m r\"\nposition = {}\n",
-        exact_number(&weight.angle.degrees()),
+        exact_number(&convention.as_written(&weight.angle).degrees()),
         weight.mass_radius() / unit,
         exact_number(&weight.position),
     )
@@ -42,11 +42,11 @@ pub fn comment(text: &str) -> String {
     text.lines().map(|line| format!("# {line}\n")).collect()
 }
 
-/// A counterweight as a table of a layout file, by its own angle.
-pub fn counterweight_table(weight: &Counterweight) -> String {
+/// A counterweight as a table of a layout file that draws its engine so, by its own angle.
+pub fn counterweight_table(weight: &Counterweight, convention: Convention) -> String {
     format!(
         "[[counterweight]]\nangle = {}\nmass = {}\nradius = {}\nposition = {}\n",
-        exact_number(&weight.angle.degrees()),
+        exact_number(&convention.as_written(&weight.angle).degrees()),
         exact_number(&weight.mass),
         exact_number(&weight.radius),
         exact_number(&weight.position),

@@ -20,7 +20,7 @@ pub(super) fn with_counterweights(
             text += &format!("\n{}", comment(note));
         }
         for part in parts {
-            text += &counterweight_table(part);
+            text += &counterweight_table(part, engine.convention());
         }
     }
     let advice = match engine.gas() {

@@ -119,10 +119,10 @@ fn heading(shaft: &Shaft) -> String {
 fn counterweight_of_throw(engine: &Engine, weight: &Counterweight) -> String {
     let throws = crate::engine::throws(engine);
     let Some((index, throw)) = weight.throw.and_then(|index| Some((index, throws.get(index)?))) else {
-        return counterweight_table(weight);
+        return counterweight_table(weight, engine.convention());
     };
     let turned = Counterweight { angle: &weight.angle - &throw.angle, ..weight.clone() };
-    counterweight_table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
+    counterweight_table(&turned, engine.convention()).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
 }
 
 /// A table for each vector of a weight.
@@ -146,8 +146,8 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
                 crank: 0,
             };
             return match is_known {
-                true => counterweight_table(&weight),
-                false => counterweight_in_multiples(&weight, &unit),
+                true => counterweight_table(&weight, engine.convention()),
+                false => counterweight_in_multiples(&weight, engine.convention(), &unit),
             };
         }
         let shaft = Balancer {

@@ -10,6 +10,7 @@ mod calculation;
 mod catalogue;
 mod claims;
 mod compare;
+mod convention;
 mod document;
 mod engine_cells;
 mod engine_page;

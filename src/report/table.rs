@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::firmness;
 use super::residual;
 use super::typeset;
-use crate::engine::{Cylinder, Engine, LengthUnit};
+use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::Turn;
 use crate::order::{self, Source, TurningMass};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
@@ -68,10 +68,16 @@ pub(super) enum Firmness {
     NotShown,
 }
 
-/// One row per cylinder: throw, bank, position, and mass where they differ from 1.
+/// One row per cylinder: throw, bank, position, and mass where they differ from 1; and the angles of a file that counts the
+/// other way, as they are drawn there.
 pub(super) fn cylinders(engine: &Engine) -> Table {
+    let convention = engine.convention();
+    let counts_otherwise = convention.rotation == Rotation::Clockwise;
     let mut header = vec!["Cylinder".into(), "Throw β".into(), "Bank α".into(), position_heading(engine)];
     header.extend((!engine.has_unit_masses()).then(|| "Reciprocating mass".into()));
+    if counts_otherwise {
+        header.extend(["Throw as drawn".into(), "Bank as drawn".into()]);
+    }
     let mut table = Table::new(header);
     for cylinder in engine.cylinders() {
         let mut cells: Vec<Text> = vec![
@@ -81,6 +87,11 @@ pub(super) fn cylinders(engine: &Engine) -> Table {
             position(engine, &cylinder.position),
         ];
         cells.extend((!engine.has_unit_masses()).then(|| Number::exact(&cylinder.reciprocating_mass).into()));
+        if counts_otherwise {
+            let bank = convention.as_written(&cylinder.bank);
+            cells.push(typeset::angle(&convention.as_written(&cylinder.throw)).into());
+            cells.push(typeset::degrees(&typeset::signed_degrees(&bank)).into());
+        }
         table.push(cells);
     }
     table

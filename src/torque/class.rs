@@ -96,9 +96,6 @@ fn fires(engine: &Engine) -> Result<Vec<BigRational>, NoTorque> {
 /// What the layout lacks.
 pub fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
     let Some(gas) = engine.gas() else { return Err(NoGas::Gas.into()) };
-    if !engine.geared_cranks().is_empty() {
-        return Err(NoTorque::Geared);
-    }
     let fires = fires(engine)?;
     let cylinders = engine.cylinders();
     let moves_alike = |one: usize, other: usize| {

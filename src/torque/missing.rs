@@ -12,8 +12,6 @@ pub enum NoTorque {
     Gas(NoGas),
     /// Nothing says when its cylinders fire.
     Firing,
-    /// Several crankshafts are geared together.
-    Geared,
 }
 
 impl fmt::Display for NoTorque {
@@ -21,9 +19,6 @@ impl fmt::Display for NoTorque {
         match self {
             NoTorque::Gas(lack) => lack.fmt(f),
             NoTorque::Firing => NoStar::NoFiring.fmt(f),
-            NoTorque::Geared => f.write_str(
-                "several crankshafts are geared together, and what the gas does is known of one crankshaft; leave [gas] and \"gas\" in effects out",
-            ),
         }
     }
 }

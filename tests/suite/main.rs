@@ -7,6 +7,7 @@ mod arguments;
 mod atlas;
 mod beam;
 mod bearings;
+mod book_words;
 mod certificate_cheats;
 mod certificate_words;
 mod citation;

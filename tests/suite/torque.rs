@@ -356,11 +356,6 @@ fn what_a_layout_lacks_for_its_torque_is_told() {
     let firing = SPARK.replace("throws = [0]", "throws = [0, 0]").replace("firing_order = '1'\n", "");
     assert_eq!(torque(&engine(&firing)).expect_err("no order"), NoTorque::Firing);
     assert!(lacks(&firing).contains("firing_order = \"1-3-4-2\""));
-    let (_, gas) = SPARK.split_once("[gas]").expect("gas");
-    let geared = format!(
-        "cycle = 'two-stroke'\n[mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\n[u]\nthrows = [0]\nsense = 'against'\n[gas]{gas}intake_pressure = '1 bar'\n"
-    );
-    assert_eq!(torque(&engine(&geared)).expect_err("two crankshafts"), NoTorque::Geared);
     let (before, _) = SPARK.split_once("[gas]").expect("gas");
     assert!(lacks(before).contains("add [gas]"));
     assert!(lacks(&SPARK.replace("stroke = '86 mm'\nrod_length = '143 mm'", "rod_ratio = 0.3")).contains("stroke"));

@@ -110,7 +110,7 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
     section(&mut page, "Order by order");
     page.blocks.extend(by_orders(engine, continuous));
     section(&mut page, "Through a revolution");
-    for (index, pictures) in plots::drawings(continuous).into_iter().enumerate() {
+    for (index, pictures) in plots::drawings(engine.convention(), continuous).into_iter().enumerate() {
         page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
         page.push(Block::Pictures(pictures.into()));
     }

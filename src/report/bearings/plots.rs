@@ -1,8 +1,10 @@
 //! How does the force on a bearing go through a revolution? Its components over the crank angle, and its polar diagram.
 
 use super::super::calculation::Unit;
+use super::super::convention::said;
 use super::super::plot::{Axis, Curve, Plot, PointMark, Polar};
 use super::amounts::unit_of;
+use crate::engine::Convention;
 use crate::loads::{BearingLoad, BearingLoads, Circle};
 use crate::page::{Picture, phrase};
 
@@ -10,7 +12,7 @@ use crate::page::{Picture, phrase};
 const STEPS: usize = 720;
 
 /// The two drawings of each bearing, in the order of the file.
-pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[Picture; 2]> {
+pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) -> Vec<[Picture; 2]> {
     let unit = unit_of(loads);
     let circle = Circle::new(STEPS);
     let draw = |(index, bearing): (usize, &BearingLoad)| {
@@ -19,7 +21,7 @@ pub(in crate::report) fn drawings(loads: &BearingLoads) -> Vec<[Picture; 2]> {
             bearing.waveform.sample(&circle).into_iter().map(|force| (-force.im * unit.factor, force.re * unit.factor));
         let mut tips: Vec<(f64, f64)> = tips.collect();
         tips.extend(tips.first().copied());
-        [over_crank_angle(index + 1, &tips, unit), polar(index + 1, bearing, tips, unit)]
+        [over_crank_angle(index + 1, &tips, unit), polar(convention, index + 1, bearing, tips, unit)]
     };
     loads.bearings.iter().enumerate().map(draw).collect()
 }
@@ -39,12 +41,15 @@ fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
     Picture { name: format!("bearing-{number}"), caption, figure: plot.figure() }
 }
 
-fn polar(number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> Picture {
-    let caption = phrase!(
-        "Bearing {}: path of the tip of the force through a revolution, seen from the free end, direction 0 upwards. Rings \
-         mark crank angles, the dot the largest force.",
-        number
-    );
+const PATH: [&str; 2] = [
+    "Bearing {}: path of the tip of the force through a revolution, seen from the free end, direction 0 upwards. Rings \
+     mark crank angles, the dot the largest force.",
+    "Bearing {}: path of the tip of the force through a revolution, seen from the flywheel, direction 0 upwards. Rings \
+     mark crank angles, the dot the largest force.",
+];
+
+fn polar(convention: Convention, number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> Picture {
+    let caption = phrase!(said(convention, PATH), number);
     let label = "Force in {}; 0° is the reference direction";
     let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())])
         .counted_in(unit.shown());

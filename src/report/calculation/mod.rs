@@ -73,7 +73,11 @@ fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     blocks.push(bearings::peaks(engine, continuous, determinate).into());
     blocks.push(bearings::orders(continuous).into());
     blocks.extend(bearings::left_out(engine, continuous).map(Block::Paragraph));
-    blocks.extend(bearings::drawings(continuous).into_iter().map(|pictures| Block::Pictures(pictures.into())));
+    blocks.extend(
+        bearings::drawings(engine.convention(), continuous)
+            .into_iter()
+            .map(|pictures| Block::Pictures(pictures.into())),
+    );
     blocks
 }
 

@@ -1,6 +1,7 @@
 //! What stands on the page of the loads? The largest values first, how they run through a revolution, then order by order.
 
-use super::super::engine_page::{SEEN, reference_plane};
+use super::super::convention::{differs, seen};
+use super::super::engine_page::reference_plane;
 use super::amounts::{Unit, amount, digits};
 use super::largest::{Numbers, chosen_lines, largest_lines};
 use super::{SHARES, heading, plots, summary, tables, words};
@@ -132,7 +133,9 @@ const ON_CRANKSHAFT: &str =
     "The inertia torque is that on the crankshaft; on the frame it acts with the opposite sign.";
 
 fn conventions(engine: &Engine, loads: &Loads) -> Vec<Text> {
-    let mut lines = vec![SEEN.into(), reference_plane(engine), MOMENTS.into()];
+    let mut lines = vec![seen(engine.convention())];
+    lines.extend(differs(engine.convention()));
+    lines.extend([reference_plane(engine), MOMENTS.into()]);
     lines.extend(loads.torque.as_ref().map(|_| ON_CRANKSHAFT.into()));
     lines
 }

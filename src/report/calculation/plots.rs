@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
+use super::super::convention::said;
 use super::amounts::{Unit, is_left};
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
@@ -36,29 +37,33 @@ const MOMENT: [Heading; 2] = [
     ["Pitching moment", "Moment of the forces along the reference direction (pitching)"],
     ["Yawing moment", "Moment of the forces across it (yawing)"],
 ];
-const FORCE_PATH: [&str; 2] = [
+const FORCE_PATH: [&str; 3] = [
     "Path of the force in a revolution",
     "Path of the tip of the force in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
+    "Path of the tip of the force in a revolution, seen from the flywheel, direction 0 upwards; rings mark crank angles.",
 ];
-const MOMENT_PATH: [&str; 2] = [
+const MOMENT_PATH: [&str; 3] = [
     "Path of the moment, arm times force, in a revolution",
     "Path of the tip of the moment, arm times force, in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
+    "Path of the tip of the moment, arm times force, in a revolution, seen from the flywheel, direction 0 upwards; rings mark crank angles.",
 ];
 
 /// All plots of the numbers of an engine; none of what is zero.
 pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
     let mut figures = Vec::new();
+    let path_words =
+        |[title, free_end, flywheel]: [&'static str; 3]| [title, said(engine.convention(), [free_end, flywheel])];
     let drawing = |name, waveform, axis, quantity| {
         let unit = Unit::of(engine, loads, quantity);
         Drawing { name, waveform, unit, axis }
     };
     if loads.orders.iter().any(|order| is_left(&order.force)) {
         let drawing = drawing("force", &loads.force, "Force in {}", Quantity::Force);
-        figures.extend(vectors(&drawing, FORCE, FORCE_PATH));
+        figures.extend(vectors(&drawing, FORCE, path_words(FORCE_PATH)));
     }
     if loads.orders.iter().any(|order| is_left(&order.moment)) {
         let drawing = drawing("moment", &loads.moment, "Moment in {}", Quantity::Moment);
-        figures.extend(vectors(&drawing, MOMENT, MOMENT_PATH));
+        figures.extend(vectors(&drawing, MOMENT, path_words(MOMENT_PATH)));
     }
     let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
     if let Some(torque) = loads.torque.as_ref().filter(is_left) {

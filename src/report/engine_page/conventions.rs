@@ -1,13 +1,16 @@
 //! What do angles, signs and units mean, and what do the verdicts rest on?
 
+use super::super::convention::{differs, seen};
 use super::super::table;
 use crate::engine::{Engine, LengthUnit};
 use crate::page::{Block, Text, phrase};
 
 /// The conventions of a report.
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
-    let lines = [SEEN.into(), CENTRES.into(), FIRES.into(), reference_plane(engine), assumed(engine)];
-    vec![Block::Heading(1, "Conventions".into()), Block::List(lines.into())]
+    let mut lines = vec![seen(engine.convention())];
+    lines.extend(differs(engine.convention()));
+    lines.extend([CENTRES.into(), FIRES.into(), reference_plane(engine), assumed(engine)]);
+    vec![Block::Heading(1, "Conventions".into()), Block::List(lines)]
 }
 
 /// About which plane moments are taken.
@@ -54,9 +57,6 @@ const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judge
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
-pub(in crate::report) const SEEN: &str = "Seen from the free end of the crankshaft (+z towards the reader), angles grow anticlockwise from the \
-                               reference direction, drawn upwards; for a V it is the bisector of the banks. The crank turns \
-                               anticlockwise by θ.";
 const CENTRES: &str =
     "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
 pub(in crate::report) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it \

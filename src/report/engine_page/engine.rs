@@ -1,5 +1,6 @@
 //! How does a report show the engine itself?
 
+use super::super::convention::differs;
 use super::super::table;
 use super::super::typeset;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
@@ -18,7 +19,9 @@ pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> 
 /// The crankshaft from the side, the cylinders one by one, and how they fire.
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let side = Picture { name: "side-view".to_owned(), caption: side_view_caption(engine), figure: side_view(engine) };
-    let mut blocks = vec![Block::Heading(1, "The engine".into()), side.into(), table::cylinders(engine).into()];
+    let mut blocks = vec![Block::Heading(1, "The engine".into())];
+    blocks.extend(differs(engine.convention()).map(Block::Paragraph));
+    blocks.extend([side.into(), table::cylinders(engine).into()]);
     blocks.extend(geared::section(engine));
     blocks.extend(engine.firing().map(|firing| Block::Paragraph(fires(engine, firing))));
     let source = engine.source().map(|source| phrase!("Source of the crank star: {}.", source));

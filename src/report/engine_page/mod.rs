@@ -9,7 +9,7 @@ mod orders;
 mod torque;
 
 pub use answer::engine_answer;
-pub(super) use conventions::{ASSUMED, FIRES, SEEN, reference_plane};
+pub(super) use conventions::{ASSUMED, FIRES, reference_plane};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};

@@ -9,7 +9,8 @@ pub use document::open_document;
 pub use picture::{amplitudes, amplitudes_caption};
 pub(super) use words::{argument, condition_of, greek, summary, unknowns};
 
-use super::engine_page::{ASSUMED, FIRES, SEEN};
+use super::convention::{differs, seen};
+use super::engine_page::{ASSUMED, FIRES};
 use super::moving;
 use crate::engine::{Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
@@ -33,6 +34,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(amplitude_picture(family, orders));
     page.push(Block::Heading(1, "The engine".into()));
+    page.blocks.extend(differs(family.convention()).map(Block::Paragraph));
     page.push(tables::cylinders(family));
     let source = family.source().map(|source| phrase!("Source of the crank star: {}.", source));
     page.blocks.extend(source.map(Block::Paragraph));
@@ -45,7 +47,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     page.push(Block::Heading(1, "Conventions".into()));
     let plane = words::open_length(family.reference_plane());
     page.push(Block::List(vec![
-        SEEN.into(),
+        seen(family.convention()),
         FIRES.into(),
         phrase!("Moments are taken about the plane z = {}.", plane),
         ASSUMED.into(),

@@ -3,7 +3,7 @@
 use super::super::bearings::{by_orders, parts_of_a_load};
 use super::super::torque::{has_assumed, warning};
 use super::{plots, tables, words};
-use crate::engine::Engine;
+use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearings, CycleLoads, NoCycleLoads};
 use crate::loads::BearingLoads;
 use crate::page::{Block, Document, Text, phrase};
@@ -64,7 +64,7 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
         page.blocks.extend(notes(engine, loads));
         page.push(tables::bearings(engine, both));
         section(&mut page, "Through the cycle");
-        bearings_drawn(&mut page, loads, &both[0]);
+        bearings_drawn(&mut page, engine.convention(), loads, &both[0]);
     }
     section(&mut page, "Crankpins");
     page.push(Block::Paragraph(PINS.into()));
@@ -97,8 +97,8 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
     page
 }
 
-fn bearings_drawn(page: &mut Document, loads: &CycleLoads, bearings: &CycleBearings) {
-    for (index, pictures) in plots::bearings(loads, bearings).into_iter().enumerate() {
+fn bearings_drawn(page: &mut Document, convention: Convention, loads: &CycleLoads, bearings: &CycleBearings) {
+    for (index, pictures) in plots::bearings(convention, loads, bearings).into_iter().enumerate() {
         page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
         page.push(Block::Pictures(pictures.into()));
     }

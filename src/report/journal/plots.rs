@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
+use super::super::convention::said;
 use super::super::torque::names;
-use crate::engine::Engine;
+use crate::engine::{Convention, Engine};
 use crate::journal::{Course, CycleBearing, CycleBearings, CycleLoads, SharedPin};
 use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
 use crate::page::{Picture, Unit, phrase};
@@ -31,7 +32,7 @@ fn tip(force: Complex<f64>) -> (f64, f64) {
 }
 
 /// Two drawings of each bearing, in the order of the file.
-pub(super) fn bearings(loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Picture; 2]> {
+pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Picture; 2]> {
     let course = &loads.course;
     let angles = angles(course);
     let draw = |(index, bearing): (usize, &CycleBearing)| {
@@ -39,7 +40,7 @@ pub(super) fn bearings(loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Pic
         let known: Vec<[Complex<f64>; 2]> = angles.iter().map(parts).collect();
         let all: Vec<(f64, f64)> = known.iter().map(|[inertia, gas]| tip(inertia + gas)).collect();
         let inertia: Vec<(f64, f64)> = known.iter().map(|[inertia, _]| tip(*inertia)).collect();
-        [over_crank_angle(index + 1, &angles, &all), polar(index + 1, bearing, all, inertia)]
+        [over_crank_angle(index + 1, &angles, &all), polar(convention, index + 1, bearing, all, inertia)]
     };
     bearings.bearings.iter().enumerate().map(draw).collect()
 }
@@ -62,17 +63,25 @@ fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Pictu
     }
 }
 
-fn polar(number: usize, bearing: &CycleBearing, all: Vec<(f64, f64)>, inertia: Vec<(f64, f64)>) -> Picture {
+const PATH: [&str; 2] = [
+    "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
+    "Bearing {}: path of the tip of the force through the cycle, seen from the flywheel, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
+];
+
+fn polar(
+    convention: Convention,
+    number: usize,
+    bearing: &CycleBearing,
+    all: Vec<(f64, f64)>,
+    inertia: Vec<(f64, f64)>,
+) -> Picture {
     let label = "Force in {}; 0° is the reference direction";
     let curves = vec![Curve::new(0, "with gas", all), Curve::new(1, "without gas", inertia)];
     let mut polar = Polar::new(format!("Main bearing {number}"), label, curves).counted_in(Unit::NEWTON);
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
     Picture {
         name: format!("bearing-{number}-cycle-polar"),
-        caption: phrase!(
-            "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
-            number
-        ),
+        caption: phrase!(said(convention, PATH), number),
         figure: polar.figure(),
     }
 }

@@ -31,6 +31,7 @@ static TEMPLATE: LazyLock<Tera> = LazyLock::new(|| {
 struct Fragment<'a> {
     id: String,
     title: String,
+    seen: &'static str,
     orders: Vec<String>,
     notes: Vec<String>,
     angle: Option<&'a MovingAngle>,
@@ -72,6 +73,7 @@ pub fn moving_fragment(scene: &Scene, id: &str, language: Language) -> String {
     let fragment = Fragment {
         id: text::xml(id),
         title: text::xml(&scene.title),
+        seen: scene.seen,
         orders: scene.orders.iter().map(|order| text::xml(&order.name)).collect(),
         notes: scene.notes.iter().map(|note| text::xml(note)).collect(),
         angle: scene.angle.as_ref(),

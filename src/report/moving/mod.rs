@@ -19,6 +19,7 @@ pub use fragment::{MOVING_SCRIPT, MOVING_STYLE, moving_fragment};
 pub use open_scenes::open_scenes;
 pub use scene::{Body, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
 
+use super::convention::{differs, said};
 use super::residual;
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
@@ -33,16 +34,28 @@ use open_angle::OpenAngle;
 /// is open and the verdicts are about the pistons alone, as those on a family are.
 pub fn scene(engine: &Engine, judged: &Judgement, family: Option<(&Family, &[OpenOrder])>) -> Scene {
     let open = family.and_then(|(family, orders)| OpenAngle::new(engine, judged, family, orders));
+    let drawn = differs(engine.convention()).map(|words| words.plain());
     let whose = residual::whose_masses(engine, judged).map(|words| words.plain());
     Scene {
         title: engine.title().escaped(Format::Plain),
+        seen: said(engine.convention(), SEEN),
         bodies: bodies::bodies(engine, open.as_ref()),
         orders: stars::orders(engine, judged, open.as_ref()),
-        notes: whose.into_iter().chain(bodies::notes(engine)).chain([residual::LEGEND.to_owned()]).collect(),
+        notes: whose
+            .into_iter()
+            .chain(drawn)
+            .chain(bodies::notes(engine))
+            .chain([residual::LEGEND.to_owned()])
+            .collect(),
         angle: open.map(|open| open.into_angle()),
         words: Words::default(),
     }
 }
+
+const SEEN: [&str; 2] = [
+    "The engine seen from the free end: pins, rods and pistons at the crank angle of the slider",
+    "The engine seen from the flywheel: pins, rods and pistons at the crank angle of the slider",
+];
 
 /// A scene in a page, with its name there.
 #[derive(Debug)]

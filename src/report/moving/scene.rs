@@ -4,11 +4,15 @@ use serde::Serialize;
 
 use crate::proof::Sense;
 
-/// An engine in motion, as the script of the page reads it. Angles are in degrees, anticlockwise seen from the free end.
+/// An engine in motion, as the script of the page reads it. Angles are in degrees, in the sense in which the crank turns: anticlockwise from
+/// where it is seen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Scene {
     /// What the engine is called.
     pub title: String,
+    /// From which end it is drawn, for those who hear the page.
+    #[serde(skip)]
+    pub seen: &'static str,
     /// The cylinders from the free end on.
     pub bodies: Vec<Body>,
     /// The orders that are judged, one entry per sum.

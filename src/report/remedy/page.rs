@@ -1,13 +1,17 @@
 //! What stands on the page of a remedy, on the terminal, and in a report?
 
+use super::super::convention::{differs, said};
 use super::{alone, weights, words};
 use crate::page::{Block, Document, Text, phrase};
 use crate::remedy::Remedy;
 
-const METHOD: [&str; 3] = [
+const METHOD: [&str; 2] = [
     "A mass at a radius, $U = m_U r_U$, that turns at $n$ times the crank speed and stands at the angle $\\gamma$ at θ = 0 adds $2 n^2 U e^{i\\gamma}$ to the direct vector of order $n$ where it turns with the crank, and to the reverse one where it turns against it.",
     "Each weight is an exact sum of the same kind as those of the engine. The sums of the corrected engine, with the weights among their terms, are formed anew and judged: that they vanish is proved, not reckoned.",
+];
+const UNITS: [&str; 2] = [
     "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, seen from the free end.",
+    "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, anticlockwise seen from the flywheel.",
 ];
 
 /// The short answer: the weights, what they cancel, and what is good to know besides.
@@ -15,8 +19,15 @@ pub fn remedy_answer(remedy: &Remedy) -> Document {
     let mut answer = Document::new("remedy", remedy.subject.engine().title());
     weights::table(remedy).into_iter().for_each(|table| answer.push(table));
     let lines = words::remedy_cures(remedy).into_iter().chain(words::notes(remedy));
-    answer.blocks.extend(lines.map(Block::Paragraph));
+    let drawn = differs(remedy.subject.engine().convention());
+    answer.blocks.extend(lines.chain(drawn).map(Block::Paragraph));
     answer
+}
+
+/// How the weights are found, and what angles and letters mean.
+fn method(remedy: &Remedy) -> Vec<Text> {
+    let convention = remedy.subject.engine().convention();
+    METHOD.map(Text::from).into_iter().chain([said(convention, UNITS).into()]).chain(differs(convention)).collect()
 }
 
 /// The page.
@@ -25,7 +36,7 @@ pub fn remedy_page(remedy: &Remedy) -> Document {
     page.push(Block::Answer(words::remedy_cures(remedy)));
     page.blocks.extend(results(remedy, 1));
     page.push(Block::Heading(1, "How the weights are found".into()));
-    page.push(Block::List(METHOD.map(Text::from).into()));
+    page.push(Block::List(method(remedy)));
     page
 }
 
@@ -34,7 +45,7 @@ pub fn remedy_section(remedy: &Remedy) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "Remedies".into()), Block::List(words::remedy_cures(remedy))];
     blocks.extend(results(remedy, 2));
     blocks.push(Block::Heading(2, "How the weights are found".into()));
-    blocks.push(Block::List(METHOD.map(Text::from).into()));
+    blocks.push(Block::List(method(remedy)));
     blocks
 }
 

@@ -1,5 +1,6 @@
 //! What do the views of an engine show, in words? Only what is in the picture.
 
+use super::super::convention::said;
 use super::linkage::{is_shortened, rows};
 use super::rows::banks;
 use crate::engine::{Engine, throws};
@@ -7,7 +8,7 @@ use crate::page::{Text, phrase};
 
 /// What stands under the view from the free end.
 pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
-    let mut words: Vec<Text> = vec![FROM_THE_END.into(), NUMBERS.into()];
+    let mut words: Vec<Text> = vec![said(engine.convention(), FROM_THE_END).into(), NUMBERS.into()];
     let rows = rows(engine).len();
     if rows > 0 {
         let named = (0..rows).map(|row| phrase!(ROWS[row % ROWS.len()], row + 1));
@@ -22,8 +23,10 @@ pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
     Text::joined(words, " ")
 }
 
-const FROM_THE_END: &str =
-    "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.";
+const FROM_THE_END: [&str; 2] = [
+    "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.",
+    "Seen from the flywheel at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.",
+];
 const NUMBERS: &str = "Throws, crankpins and rods are coloured, pistons grey, each at its height; the numbers at a pin and beside a cylinder \
                        name the cylinders that it belongs to.";
 const ROWS: [&str; 3] =
@@ -33,7 +36,7 @@ const OFFSET: &str = "The dash-dotted cylinder axes miss the shaft by the offset
 
 /// What stands under the view from the side.
 pub(in crate::report) fn side_view_caption(engine: &Engine) -> Text {
-    let mut words: Vec<Text> = vec![FROM_THE_SIDE.into(), PINS.into()];
+    let mut words: Vec<Text> = vec![FROM_THE_SIDE.into(), said(engine.convention(), PINS).into()];
     words.push(match (banks(engine).len(), throws(engine).len()) {
         (0, _) => "Above them the cylinders by their positions, all banks in one row.".into(),
         (1, 1) => "Above it the cylinder.".into(),
@@ -49,5 +52,9 @@ pub(in crate::report) fn side_view_caption(engine: &Engine) -> Text {
 
 const FROM_THE_SIDE: &str =
     "From the side, the free end at the left, angle 0 upwards, positions to scale; below each pin its throw angle.";
-const PINS: &str = "A filled pin stands towards the reader (angles between 180° and 360°), a hollow dashed one away, a grey one in the plane of \
-                    the page.";
+const PINS: [&str; 2] = [
+    "A filled pin stands towards the reader (angles between 180° and 360°), a hollow dashed one away, a grey one in the plane of \
+     the page.",
+    "A filled pin stands towards the reader (angles between 0° and 180°), a hollow dashed one away, a grey one in the plane of \
+     the page.",
+];

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use super::super::figure::{Dash, Figure, Ink, Point, Stroke};
 use super::super::star::towards;
 use super::scale::Scale;
-use crate::engine::{Engine, Throw, throws};
+use crate::engine::{Convention, Engine, SeenFrom, Throw, throws};
 use crate::exact::Turn;
 
 /// The largest crank radius in millimetres; the axis of the crankshaft is at the height 0.
@@ -32,9 +32,14 @@ pub(super) enum Side {
 }
 
 impl Side {
-    /// The free end is at the left and direction 0 up: direction 270° points at the reader.
-    pub fn of(angle: &Turn) -> Self {
-        match towards(angle).re {
+    /// The free end is at the left and direction 0 up: direction 270° points at the reader, and 90° where angles are seen
+    /// from the flywheel.
+    pub fn of(angle: &Turn, convention: Convention) -> Self {
+        let side = match convention.turns_anticlockwise_from() {
+            SeenFrom::FreeEnd => 1.0,
+            SeenFrom::Flywheel => -1.0,
+        };
+        match side * towards(angle).re {
             x if x > 1e-9 => Side::Near,
             x if x < -1e-9 => Side::Away,
             _ => Side::InPlane,
@@ -78,7 +83,7 @@ pub(super) fn drawn_throws(engine: &Engine, scale: &Scale) -> Vec<Drawn> {
         let whole = LONGEST.max(reach).min(0.36 * scale.throws_apart).max(SHORTEST);
         let half = whole / beside.len() as f64;
         Drawn {
-            side: Side::of(&throw.angle),
+            side: Side::of(&throw.angle, engine.convention()),
             x: middle - whole + half * (2 * index + 1) as f64,
             half,
             height: unit * radius(throw) * towards(&throw.angle).im,
@@ -150,7 +155,8 @@ fn draw_throw(figure: &mut Figure, throw: &Drawn) {
 
 fn draw_counterweights(figure: &mut Figure, engine: &Engine, scale: &Scale, side: Side) {
     let unit = engine.dimensions().crank_radius.as_ref().and_then(BigRational::to_f64).filter(|radius| *radius > 0.0);
-    let weights = engine.crankshaft().counterweights.iter().filter(|weight| Side::of(&weight.angle) == side);
+    let weights =
+        engine.crankshaft().counterweights.iter().filter(|weight| Side::of(&weight.angle, engine.convention()) == side);
     for weight in weights {
         let radius = weight.radius.to_f64().zip(unit).map_or(USUAL_WEIGHT, |(radius, unit)| radius / unit);
         let direction = towards(&weight.angle).im;

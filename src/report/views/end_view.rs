@@ -7,7 +7,7 @@ use super::below::write_below;
 use super::crop::cropped;
 use super::linkage::{Linkage, Linkages, linkages};
 use super::names::{name_banks, name_offsets, name_pins, name_pistons};
-use crate::engine::Engine;
+use crate::engine::{Engine, SeenFrom};
 use crate::proof::Sense;
 
 /// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
@@ -24,11 +24,12 @@ const ROWS: [(Ink, Dash); 3] = [(Ink::Blue, Dash::Solid), (Ink::Orange, Dash::Da
 pub fn end_view(engine: &Engine) -> Figure {
     let Linkages { all, axes } = linkages(engine);
     let has_labels = all.len() <= MOST_LABELS;
+    let from = engine.convention().turns_anticlockwise_from();
     let mut whole = Figure::new(0.0, 0.0);
     for (own, (crank, axis)) in all.chunk_by(|a, b| a.crank == b.crank).zip(axes.into_iter().enumerate()) {
         let sense = engine.geared_cranks().get(crank).map_or(Sense::Direct, |crank| crank.sense);
         let heads = !engine.form().has_two_pistons_in_a_cylinder();
-        whole.place(of_crankshaft(own, sense, heads, has_labels), axis);
+        whole.place(of_crankshaft(own, sense, from, heads, has_labels), axis);
     }
     let mut figure = cropped(whole);
     write_below(&mut figure, engine);
@@ -36,13 +37,17 @@ pub fn end_view(engine: &Engine) -> Figure {
 }
 
 /// One crankshaft with its pistons, its axis at the origin.
-fn of_crankshaft(linkages: &[Linkage], sense: Sense, heads: bool, has_labels: bool) -> Figure {
+fn of_crankshaft(linkages: &[Linkage], sense: Sense, from: SeenFrom, heads: bool, has_labels: bool) -> Figure {
     let half = half_bore(linkages);
     let mut figure = Figure::new(0.0, 0.0);
     let mut labels = Labels::anywhere();
     draw_cylinders(&mut figure, &mut labels, linkages, half, heads);
-    // The row at the free end lies upon the others.
-    for linkage in linkages.iter().rev() {
+    // The row at the end that is looked from lies upon the others.
+    let nearest_last: Vec<&Linkage> = match from {
+        SeenFrom::FreeEnd => linkages.iter().rev().collect(),
+        SeenFrom::Flywheel => linkages.iter().collect(),
+    };
+    for linkage in nearest_last {
         draw_rod(&mut figure, &mut labels, linkage, half);
     }
     draw_crank(&mut figure, &mut labels, linkages, sense);

@@ -126,7 +126,7 @@ fn draw_legend(figure: &mut Figure, engine: &Engine, throws: &[Drawn], (left, ri
     let sides = [Side::Near, Side::InPlane, Side::Away];
     let pins = sides.into_iter().filter(|side| throws.iter().any(|throw| throw.side == *side)).map(Entry::Pin);
     let weight = engine.crankshaft().counterweights.first();
-    let weight = weight.map(|weight| Entry::Counterweight(Side::of(&weight.angle)));
+    let weight = weight.map(|weight| Entry::Counterweight(Side::of(&weight.angle, engine.convention())));
     let bearings = (!engine.bearings().is_empty()).then_some(Entry::Bearing);
     let start = left - 12.0;
     let (mut x, mut y) = (start, top);

@@ -1,0 +1,124 @@
+//! Which throws make the cylinders fire as the file says? β = α − τ, the first cylinder at 0 (theory of mechanisms, section 4).
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::above::{Above, Throws};
+use super::contradiction;
+use super::error::LayoutError;
+use super::forms::Expanded;
+use crate::engine::{Cylinder, Linear};
+
+/// Sets the throws that the file leaves out.
+///
+/// # Errors
+/// A firing that the form cannot have, or that the same form with its banks exchanged could have with pins nearer together.
+pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), LayoutError> {
+    let splits_given = match expanded.throws {
+        Throws::Listed => return Ok(()),
+        Throws::Follow { splits_given } => splits_given,
+    };
+    let cylinders = &mut expanded.cylinders;
+    for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.name.is_empty()) {
+        cylinder.name = (index + 1).to_string();
+    }
+    let fires = above.fires(cylinders)?;
+    let throws = throws_of(cylinders, &fires);
+    let place = || above.firing_place();
+    if splits_given && let Some([one, other]) = first_misfit(cylinders, &throws) {
+        let apart = |throws: &[&Linear; 2]| degrees(&signed(throws[1].minus(throws[0])));
+        let needed = apart(&[&throws[one], &throws[other]]);
+        let written = apart(&[&cylinders[one].throw, &cylinders[other].throw]);
+        let message = format!(
+            "with these banks this order needs the pins of cylinders {} and {} {needed}° apart, and they are {written}°",
+            cylinders[one].name, cylinders[other].name
+        );
+        let fits = |others: &[Cylinder<Linear, Linear>]| {
+            let fires = above.fires(others).ok()?;
+            first_misfit(others, &throws_of(others, &fires)).is_none().then_some(true)
+        };
+        let negated = |angle: &Linear| angle.scaled(&-BigRational::one());
+        let right = contradiction::what_would_fit(cylinders, above.convention, negated, fits)
+            .unwrap_or_else(|| "neither with the banks exchanged nor in another numbering would it fit".to_owned());
+        return Err(LayoutError::new(message, right, place()));
+    }
+    if !splits_given {
+        let exchanged: Vec<Cylinder<Linear, Linear>> =
+            contradiction::banks_exchanged(cylinders, |angle: &Linear| angle.scaled(&-BigRational::one()));
+        let other = throws_of(&exchanged, &fires);
+        if let (Some(here), Some(there)) = (spread(cylinders, &throws), spread(cylinders, &other))
+            && there < here
+            && let Some([one, two]) = first_apart(cylinders, &throws)
+        {
+            let between = |throws: &[Linear]| degrees(&signed(throws[two].minus(&throws[one])));
+            let (now, then) = (between(&throws), between(&other));
+            return Err(LayoutError::new(
+                format!("with these banks this order needs pins {now}° apart"),
+                format!(
+                    "with the banks exchanged they are {then}° apart: it turns the other way ({}), or bank 1 is the other bank (bank_angle, \
+                     or each bank, with the other sign); where it is meant so, say it: pin_split = {now} in a vee, pin_splits in a \
+                     fan, throws elsewhere",
+                    contradiction::rotation_other_than(above.convention)
+                ),
+                place(),
+            ));
+        }
+    }
+    cylinders.iter_mut().zip(throws).for_each(|(cylinder, throw)| cylinder.throw = throw);
+    Ok(())
+}
+
+/// The throws, each in [0, 1), with which the cylinders fire so.
+pub(super) fn throws_of(cylinders: &[Cylinder<Linear, Linear>], fires: &[Linear]) -> Vec<Linear> {
+    let all: Vec<Linear> = cylinders.iter().zip(fires).map(|(cylinder, fires)| cylinder.bank.minus(fires)).collect();
+    let first = all.first().cloned().unwrap_or_default();
+    let reduced = |throw: Linear| throw.minus(&Linear::constant(throw.known().floor()));
+    all.iter().map(|throw| reduced(throw.minus(&first))).collect()
+}
+
+/// Cylinders of one pin, the first with each of the others.
+fn neighbours(cylinders: &[Cylinder<Linear, Linear>]) -> impl Iterator<Item = [usize; 2]> + '_ {
+    cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
+        let first = cylinders.iter().position(|other| other.pin == cylinder.pin)?;
+        (first != index).then_some([first, index])
+    })
+}
+
+/// The first two cylinders of a pin whose throws stand otherwise to each other than the form has them.
+fn first_misfit(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<[usize; 2]> {
+    neighbours(cylinders).find(|&[one, other]| {
+        let needed = throws[other].minus(&throws[one]);
+        let has = cylinders[other].throw.minus(&cylinders[one].throw);
+        !needed.minus(&has).as_known().is_some_and(BigRational::is_integer)
+    })
+}
+
+fn first_apart(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<[usize; 2]> {
+    neighbours(cylinders).find(|&[one, other]| throws[one] != throws[other])
+}
+
+/// How far the throws of one pin stand from each other, all pins together; none where that is open.
+fn spread(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<BigRational> {
+    let apart = |[one, other]: [usize; 2]| Some(signed(throws[other].minus(&throws[one])).as_known()?.abs());
+    neighbours(cylinders).map(apart).sum()
+}
+
+/// The pins of two banks, so far apart at every pin, in turns, where that is one angle.
+pub(super) fn split_of(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<Linear> {
+    let mut splits = neighbours(cylinders).map(|[one, other]| signed(throws[other].minus(&throws[one])));
+    let first = splits.next()?;
+    splits.all(|split| split == first).then_some(first)
+}
+
+/// From more than −1/2 up to 1/2 of a turn; the unknowns as they are.
+fn signed(angle: Linear) -> Linear {
+    let half = BigRational::new(1.into(), 2.into());
+    let turns = (angle.known() - &half).ceil();
+    angle.minus(&Linear::constant(turns))
+}
+
+/// Turns as degrees, the unknowns as they are.
+pub(super) fn degrees(turns: &Linear) -> Linear {
+    let known = Linear::constant(turns.known().clone());
+    turns.minus(&known).plus(&known.scaled(&BigRational::from_integer(360.into())))
+}
