@@ -4,12 +4,15 @@ use super::dice::Dice;
 
 /// A layout file without unknowns, with rods, masses and weights as it happens.
 pub fn known(dice: &mut Dice) -> String {
-    let (form, cylinders, throws) = match dice.below(6) {
+    let (form, cylinders, throws) = match dice.below(10) {
         0 => inline(dice),
         1 => vee(dice),
         2 => fan(dice),
         3 => radial(dice),
         4 => opposed(dice),
+        5 => geared(dice),
+        6 => two_pistons(dice),
+        7 => narrow(dice),
         _ => general(dice),
     };
     format!("{}\n{}\n{}", form, mechanism(dice, cylinders), crankshaft(dice, throws))
@@ -101,6 +104,40 @@ fn opposed(dice: &mut Dice) -> Layout {
     let count = 1 + dice.below(3) as usize;
     let form = ["flat", "boxer"][dice.below(2) as usize];
     (format!("{form}.throws = [{}]", throws(dice, count)), 2 * count, 0)
+}
+
+fn geared(dice: &mut Dice) -> Layout {
+    let count = 1 + dice.below(3) as usize;
+    let (form, banks) = [("u", 2), ("h", 4)][dice.below(2) as usize];
+    let sense = ["with", "against"][dice.below(2) as usize];
+    let (phase, distance) = (angle(dice), 1 + dice.below(9));
+    let text = format!(
+        "[{form}]\nsense = '{sense}'\nphase = {phase}\ndistance = '{distance}/2'\nthrows = [{}]",
+        throws(dice, count)
+    );
+    (text, banks * count, 0)
+}
+
+fn two_pistons(dice: &mut Dice) -> Layout {
+    let count = 1 + dice.below(3) as usize;
+    match dice.below(2) {
+        0 => {
+            let (lead, sense) = (dice.below(25), ["with", "against"][dice.below(2) as usize]);
+            let text =
+                format!("[opposed_piston]\nlead = {lead}\nsense = '{sense}'\nthrows = [{}]", throws(dice, count));
+            (text, 2 * count, 0)
+        }
+        _ => {
+            let against = ["", "against = ['B']\n", "against = ['A', 'C']\n", "against = []\n"][dice.below(4) as usize];
+            (format!("[delta]\ncircumradius = 6\n{against}rows = [{}]", throws(dice, count)), 6 * count, 0)
+        }
+    }
+}
+
+fn narrow(dice: &mut Dice) -> Layout {
+    let count = 1 + dice.below(6) as usize;
+    let (bank, splay) = (10 + dice.below(12), dice.below(25));
+    (format!("[vr]\nbank_angle = {bank}\npin_splay = {splay}\nthrows = [{}]", throws(dice, count)), count, 0)
 }
 
 fn general(dice: &mut Dice) -> Layout {
