@@ -10,7 +10,8 @@ use crate::exact::PhasorSum;
 use crate::firing::{FiringStar, StarOrder};
 use crate::loads::BearingLoads;
 use crate::proof::Certificate;
-use crate::verdict::{OrderBalance, TorquePart, Verdict};
+use crate::remedy::Remedy;
+use crate::verdict::{OrderBalance, OrderVerdict, TorquePart, Verdict};
 
 /// Whether a claim holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -128,6 +129,10 @@ pub enum Finding {
     Mass(BigRational),
     /// What the main bearings feel.
     Bearings(Box<BearingLoads>),
+    /// Orders to which several kinds of rods contribute.
+    Whole(Vec<OrderVerdict>),
+    /// What takes an order away.
+    Remedy(Box<Remedy>),
     /// A largest load of gas and masses together.
     Largest(LargestOf),
     /// How far a formula of one cylinder is off.

@@ -2,7 +2,7 @@
 
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
-use super::{forces, gas_torque, possible};
+use super::{forces, gas_torque, possible, shafts};
 use crate::engine::HIGHEST_ORDER;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
@@ -54,7 +54,7 @@ pub fn parse_statement(text: &str) -> Result<Statement, ClaimError> {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = words.trim_end_matches('.');
     let lower = words.to_lowercase();
-    if let Some(claim) = gas_torque::parse(&lower).or_else(|| forces::parse(words)) {
+    if let Some(claim) = gas_torque::parse(&lower).or_else(|| forces::parse(words)).or_else(|| shafts::parse(&lower)) {
         return claim;
     }
     match lower.as_str() {
@@ -216,7 +216,7 @@ fn ordinal(word: &str) -> Option<Result<u32, ClaimError>> {
     Some(order_number(number))
 }
 
-fn order_number(word: &str) -> Result<u32, ClaimError> {
+pub(super) fn order_number(word: &str) -> Result<u32, ClaimError> {
     match word.parse() {
         Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => Ok(order),
         _ => Err(ClaimError::new(

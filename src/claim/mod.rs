@@ -8,6 +8,7 @@ mod absolute;
 mod answer;
 mod check;
 mod checked;
+mod classes;
 mod compare;
 mod condition;
 mod every;
@@ -24,6 +25,7 @@ mod moving_parts;
 mod order;
 mod possible;
 mod provenance;
+mod shafts;
 mod statement;
 mod student;
 mod study;
@@ -41,7 +43,7 @@ pub use grammar::{ClaimError, parse_statement};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use statement::{
-    Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Statement, Subject,
+    Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, Statement, Subject,
     Tolerance, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
@@ -51,7 +53,8 @@ pub use study::{Checked, Found, Said, Studied, Study, study};
 pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
     let of_orders = match statement {
         Statement::Order { .. } | Statement::Vanish { .. } | Statement::NoFreeMoment => true,
-        Statement::CanBalance(_)
+        Statement::Shafts { .. }
+        | Statement::CanBalance(_)
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
@@ -61,10 +64,11 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         | Statement::FiresEvenly { .. } => false,
     };
     if of_orders && engine.mechanisms().len() > 1 {
-        return Answer::nothing("the rods of the engine differ, so that no order is a single sum");
+        return classes::answer(engine, statement);
     }
     match statement {
         Statement::NoFreeMoment => free::answer(engine),
+        Statement::Shafts { order, shafts } => shafts::answer(engine, *order, *shafts),
         Statement::CanBalance(possible) => possible::answer(engine, possible),
         Statement::Order { subject, predicate } => order::answer(engine, *subject, predicate, numbers),
         Statement::Vanish { orders, quantities } => every::answer(engine, orders, quantities),

@@ -28,6 +28,13 @@ pub enum Statement {
     },
     /// No order leaves a moment that stays wherever the reference plane stands.
     NoFreeMoment,
+    /// What takes away an order: the least set of balancer shafts beside counterweights.
+    Shafts {
+        /// The order.
+        order: u32,
+        /// What it is said to need.
+        shafts: Shafts,
+    },
     /// Counterweights that do it exist.
     CanBalance(Possible),
     /// The crankshaft's mass in the thesis's sense, in kilograms ([`crate::engine::Engine::crankshaft_mass`]).
@@ -87,6 +94,29 @@ pub enum GasTorque {
     Vanishes(bool),
     /// They are the minor orders with the longest stars, mirror images not counted.
     StrongestMinor,
+}
+
+/// What an order is said to need for force and moment to vanish.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shafts {
+    /// Neither counterweights nor a shaft.
+    Nothing,
+    /// No shaft; at order 1 perhaps counterweights.
+    None,
+    /// Counterweights and no shaft, at order 1.
+    Counterweights,
+    /// One that turns with the crank, above order 1.
+    With,
+    /// One that turns against the crank; at order 1 perhaps counterweights besides.
+    Against,
+    /// One that turns with the crank, above order 1, and perhaps another.
+    AmongThemWith,
+    /// One that turns against the crank, and perhaps another.
+    AmongThemAgainst,
+    /// One each way, above order 1.
+    Two,
+    /// One each way with one weight each, both alike.
+    Lanchester,
 }
 
 /// What counterweights in one plane or two are said to be able to do, each at the crank radius and turned as it may.

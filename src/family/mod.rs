@@ -15,7 +15,7 @@ pub use comparable::{NotComparable, comparable};
 pub use component::{Component, Zeros, component_zeros};
 pub use firing::even_firing;
 pub use left::{Left, left};
-pub use solve::{Alternative, Angles, Condition, Never, When};
+pub use solve::{Alternative, Angles, Condition, Cosine, Never, When};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -105,7 +105,7 @@ impl OpenVerdict {
         let open = self.sums.iter().filter(|sum| !matches!(sum.when, When::Always));
         let sets = open.map(|sum| match &sum.when {
             When::Where(angles) => angles.values(unknown, range),
-            When::Always | When::Never(_) | When::Irrational { .. } | When::NotSolved(_) => None,
+            When::Always | When::Never(_) | When::Irrational { .. } | When::Cosine(_) | When::NotSolved(_) => None,
         });
         let sets = sets.collect::<Option<Vec<_>>>()?;
         sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())

@@ -1,15 +1,17 @@
 //! When does `S_1 e^{ix_1} + S_2 e^{ix_2} + … = 0`, with x linear in φ and δ?
 //!
 //! One part never vanishes. Two do iff |S_1| = |S_2| and `x_2 − x_1 ≡ arg S_1 − arg S_2 + 180°`. Three of equal length do
-//! iff they stand 120° apart; the rest is not solved here, and said so.
+//! iff they stand 120° apart. Of three, two may be mirror images of each other about the third: then a cosine decides. The
+//! rest is not solved here, and said so.
 
 use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::Part;
+use super::left::ratio;
 use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -35,8 +37,27 @@ pub enum When {
         /// Evidence that the two parts are equally long.
         equal_lengths: Certificate,
     },
+    /// Exactly where a cosine has a value that no rational turn gives.
+    Cosine(Box<Cosine>),
     /// This many parts are too many to solve for.
     NotSolved(usize),
+}
+
+/// Three parts, the second and third mirror images about the first: `S_1 (1 − cos(phi·φ + delta·δ + turn) / cosine)`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cosine {
+    /// Which of the parts that are left is the one in the middle.
+    pub middle: usize,
+    /// How many times φ enters.
+    pub phi: BigRational,
+    /// How many times δ enters.
+    pub delta: BigRational,
+    /// What is added to them.
+    pub turn: Turn,
+    /// The value at which the sum vanishes: between −1 and 1, none of 0, ±1/2, ±1, whose angles are rational turns.
+    pub cosine: BigRational,
+    /// Evidence that the others are `−1/(2 cosine)` of the middle one, turned by `turn` and back.
+    pub multiples: [Certificate; 2],
 }
 
 /// Why a sum never vanishes.
@@ -168,11 +189,38 @@ fn three(first: &Part, second: &Part, third: &Part) -> When {
     };
     let equal = equal_lengths.iter().all(Certificate::claims_zero);
     let (true, Some(to_second), Some(to_third)) = (equal, relative(second), relative(third)) else {
-        return When::NotSolved(3);
+        let middles = [(first, [second, third]), (second, [first, third]), (third, [first, second])];
+        let mut found = middles.iter().enumerate().filter_map(|(at, (middle, others))| mirrored(at, middle, *others));
+        return found.next().map_or(When::NotSolved(3), |cosine| When::Cosine(Box::new(cosine)));
     };
     let alternatives = [1, 2].map(|thirds| {
         let turned = |relative: &Turn, thirds: i64| relative + &Turn::fraction(thirds, 3);
         alternative(first, &[(second, turned(&to_second, thirds)), (third, turned(&to_third, -thirds))])
     });
     When::Where(Angles { alternatives: alternatives.to_vec(), equal_lengths })
+}
+
+/// Two parts that turn against the one in the middle by opposite angles, and are mirror images about it: `S (1 + 2q cos x)`.
+fn mirrored(at: usize, middle: &Part, [one, other]: [&Part; 2]) -> Option<Cosine> {
+    let (phi, delta) = (&one.phi - &middle.phi, &one.delta - &middle.delta);
+    if &other.phi - &middle.phi != -&phi || &other.delta - &middle.delta != -&delta {
+        return None;
+    }
+    let turn = match numbers::direction_of(&one.sum.times(&middle.sum.conjugate()))? {
+        // Half a turn is the sign of the multiple.
+        Direction::Turn(turn) if turn.times(2) == Turn::zero() => Turn::zero(),
+        Direction::Turn(turn) => turn,
+        _ => return None,
+    };
+    let back = &Turn::zero() - &turn;
+    let [forward, backward] = [one.sum.turned(&back), other.sum.turned(&turn)];
+    let multiple = ratio(&forward, &middle.sum).filter(|multiple| !multiple.is_zero())?;
+    let cosine = -(&multiple + &multiple).recip();
+    let angle_is_rational = (&cosine + &cosine).is_integer();
+    if angle_is_rational || cosine.abs() > BigRational::one() || ratio(&backward, &middle.sum)? != multiple {
+        return None;
+    }
+    let scaled = middle.sum.scaled(&multiple);
+    let multiples = [forward, backward].map(|sum| PhasorSum::new(sum.minus(&scaled).collected()).certificate());
+    Some(Cosine { middle: at, phi, delta, turn, cosine, multiples })
 }

@@ -135,7 +135,7 @@ impl SpanStar {
         let mut values = match &self.sum.when {
             When::Never(_) => BTreeSet::new(),
             When::Where(angles) => angles.values(unknown, [low, high])?,
-            When::NotSolved(_) => values_of_multiples(&self.sum, unknown, [low, high])?,
+            When::NotSolved(_) | When::Cosine(_) => values_of_multiples(&self.sum, unknown, [low, high])?,
             When::Always | When::Irrational { .. } => return None,
         };
         values.retain(|value| self.span.holds(value));

@@ -124,6 +124,26 @@ pub enum WhenClaim {
         /// For three parts: evidence that `|S_1|² − |S_j|²` is zero; for two there is none, as the alternative shows it.
         equal_lengths: Vec<Certificate>,
     },
+    /// Exactly where `cos(phi·φ + delta·δ + turn)` is `cosine`: of three parts two are `−1/(2 cosine)` of the one in the middle,
+    /// turned by `turn` and back.
+    Cosine {
+        /// Which of the parts that do not vanish is the one in the middle.
+        middle: usize,
+        /// How many times φ enters.
+        #[serde(with = "fraction")]
+        phi: BigRational,
+        /// How many times δ enters.
+        #[serde(with = "fraction")]
+        delta: BigRational,
+        /// What is added to them, in turns.
+        #[serde(with = "fraction")]
+        turn: BigRational,
+        /// The value of the cosine.
+        #[serde(with = "fraction")]
+        cosine: BigRational,
+        /// Evidence for the other two parts, in their order.
+        multiples: Box<[Certificate; 2]>,
+    },
     /// Two parts of equal length that cancel at an angle for which no rational turn is claimed.
     EqualLengths {
         /// Evidence that `|S_1|² − |S_2|²` is zero.

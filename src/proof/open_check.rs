@@ -47,7 +47,11 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
     }
     let sums = document.open_verdicts.iter().flat_map(|verdict| &verdict.sums);
     let all_solved = sums.into_iter().all(|sum| match sum.when {
-        WhenClaim::Always | WhenClaim::Never | WhenClaim::UnequalLengths { .. } | WhenClaim::Where { .. } => true,
+        WhenClaim::Always
+        | WhenClaim::Never
+        | WhenClaim::UnequalLengths { .. }
+        | WhenClaim::Where { .. }
+        | WhenClaim::Cosine { .. } => true,
         WhenClaim::EqualLengths { .. } | WhenClaim::NotSolved => false,
     });
     Ok(Checked::family(document, all_solved, audit.counts()))

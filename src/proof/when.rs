@@ -1,8 +1,9 @@
 //! Does it follow from the parts of a sum that are left, when it vanishes?
 
 use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
 
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::collected::{Collected, collect, collected, difference_of_squares};
@@ -45,6 +46,16 @@ pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> 
             [first, second] => check_lengths(first, second, true, certificate, audit),
             _ => contradiction(),
         },
+        WhenClaim::Cosine { middle, phi, delta, turn, cosine, multiples } => {
+            let condition = CosineCondition { phi, delta, turn, cosine };
+            match (left, middle) {
+                ([first, second, third], 0) => mirrored(first, [second, third], &condition, multiples, audit),
+                ([first, second, third], 1) => mirrored(second, [first, third], &condition, multiples, audit),
+                ([first, second, third], 2) => mirrored(third, [first, second], &condition, multiples, audit),
+                ([_, _, _], _) => Err("there are three parts, so that 0, 1 or 2 is the middle one".into()),
+                _ => contradiction(),
+            }
+        }
         WhenClaim::Where { alternatives, equal_lengths } => match left {
             [first, second] => two(first, second, alternatives, equal_lengths, audit),
             [first, second, third] => three([first, second, third], alternatives, equal_lengths, audit),
@@ -88,6 +99,43 @@ fn three(
         true => Err("the two alternatives are the same".into()),
         false => Ok(()),
     }
+}
+
+/// `cos(phi·φ + delta·δ + turn) = cosine`.
+struct CosineCondition<'a> {
+    phi: &'a BigRational,
+    delta: &'a BigRational,
+    turn: &'a BigRational,
+    cosine: &'a BigRational,
+}
+
+/// `S + q S (e^{ix} + e^{−ix}) = S (1 + 2q cos x)` with `q = −1/(2 cosine)`: zero exactly where `cos x` is the cosine.
+fn mirrored(
+    middle: &Part<'_>,
+    others: [&Part<'_>; 2],
+    claim: &CosineCondition<'_>,
+    multiples: &[Certificate; 2],
+    audit: &Audit,
+) -> Result<(), Reason> {
+    if claim.cosine.is_zero() || claim.cosine.abs() >= BigRational::one() {
+        return Err("the cosine is not between -1 and 1, or is 0".into());
+    }
+    let multiple = (claim.cosine + claim.cosine).recip();
+    let one = BigRational::one();
+    for ((part, sign), certificate) in others.into_iter().zip([one.clone(), -one]).zip(multiples) {
+        let [phi, delta] = [&part.claim.phi - &middle.claim.phi, &part.claim.delta - &middle.claim.delta];
+        if phi != claim.phi * &sign || delta != claim.delta * &sign {
+            return Err("the parts do not turn against the middle one as the condition says".into());
+        }
+        // The part turned back, less q of the middle one.
+        let back = claim.turn * &sign;
+        audit.spend(steps_of(&back).max(steps_of(&multiple)))?;
+        let turned = part.sum.iter().map(|(angle, weight)| (angle - &back, weight.clone()));
+        let less = middle.sum.iter().map(|(angle, weight)| (angle.clone(), weight * &multiple));
+        let terms: Vec<(BigRational, BigRational)> = turned.chain(less).collect();
+        certify(&collect(terms, audit)?, true, certificate, audit)?;
+    }
+    Ok(())
 }
 
 fn check_lengths(

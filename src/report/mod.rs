@@ -14,6 +14,7 @@ mod convention;
 mod document;
 mod engine_cells;
 mod engine_page;
+mod engines;
 mod example;
 mod family_page;
 mod figures;
@@ -57,6 +58,7 @@ pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_page};
+pub use engines::{BuiltEngine, engines_page};
 pub use example::worked as worked_example;
 pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
 pub use figures::{NamedPicture, figures, sweep_figures};

@@ -11,6 +11,7 @@ use crankstar::page::Format;
 use crankstar::proof::Quantity;
 use crankstar::{order, report};
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use crate::support::pages;
 
@@ -251,4 +252,29 @@ fn a_family_whose_rods_differ_or_weigh_nothing_is_not_judged_as_one_star() {
     assert_eq!(of("rod_ratio = [0.25, 0.3]"), Err(NotComparable::RodsDiffer));
     assert_eq!(of("rod_ratio = 0.3\noffset_ratio = [0.1, -0.1]"), Err(NotComparable::RodsDiffer));
     assert_eq!(of("reciprocating_mass = 0"), Err(NotComparable::NoMass));
+}
+
+#[test]
+fn three_parts_of_which_two_are_mirror_images_vanish_where_a_cosine_says_so() {
+    // A middle bank of mass m between two of mass 1: reverse of order 1 is m + 2 cos 2φ, or with a throw turned, m + 2 cos(2φ + 60°).
+    for (mass, turned) in [("1/2", 0), ("3/2", 0), ("2/3", 30), ("7/5", 30)] {
+        let text = format!(
+            "cylinder = [{{ throw = -{turned}, bank = '-phi', position = 0 }}, {{ throw = 0, bank = 0, position = 0, reciprocating_mass = '{mass}' }},
+                         {{ throw = {turned}, bank = phi, position = 0 }}]"
+        )
+        .replace("bank = phi", "bank = 'phi'");
+        let family = open(&text);
+        let reverse = &family::classify(&family, &[1]).expect("orders")[0].force[1];
+        let [sum] = reverse.sums.as_slice() else { panic!("{reverse:?}") };
+        let When::Cosine(found) = &sum.when else { panic!("{text}: {:?}", sum.when) };
+        let float = |value: &BigRational| value.to_f64().expect("a number");
+        // At the angles of the condition the sum is 0 in decimals; between them it is not.
+        let mass = float(&crankstar::file::parse_number(mass).expect("a mass"));
+        for sign in [1.0, -1.0] {
+            let argument = sign * float(&found.cosine).acos() - std::f64::consts::TAU * float(found.turn.turns());
+            let phi = argument / float(&found.phi);
+            let star = mass + 2.0 * (2.0 * phi - f64::from(turned).to_radians()).cos();
+            assert!(star.abs() < 1e-12, "{text}: {star}");
+        }
+    }
 }

@@ -26,6 +26,7 @@ mod decision_laws;
 mod document_limits;
 mod document_mutations;
 mod documents_verify;
+mod engines_of_the_world;
 mod examples;
 mod families;
 mod figure_command;
@@ -104,6 +105,7 @@ mod support {
     pub mod program;
     pub mod side;
     pub mod stiffness;
+    pub mod time_domain;
     pub mod verdicts;
     pub mod whole_degrees;
     pub mod whole_documents;

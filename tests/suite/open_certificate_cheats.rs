@@ -12,6 +12,12 @@ const UNEQUAL: &str = "
     cylinder = [{ throw = 0, bank = '-phi/2', position = 0 },
                 { throw = 0, bank = 'phi/2', position = 1, reciprocating_mass = '3/2' }]";
 
+/// Two V-twins on pins in phase, and a single cylinder: reverse of order 1, `4 cos φ − 1`.
+const V5: &str = "
+    cylinder = [{ throw = 0, bank = '-phi/2', position = 1 }, { throw = 0, bank = 'phi/2', position = 1 },
+                { throw = '180 - phi', bank = '-phi/2', position = 0 },
+                { throw = 0, bank = '-phi/2', position = -1 }, { throw = 0, bank = 'phi/2', position = -1 }]";
+
 fn document(text: &str) -> OpenDocument {
     let Ok(Layout::Open(family)) = file::parse_layout("test", text) else { panic!("not a family: {text}") };
     report::open_document(&family, &family::classify(&family, &[1, 2, 4]).expect("orders"))
@@ -34,7 +40,7 @@ const REVERSE: usize = 1;
 
 #[test]
 fn documents_of_families_hold_and_survive_json() {
-    for text in [V_TWIN, W, UNEQUAL] {
+    for text in [V_TWIN, W, UNEQUAL, V5] {
         let document = document(text);
         let json = serde_json::to_string(&document).expect("JSON");
         let read: OpenDocument = serde_json::from_str(&json).expect("it reads");
@@ -190,4 +196,49 @@ fn evidence_that_is_not_needed_is_refused() {
         equal_lengths.push(alternatives[0].certificate.clone());
     });
     assert_eq!(reason, "two parts that cancel are equally long, so that no evidence for it belongs here");
+}
+
+#[test]
+fn a_cosine_that_its_parts_do_not_have_is_refused() {
+    let with =
+        |change: fn(&mut WhenClaim)| refused(V5, |document| change(&mut document.open_verdicts[REVERSE].sums[0].when));
+    let other_value = with(|when| {
+        let WhenClaim::Cosine { cosine, .. } = when else { panic!("{when:?}") };
+        *cosine = fraction(1, 5);
+    });
+    assert!(other_value.contains("collect to"), "{other_value}");
+    let turned = with(|when| {
+        let WhenClaim::Cosine { turn, .. } = when else { panic!("{when:?}") };
+        *turn = fraction(1, 6);
+    });
+    assert!(turned.contains("collect to"), "{turned}");
+    for value in [fraction(0, 1), fraction(1, 1), fraction(-7, 5)] {
+        let reason = refused(V5, |document| {
+            let when = &mut document.open_verdicts[REVERSE].sums[0].when;
+            let WhenClaim::Cosine { cosine, .. } = when else { panic!("{when:?}") };
+            *cosine = value;
+        });
+        assert_eq!(reason, "the cosine is not between -1 and 1, or is 0");
+    }
+    let doubled = with(|when| {
+        let WhenClaim::Cosine { phi, .. } = when else { panic!("{when:?}") };
+        *phi = fraction(2, 1);
+    });
+    assert_eq!(doubled, "the parts do not turn against the middle one as the condition says");
+    let middle = |index: usize| {
+        refused(V5, |document| {
+            let when = &mut document.open_verdicts[REVERSE].sums[0].when;
+            let WhenClaim::Cosine { middle, .. } = when else { panic!("{when:?}") };
+            *middle = index;
+        })
+    };
+    assert_eq!(middle(0), "the parts do not turn against the middle one as the condition says");
+    assert_eq!(middle(3), "there are three parts, so that 0, 1 or 2 is the middle one");
+}
+
+#[test]
+fn a_cosine_of_two_parts_is_refused() {
+    let cosine = document(V5).open_verdicts[REVERSE].sums[0].when.clone();
+    let reason = refused(V_TWIN, |document| document.open_verdicts[REVERSE].sums[0].when = cosine);
+    assert_eq!(reason, "2 parts do not vanish, which contradicts `when`");
 }

@@ -89,7 +89,7 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 11] = [
+const BESIDE: [(&str, &str, &str); 12] = [
     (
         "atlas/README.md",
         "Atlas",
@@ -97,6 +97,11 @@ const BESIDE: [(&str, &str, &str); 11] = [
     ),
     ("families", "Families", "{}: engines with open angles and lengths."),
     ("examples", "Examples", "{}: engines with numbers, in newtons."),
+    (
+        "engines/README.md",
+        "Engines of the world",
+        "{}: engines that were built, what is known of them beside what is found.",
+    ),
     ("claims/README.md", "Claims", "{}: published claims, checked."),
     (
         "firing/four-stroke.md",

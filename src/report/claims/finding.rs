@@ -12,7 +12,8 @@ use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
 use crate::order::Masses;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::{Quantity, Sense, Shape};
-use crate::verdict::{Balance, OrderBalance, TorquePart, Verdict};
+use crate::remedy::Remedy;
+use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorquePart, Verdict};
 
 /// `true`, `false`, `true only if …`.
 pub fn claim_status(answer: &Answer) -> Text {
@@ -63,10 +64,35 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         }
         (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {} kg.", kilograms(mass)),
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
+        (Finding::Whole(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
+        (Finding::Remedy(remedy), _) => needs(remedy),
         (Finding::Largest(found), _) => forces::largest(found),
         (Finding::Agreement(found), _) => forces::agreement(found),
         (Finding::Witness(found), _) => counterweights::found(found),
         (Finding::Nothing(reason), _) => phrase!("{}.", reason.clone()),
+    }
+}
+
+/// What is left of an order to which several kinds of rods contribute.
+fn of_several_rods(order: &OrderVerdict) -> Text {
+    let [force, moment] = residual::whole(order);
+    phrase!("Order {}: force {}; moment: {}.", order.order, force, moment)
+}
+
+/// What takes an order away, in a word or two.
+pub(in crate::report) fn needs(remedy: &Remedy) -> Text {
+    let order = remedy.orders.first().copied().unwrap_or_default();
+    let weights = remedy.crankshaft.is_some();
+    match remedy.shafts.as_slice() {
+        [] if weights => phrase!("Order {} needs counterweights alone.", order),
+        [] => phrase!("Order {} needs nothing.", order),
+        [one] if one.sense == Sense::Direct => phrase!("Order {} needs one balancer shaft with the crank.", order),
+        [_] if weights => {
+            phrase!("Order {} needs counterweights and one balancer shaft against the crank.", order)
+        }
+        [_] => phrase!("Order {} needs one balancer shaft against the crank.", order),
+        [one, _] if one.lanchester => phrase!("Order {} needs a Lanchester pair.", order),
+        [..] => phrase!("Order {} needs two balancer shafts, one turning each way.", order),
     }
 }
 

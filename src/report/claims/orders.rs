@@ -48,6 +48,7 @@ impl Asked<'_> {
             Statement::NoFreeMoment => true,
             Statement::Vanish { .. }
             | Statement::Order { .. }
+            | Statement::Shafts { .. }
             | Statement::CanBalance(_)
             | Statement::CrankshaftMass(_)
             | Statement::BearingLoad(_)
@@ -75,6 +76,7 @@ fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
         Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::Moment),
         Statement::NoFreeMoment => true,
         Statement::Order { .. }
+        | Statement::Shafts { .. }
         | Statement::CanBalance(_)
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)

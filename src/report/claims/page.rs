@@ -51,6 +51,7 @@ fn of_forces(claims: &Claims) -> Option<Block> {
         Statement::Order { .. }
         | Statement::Vanish { .. }
         | Statement::NoFreeMoment
+        | Statement::Shafts { .. }
         | Statement::CanBalance(_)
         | Statement::CrankshaftMass(_)
         | Statement::BearingLoad(_)

@@ -66,6 +66,14 @@ fn when(when: &When) -> WhenClaim {
             WhenClaim::UnequalLengths { certificate: certificate.clone() }
         }
         When::Irrational { equal_lengths, .. } => WhenClaim::EqualLengths { certificate: equal_lengths.clone() },
+        When::Cosine(found) => WhenClaim::Cosine {
+            middle: found.middle,
+            phi: found.phi.clone(),
+            delta: found.delta.clone(),
+            turn: found.turn.turns().clone(),
+            cosine: found.cosine.clone(),
+            multiples: Box::new(found.multiples.clone()),
+        },
         When::NotSolved(_) => WhenClaim::NotSolved,
         When::Where(angles) => {
             let alternative = |alternative: &crate::family::Alternative| AlternativeClaim {

@@ -13,7 +13,7 @@ use super::convention::{differs, seen};
 use super::engine_page::{ASSUMED, FIRES};
 use super::moving;
 use crate::engine::{Family, PHI};
-use crate::family::{self, OpenOrder, OpenVerdict};
+use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
 
@@ -112,19 +112,35 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     if !forces.is_empty() {
         lines.push(phrase!("Whatever they are, the force of {} vanishes.", super::residual::orders_in_words(&forces)));
     }
-    for verdict in orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)) {
-        if let Some(angles) = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always()) {
+    lines.extend(exact_angles(orders));
+    lines.extend(even_firing(family));
+    lines
+}
+
+/// For which angles a vector vanishes, a sentence each, where that is solved.
+pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
+    let verdicts = orders.iter().flat_map(|order| order.force.iter().chain(&order.moment));
+    let sentence = |verdict: &OpenVerdict| {
+        let listed = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always());
+        if let Some(angles) = listed {
             let words = match (verdict.quantity, verdict.sense) {
                 (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly at φ = {}.",
                 (Quantity::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly at φ = {}.",
                 (_, Sense::Direct) => "The direct force of order {} vanishes exactly at φ = {}.",
                 (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly at φ = {}.",
             };
-            lines.push(phrase!(words, verdict.order, words::list(&angles)));
+            return Some(phrase!(words, verdict.order, words::list(&angles)));
         }
-    }
-    lines.extend(even_firing(family));
-    lines
+        let [OpenSum { when: When::Cosine(found), .. }] = verdict.sums.as_slice() else { return None };
+        let words = match (verdict.quantity, verdict.sense) {
+            (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",
+            (Quantity::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly where {}.",
+            (_, Sense::Direct) => "The direct force of order {} vanishes exactly where {}.",
+            (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly where {}.",
+        };
+        Some(phrase!(words, verdict.order, words::cosine(found)))
+    };
+    verdicts.filter_map(sentence).collect()
 }
 
 /// Each vector of an order with its argument, and the certificates.

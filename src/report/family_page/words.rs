@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::super::{argument, residual, typeset};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
-use crate::family::{self, Alternative, Angles, Condition, Left, Never, OpenSum, OpenVerdict, Part, When};
+use crate::family::{self, Alternative, Angles, Condition, Cosine, Left, Never, OpenSum, OpenVerdict, Part, When};
 use crate::numbers::Form;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
@@ -53,6 +53,7 @@ pub(in crate::report) fn condition_of(sum: &OpenSum) -> Option<Text> {
             let decimal = typeset::decimal(degrees.rem_euclid(360.0));
             Some(phrase!("0 where {} ≈ {}°", unknowns(phi, delta), decimal))
         }
+        When::Cosine(found) => Some(phrase!("0 where {}", cosine(found))),
         When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
 }
@@ -69,6 +70,28 @@ fn conditions(angles: &Angles) -> Text {
     };
     let together = |alternative: &Alternative| Text::joined(alternative.conditions.iter().map(one), " and ");
     Text::joined(angles.alternatives.iter().map(together), ", or ")
+}
+
+/// `cos(φ) = 0.25, φ ≈ ±75.52°`.
+pub(super) fn cosine(found: &Cosine) -> Text {
+    let degrees = found.cosine.to_f64().unwrap_or(f64::NAN).acos().to_degrees();
+    let (argument, value) = (argument_of(found), typeset::number(&found.cosine));
+    phrase!("cos({}) = {}, {} ≈ ±{}°", argument.clone(), value, argument, typeset::decimal(degrees))
+}
+
+/// `φ`, `2φ + 30°`: what the cosine is of.
+fn argument_of(found: &Cosine) -> String {
+    // A cosine is even: φ, or else δ, is shown entering positively.
+    let turned = found.phi.is_negative() || found.phi.is_zero() && found.delta.is_negative();
+    let (phi, delta, turn) = match turned {
+        true => (-&found.phi, -&found.delta, -&found.turn),
+        false => (found.phi.clone(), found.delta.clone(), found.turn.clone()),
+    };
+    match turn == Turn::zero() {
+        true => unknowns(&phi, &delta),
+        false => format!("{} + {}", unknowns(&phi, &delta), typeset::degrees(&typeset::signed_degrees(&turn)))
+            .replace("+ −", "− "),
+    }
 }
 
 /// `2φ − δ`.
@@ -142,6 +165,14 @@ fn why(when: &When) -> Text {
         }
         When::Irrational { .. } => {
             "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that.".into()
+        }
+        When::Cosine(found) => {
+            let cosine = typeset::number(&found.cosine);
+            phrase!(
+                "Two of the parts are mirror images about the third and equal multiples of it (proved), so that the sum vanishes exactly where cos({}) = {}.",
+                argument_of(found),
+                cosine
+            )
         }
         When::NotSolved(count) => {
             phrase!("{} parts are left; for which angles they cancel is not solved here.", *count)

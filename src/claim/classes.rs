@@ -1,0 +1,100 @@
+//! Is it true of an engine with several kinds of rods, of whose orders no single sum tells?
+
+use super::answer::{Answer, Finding, Status};
+use super::shafts::evidence;
+use super::statement::{Orders, Predicate, Statement, Subject};
+use crate::engine::Engine;
+use crate::order::Masses;
+use crate::proof::{Quantity, Sense, Shape};
+use crate::verdict::{self, OrderVerdict, WholeOrder};
+
+/// Answers whether orders vanish and which shape is left; sizes are not compared.
+pub(super) fn answer(engine: &Engine, statement: &Statement) -> Answer {
+    match statement {
+        Statement::Order { subject, predicate } if ![Quantity::Torque, Quantity::Roll].contains(&subject.quantity) => {
+            one(engine, *subject, predicate)
+        }
+        Statement::Vanish { orders: Orders::Listed(orders), quantities } => listed(engine, orders, quantities),
+        Statement::Order { .. }
+        | Statement::Vanish { .. }
+        | Statement::NoFreeMoment
+        | Statement::Shafts { .. }
+        | Statement::CanBalance(_)
+        | Statement::CrankshaftMass(_)
+        | Statement::BearingLoad(_)
+        | Statement::WorstBearings(_)
+        | Statement::LargestLoad(..)
+        | Statement::Formula(_)
+        | Statement::GasTorque { .. }
+        | Statement::FiresEvenly { .. } => {
+            Answer::nothing("the rods of the engine differ, so that no order is a single sum")
+        }
+    }
+}
+
+fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
+    let quantities = [Quantity::Force, Quantity::Moment];
+    verdict::classify(engine, &[order], masses, &quantities).ok()?.into_iter().next()
+}
+
+fn one(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
+    let Some(order) = judged(engine, subject.order, subject.masses) else { return Answer::nothing("no order") };
+    let whole = whole(&order, subject.quantity);
+    let vanishes = if order.exists() { vanish(whole, subject.sense) } else { Some(true) };
+    let holds = match (predicate, subject.sense) {
+        (Predicate::Vanishes(claimed), _) => vanishes.map(|vanishes| vanishes == *claimed),
+        (Predicate::Is(shape), None) => match whole.shape {
+            Shape::NotDecided => None,
+            found => Some(found == *shape),
+        },
+        (Predicate::Is(_) | Predicate::Equals(..) | Predicate::Plane(_), _) => {
+            return Answer::nothing(
+                "the rods of the engine differ, so that sizes and directions of an order are not compared",
+            );
+        }
+    };
+    Answer { status: status(holds), evidence: evidence(&order), finding: Finding::Whole(vec![order]) }
+}
+
+fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
+    let orders: Vec<OrderVerdict> =
+        orders.iter().filter_map(|order| judged(engine, *order, Masses::Reciprocating)).collect();
+    let asked = orders.iter().filter(|order| order.exists());
+    let outcomes: Vec<Option<bool>> =
+        asked.flat_map(|order| quantities.iter().map(|quantity| vanish(whole(order, *quantity), None))).collect();
+    let holds = match (outcomes.contains(&Some(false)), outcomes.contains(&None)) {
+        (true, _) => Some(false),
+        (false, true) => None,
+        (false, false) => Some(true),
+    };
+    let evidence = orders.iter().flat_map(evidence).collect();
+    Answer { status: status(holds), finding: Finding::Whole(orders), evidence }
+}
+
+fn whole(order: &OrderVerdict, quantity: Quantity) -> &WholeOrder {
+    match quantity {
+        Quantity::Moment => &order.moment,
+        Quantity::Force | Quantity::Torque | Quantity::Roll => &order.force,
+    }
+}
+
+fn vanish(whole: &WholeOrder, sense: Option<Sense>) -> Option<bool> {
+    let [direct, reverse] = [0, 1].map(|sense| whole.outcomes[sense].vanishes());
+    match sense {
+        Some(Sense::Direct) => direct,
+        Some(Sense::Reverse) => reverse,
+        None => match [direct, reverse] {
+            [Some(false), _] | [_, Some(false)] => Some(false),
+            [Some(true), Some(true)] => Some(true),
+            [None, _] | [_, None] => None,
+        },
+    }
+}
+
+fn status(holds: Option<bool>) -> Status {
+    match holds {
+        Some(true) => Status::True,
+        Some(false) => Status::False,
+        None => Status::NotDecided,
+    }
+}

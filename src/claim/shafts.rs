@@ -1,0 +1,98 @@
+//! Which balancer shafts does an order need, and is that what is claimed?
+
+use super::answer::{Answer, Evidence, Finding, Status};
+use super::grammar::{ClaimError, order_number};
+use super::statement::{Shafts, Statement};
+use crate::engine::Engine;
+use crate::proof::Quantity;
+use crate::remedy::{Wish, remedy};
+use crate::verdict::{Judgement, OrderVerdict};
+
+/// What may be claimed, in words.
+const NEEDS: [(&str, Shafts); 9] = [
+    ("nothing", Shafts::Nothing),
+    ("no balancer shaft", Shafts::None),
+    ("counterweights alone", Shafts::Counterweights),
+    ("one balancer shaft with the crank", Shafts::With),
+    ("one balancer shaft against the crank", Shafts::Against),
+    ("a balancer shaft with the crank", Shafts::AmongThemWith),
+    ("a balancer shaft against the crank", Shafts::AmongThemAgainst),
+    ("two balancer shafts", Shafts::Two),
+    ("a lanchester pair", Shafts::Lanchester),
+];
+
+/// `order 2 needs a Lanchester pair`; none where the words are of another claim.
+pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
+    let (order, needs) = text.strip_prefix("order ")?.split_once(" needs ")?;
+    let order = match order_number(order) {
+        Ok(order) => order,
+        Err(mistake) => return Some(Err(mistake)),
+    };
+    let found = NEEDS.iter().find(|(words, _)| *words == needs);
+    Some(match found {
+        Some((_, Shafts::Counterweights)) if order > 1 => Err(ClaimError::new(
+            format!("counterweights reach order 1 alone, not order {order}"),
+            "what shafts the order needs, such as \"order 2 needs a Lanchester pair\"",
+        )),
+        Some((_, shafts)) => Ok(Statement::Shafts { order, shafts: *shafts }),
+        None => Err(ClaimError::new(
+            format!("`{needs}` is nothing that an order needs"),
+            "nothing, no balancer shaft, counterweights alone, one balancer shaft with (or against) the crank, a balancer \
+             shaft with (or against) the crank and perhaps others, two balancer shafts, or a Lanchester pair",
+        )),
+    })
+}
+
+/// Finds the least set of shafts for the order, beside counterweights where it is order 1.
+pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
+    let judged = match Judgement::new(engine, &[order], &[Quantity::Force, Quantity::Moment]) {
+        Ok(judged) => judged,
+        Err(number) => return Answer::nothing(&number.to_string()),
+    };
+    let Some(verdict) = judged.orders.first() else { return Answer::nothing("no order was judged") };
+    let Some([direct, reverse]) = left(verdict) else {
+        return Answer::nothing("whether what is left of the order vanishes is not decided");
+    };
+    let remedy = match remedy(engine, &Wish { orders: vec![order], ..Wish::default() }) {
+        Ok(remedy) => remedy,
+        Err(refused) => return Answer::nothing(&refused.to_string()),
+    };
+    // Counterweights on the crankshaft are the shaft that turns with the crank at order 1.
+    let with = direct && order > 1;
+    let is_so = match claimed {
+        Shafts::Nothing => !direct && !reverse,
+        Shafts::None => !with && !reverse,
+        Shafts::Counterweights => direct && !reverse,
+        Shafts::With => with && !reverse,
+        Shafts::Against => !with && reverse,
+        Shafts::AmongThemWith => with,
+        Shafts::AmongThemAgainst => reverse,
+        Shafts::Two => with && reverse,
+        Shafts::Lanchester => with && reverse && remedy.shafts.iter().all(|shaft| shaft.lanchester),
+    };
+    let status = if is_so { Status::True } else { Status::False };
+    Answer { status, finding: Finding::Remedy(Box::new(remedy)), evidence: evidence(verdict) }
+}
+
+/// Whether the direct and the reverse vector of force or moment are left; none where that is not decided.
+fn left(order: &OrderVerdict) -> Option<[bool; 2]> {
+    if !order.exists() {
+        return Some([false, false]);
+    }
+    let of_sense = |sense: usize| {
+        let vanish = [&order.force, &order.moment].map(|whole| whole.outcomes[sense].vanishes());
+        match vanish {
+            [Some(false), _] | [_, Some(false)] => Some(true),
+            [Some(true), Some(true)] => Some(false),
+            [None, _] | [_, None] => None,
+        }
+    };
+    Some([of_sense(0)?, of_sense(1)?])
+}
+
+/// The verdicts that the answer rests on.
+pub(super) fn evidence(order: &OrderVerdict) -> Vec<Evidence> {
+    let parts = order.parts.iter().filter(|part| part.exists);
+    let verdicts = parts.flat_map(|part| [&part.force, &part.moment].into_iter().flat_map(|one| one.verdicts()));
+    verdicts.map(|verdict| Evidence::Verdict(verdict.clone())).collect()
+}

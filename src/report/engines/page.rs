@@ -1,0 +1,114 @@
+//! What stands on the page of engines that were built? Each with what is known, what is found, and whether they agree.
+
+use super::super::claims::{claim_finding, claim_status};
+use super::super::residual;
+use super::{BuiltEngine, CURED, Checked, firing};
+use crate::claim::Published;
+use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::proof::Quantity;
+use crate::verdict::Judgement;
+
+/// The page over the reports.
+pub fn engines_page(engines: &[BuiltEngine]) -> Document {
+    let mut page = Document::new("README", "Engines of the world");
+    page.push(Block::Answer(counts(engines)));
+    page.push(Block::Heading(1, "All of them".into()));
+    page.push(overview(engines));
+    page.push(Block::Heading(1, "What is known, and what is found".into()));
+    for engine in engines {
+        page.blocks.extend(section(engine));
+    }
+    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::List(READ.map(Text::from).into()));
+    page
+}
+
+const READ: [&str; 4] = [
+    "What is known stands in facts.toml beside each layout file, each sentence with its source in brackets; what was not found in a source says so there.",
+    "What is found is what `classify` and `remedy` say of the layout file: 0 is proved; any other number is the largest value through a revolution, forces in $m r \\omega^2 c_k$, moments in that times the spacing of the cylinders.",
+    "They agree where every statement that follows from what is known is answered true. A shaft that the engine has is needed; a shaft that is needed and that the engine does not have is left out by its makers, who live with what it would take away.",
+    "A builder balances as much as is felt, so that one order may be answered and another left; needs are told for each order apart.",
+];
+
+/// How many agree.
+fn counts(engines: &[BuiltEngine]) -> Vec<Text> {
+    let agree = engines.iter().filter(|engine| engine.agrees()).count();
+    let [all, hold] = engines.iter().map(BuiltEngine::agreement).fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
+    vec![
+        phrase!(
+            "{} engines that were built, a report each; what is known of {} and what is found agree.",
+            engines.len(),
+            agree
+        ),
+        phrase!("Of {} statements that follow from what is known, {} are answered true.", all, hold),
+    ]
+}
+
+/// The verdicts on the orders that shafts are built for.
+fn judged(engine: &BuiltEngine) -> Option<Judgement> {
+    Judgement::new(&engine.engine, &CURED, &[Quantity::Force, Quantity::Moment]).ok()
+}
+
+/// A row per engine.
+fn overview(engines: &[BuiltEngine]) -> Table {
+    let mut table = Table::new([
+        "Engine",
+        "Firing",
+        "Force, order 1",
+        "Moment, order 1",
+        "Force, order 2",
+        "Moment, order 2",
+        "Agree",
+    ]);
+    for engine in engines {
+        let mut row = vec![link(engine), firing(engine.engine.firing())];
+        for order in judged(engine).iter().flat_map(|judged| &judged.orders) {
+            row.extend(residual::whole(order));
+        }
+        row.push(if engine.agrees() { "yes".into() } else { "**no**".into() });
+        table.push(row);
+    }
+    table
+}
+
+fn link(engine: &BuiltEngine) -> Text {
+    Text::link(Text::from(engine.engine.title()), format!("{}/report.md", engine.name))
+}
+
+/// The three lines of an engine, and the statements with their answers.
+fn section(engine: &BuiltEngine) -> Vec<Block> {
+    let [all, hold] = engine.agreement();
+    let agree = match engine.agrees() {
+        true => phrase!("**Agree.** Yes: all {} statements are answered true.", all),
+        false => phrase!("**Agree.** No: {} of {} statements are answered true. {}", hold, all, why(engine)),
+    };
+    let found = judged(engine).map_or_else(Text::default, |judged| engine.found(&judged));
+    vec![
+        Block::Heading(2, link(engine)),
+        Block::List(vec![phrase!("**Known.** {}", engine.known()), phrase!("**Found.** {}", found), agree]),
+        Block::Folded(Fold { summary: "Statements and answers".into(), blocks: vec![answers(engine).into()] }),
+    ]
+}
+
+/// What is the case where a statement is answered otherwise, with what the author of the facts says of it.
+fn why(engine: &BuiltEngine) -> Text {
+    let of_fact = |fact: &Published| -> Vec<Text> {
+        let wrong = BuiltEngine::checked(fact).filter(|checked| !checked.answer.status.holds());
+        let wrong: Vec<Text> = wrong
+            .map(|Checked { claim, answer }| phrase!("“{}”: {}", &claim.says, claim_finding(&claim.statement, &answer)))
+            .collect();
+        let conclusion = fact.conclusion.as_ref().filter(|_| !wrong.is_empty());
+        wrong.into_iter().chain(conclusion.map(Text::from)).collect()
+    };
+    Text::joined(engine.facts.statements.iter().flat_map(of_fact), " ")
+}
+
+/// Each statement with its answer.
+fn answers(engine: &BuiltEngine) -> Table {
+    let mut table = Table::new(["Statement", "Answer", "What is the case"]);
+    for Checked { claim, answer } in engine.facts.statements.iter().flat_map(BuiltEngine::checked) {
+        let finding = claim_finding(&claim.statement, &answer);
+        table.push(vec![(&claim.says).into(), phrase!("**{}**", claim_status(&answer)), finding]);
+    }
+    table
+}

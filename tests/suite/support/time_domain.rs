@@ -1,0 +1,121 @@
+//! The forces of all pistons on their exact paths, added up at each moment of a revolution: no star, no coefficient.
+
+use std::f64::consts::TAU;
+use std::ops::{Add, Mul, Sub};
+
+use num_complex::Complex;
+use num_traits::ToPrimitive;
+
+use crankstar::engine::{Cylinder, Engine};
+use crankstar::numbers;
+use crankstar::proof::Sense;
+use crankstar::remedy::ComparableEngine;
+
+/// Steps through a revolution: their mean is exact for all orders that these rods have to speak of.
+const STEPS: usize = 512;
+/// r/l of engines whose layout names no rod.
+const RATIO: f64 = 0.3;
+
+/// The largest difference of the four vectors of an order, force and moment about position 0, in m r ω².
+pub fn difference(engine: &Engine, order: u32) -> f64 {
+    let subject = ComparableEngine::new(engine).expect("masses in one unit");
+    let mut worst = 0.0_f64;
+    for (sense, sign) in [(Sense::Direct, 1.0), (Sense::Reverse, -1.0)] {
+        for (sum, arm) in [(subject.force(order, sense), false), (subject.moment(order, sense), true)] {
+            let there = subject.value(&sum, order, sense);
+            let there = there.unwrap_or_else(|| {
+                let star = sum.only().map_or(Complex::new(0.0, 0.0), |(_, sum)| numbers::evaluate(sum));
+                star * coefficient(order)
+            });
+            worst = worst.max((there - vector(engine, sign * f64::from(order), arm)).norm());
+        }
+    }
+    worst
+}
+
+/// Twice the mean of `F e^{−ikθ}`, where F is the force of all pistons, or its moment.
+fn vector(engine: &Engine, order: f64, with_arm: bool) -> Complex<f64> {
+    let steps = (0..STEPS).map(|step| TAU * step as f64 / STEPS as f64);
+    let at = |theta: f64| {
+        let forces = engine.cylinders().iter().map(|cylinder| {
+            let arm = if with_arm { cylinder.position.to_f64().expect("a position") } else { 1.0 };
+            let bank = TAU * cylinder.bank.turns().to_f64().expect("an angle");
+            let mass = cylinder.reciprocating_mass.to_f64().expect("a mass");
+            Complex::from_polar(1.0, bank) * (-arm * mass * path(cylinder, theta).0[2])
+        });
+        forces.sum::<Complex<f64>>() * Complex::from_polar(1.0, -order * theta)
+    };
+    steps.map(at).sum::<Complex<f64>>() * (2.0 / STEPS as f64)
+}
+
+/// Where a piston is, how fast it goes and how fast that changes, over the crank angle; lengths in crank radii.
+fn path(cylinder: &Cylinder, theta: f64) -> Jet {
+    let [throw, bank] = [&cylinder.throw, &cylinder.bank].map(|angle| TAU * angle.turns().to_f64().expect("an angle"));
+    let (rod, offset) = match cylinder.rod() {
+        Some(rod) => {
+            let [ratio, offset] = [&rod.ratio, &rod.offset].map(|value| value.to_f64().expect("a number"));
+            (1.0 / ratio, offset / ratio)
+        }
+        None => (1.0 / RATIO, 0.0),
+    };
+    slider(theta + throw - bank, rod, offset)
+}
+
+/// `cos ψ + √(l² − (sin ψ − e)²)`.
+fn slider(psi: f64, rod: f64, offset: f64) -> Jet {
+    let across = Jet::sine(psi) - Jet::fixed(offset);
+    Jet::cosine(psi) + (Jet::fixed(rod * rod) - across * across).root()
+}
+
+/// `c_k` of a rod that is not named, by the mean of its own motion.
+fn coefficient(order: u32) -> f64 {
+    let steps = (0..STEPS).map(|step| TAU * step as f64 / STEPS as f64);
+    let part = steps.map(|psi| -slider(psi, 1.0 / RATIO, 0.0).0[2] * (f64::from(order) * psi).cos());
+    part.sum::<f64>() * (2.0 / STEPS as f64)
+}
+
+/// A number with its first and second derivative.
+#[derive(Clone, Copy)]
+struct Jet([f64; 3]);
+
+impl Jet {
+    fn fixed(value: f64) -> Self {
+        Jet([value, 0.0, 0.0])
+    }
+
+    fn sine(angle: f64) -> Self {
+        Jet([angle.sin(), angle.cos(), -angle.sin()])
+    }
+
+    fn cosine(angle: f64) -> Self {
+        Jet([angle.cos(), -angle.sin(), -angle.cos()])
+    }
+
+    fn root(self) -> Self {
+        let [value, first, second] = self.0;
+        let root = value.sqrt();
+        Jet([root, first / (2.0 * root), second / (2.0 * root) - first * first / (4.0 * root * value)])
+    }
+}
+
+impl Add for Jet {
+    type Output = Jet;
+    fn add(self, other: Jet) -> Jet {
+        Jet(std::array::from_fn(|at| self.0[at] + other.0[at]))
+    }
+}
+
+impl Sub for Jet {
+    type Output = Jet;
+    fn sub(self, other: Jet) -> Jet {
+        Jet(std::array::from_fn(|at| self.0[at] - other.0[at]))
+    }
+}
+
+impl Mul for Jet {
+    type Output = Jet;
+    fn mul(self, other: Jet) -> Jet {
+        let ([a, da, dda], [b, db, ddb]) = (self.0, other.0);
+        Jet([a * b, da * b + a * db, dda * b + 2.0 * da * db + a * ddb])
+    }
+}
