@@ -12,6 +12,7 @@ pub(super) use stamp::Stamp;
 use super::residual;
 use crate::engine::{Engine, Form};
 use crate::file::Entry;
+use crate::loads;
 use crate::order::Masses;
 use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Shape};
@@ -83,7 +84,7 @@ impl Known<'_> {
         }))
     }
 
-    /// The same of an engine with articulated rods, where something of both is left, or one is zero, at the orders that it asks for.
+    /// The same of an engine with articulated rods: at the orders that it asks for, or proved to be zero at every order.
     fn first_of_links(&self) -> Option<[Option<First>; 2]> {
         let wanted = self.engine.has_links().then(|| self.engine.orders())?;
         let judged = verdict::classify(self.engine, wanted, Masses::Reciprocating, &[Quantity::Force]).ok()?;
@@ -92,7 +93,15 @@ impl Known<'_> {
             let left = orders.find(|(_, whole)| !whole.is_balanced());
             left.map(|(order, whole)| First { order, shape: whole.shape, size: None })
         };
-        Some([first(&|order| order.force.clone()), first(&|order| order.moment.clone())])
+        let found = [
+            (Quantity::Force, first(&|order| order.force.clone())),
+            (Quantity::Moment, first(&|order| order.moment.clone())),
+        ];
+        // That nothing is left at these orders says nothing of all, unless that is proved.
+        let is_known = |(quantity, first): &(Quantity, Option<First>)| {
+            first.is_some() || loads::vanishes_at_every_order(self.engine, *quantity)
+        };
+        found.iter().all(is_known).then(|| found.map(|(_, first)| first))
     }
 
     /// The lowest order that is left; none where nothing is, and where nothing is known of every order.
