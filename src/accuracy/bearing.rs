@@ -110,16 +110,16 @@ impl Closed {
                 .map(|index| load * parts.map_or(0.0, |parts| numbers::float(&parts[index])))
                 .collect()
         };
-        let pistons = engine.moved().zip(phases(engine)).map(|((cylinder, mechanism), phase)| {
-            let crank = order::crank(mechanism);
+        let pistons = engine.moved().zip(phases(engine)).filter_map(|((cylinder, mechanism), phase)| {
+            let crank = order::crank(mechanism)?;
             let load = numbers::direction(&cylinder.bank) * numbers::float(&order::mass_radius(engine, cylinder));
-            Piston {
+            Some(Piston {
                 ratio: numbers::float(crank.ratio()),
                 offset: numbers::float(crank.offset()),
                 phase: numbers::float(phase.turns()) * TAU,
                 parts: shared(&cylinder.position, load),
                 crank,
-            }
+            })
         });
         let mut rotating = vec![Complex::new(0.0, 0.0); loads.bearings.len()];
         for mass in turning_masses(engine) {

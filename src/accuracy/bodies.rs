@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::real::Real;
-use crate::engine::{Engine, Mechanism, Rod};
+use crate::engine::{Engine, Rod};
 use crate::exact::Turn;
 use crate::order::{self, TurningMass};
 use crate::proof::Quantity;
@@ -49,8 +49,8 @@ impl<T: Real> Bodies<T> {
         direction: &dyn Fn(&Turn) -> [T; 2],
     ) -> Self {
         let one = BigRational::one();
-        let pistons = engine.moved().map(|(cylinder, mechanism)| {
-            let Mechanism::SliderCrank(Rod { ratio, offset }) = mechanism;
+        let with_rod = engine.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.rod()?)));
+        let pistons = with_rod.map(|(cylinder, Rod { ratio, offset })| {
             let mass_radius = order::mass_radius(engine, cylinder);
             let axis = || direction(&cylinder.bank);
             let along = |weight: BigRational| axis().iter().map(|part| part.times(&number(&weight))).collect();

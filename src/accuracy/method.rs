@@ -87,6 +87,9 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }
+    if engine.has_links() {
+        return Err(Missing::ArticulatedRods("the accuracy of methods"));
+    }
     let orders = Orders::new(engine, quantity, SUMMED)?;
     if loads::vanishes_at_every_order(engine, quantity) {
         return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new() });

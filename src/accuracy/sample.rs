@@ -42,7 +42,7 @@ impl Doubles {
         };
         let mut pistons = Vec::new();
         for ((cylinder, mechanism), phase) in engine.moved().zip(phases(engine)) {
-            let crank = order::crank(mechanism);
+            let Some(crank) = order::crank(mechanism) else { continue };
             let weight = float(&order::mass_radius(engine, cylinder)) * arm(cylinder);
             let part = match quantity {
                 Quantity::Torque | Quantity::Roll => Complex::new(weight * float(&cylinder.crank_radius), 0.0),

@@ -35,7 +35,8 @@ impl Numbers {
     fn of(engine: &Engine) -> Option<Self> {
         let mechanism = engine.dimensions();
         mechanism.mass.as_ref()?;
-        let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
+        let rod =
+            engine.rods().next().filter(|rod| !engine.has_links() && rod.offset.is_zero() && !rod.ratio.is_zero())?;
         let crank_radius = mechanism.crank_radius.clone()?;
         engine.rods().all(|other| other == rod).then_some(())?;
         Some(Numbers {

@@ -3,6 +3,7 @@
 use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
+use crankstar::loads;
 use crankstar::report;
 use crankstar::verdict;
 
@@ -53,6 +54,9 @@ impl Classify {
             Layout::Known(engine, _) => engine,
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
+        if self.torque && engine.has_links() {
+            return Err(Failure::new(loads::Missing::ArticulatedRods("the inertia torque")));
+        }
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {

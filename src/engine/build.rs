@@ -76,6 +76,13 @@ pub enum BuildError {
     Firing,
     /// A pressure that cannot be.
     Gas(GasMistake),
+    /// A link that hangs on no master rod: none of this rod ratio stands on its crankpin at the angle that it names.
+    NoMaster {
+        /// The cylinder.
+        cylinder: String,
+    },
+    /// What is not reckoned of an engine with articulated rods.
+    ArticulatedRods(&'static str),
     /// Discs and springs that are no shaft for the crankpins.
     Torsion(NoShaft),
 }
@@ -99,6 +106,12 @@ impl fmt::Display for BuildError {
                 write!(f, "{values} {of} for {throws} throws; give one to each, or none")
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
+            BuildError::NoMaster { cylinder } => {
+                write!(f, "the link of cylinder {cylinder} hangs on no rod that stands on its crankpin")
+            }
+            BuildError::ArticulatedRods(what) => {
+                write!(f, "with articulated rods {what} cannot be reckoned; leave it out, or the master rod")
+            }
             BuildError::NoSuchCylinder(index) => {
                 write!(f, "a balancer shaft takes the coefficient of cylinder {}, which is not there", index + 1)
             }
@@ -138,6 +151,7 @@ impl<A, L: Length> Draft<A, L> {
             }
             not_negative(&cylinder.reciprocating_mass, || format!("the reciprocating mass of cylinder {name}"))?;
             not_negative(&cylinder.rotating_mass, || format!("the rotating mass of cylinder {name}"))?;
+            not_negative(&cylinder.knuckle_mass, || format!("the mass at the knuckle pin of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
             if cylinder.crank >= self.geared_cranks.len().max(1) {
                 return Err(BuildError::NoSuchCrank { cylinder: name.clone() });
@@ -197,6 +211,7 @@ impl Draft {
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Engine, BuildError> {
         let engine = self.checked()?;
+        super::links::check(&engine)?;
         let crankshaft = engine.crankshaft();
         if !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty() || !crankshaft.counterweights.is_empty() {
             let throws = throws(&engine).len();
@@ -244,11 +259,15 @@ impl Draft<Linear, Linear> {
     /// # Errors
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Family, BuildError> {
-        self.checked()
+        let family = self.checked()?;
+        match family.has_links() {
+            false => Ok(family),
+            true => Err(BuildError::ArticulatedRods("an engine with open angles or lengths")),
+        }
     }
 }
 
-fn not_negative(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
+pub(super) fn not_negative(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
     match value.is_negative() {
         false => Ok(()),
         true => Err(BuildError::OutOfRange { what: what(), value: value.clone() }),

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::mechanism::{Mechanism, Rod};
+use super::mechanism::{Link, Mechanism, Rod};
 use crate::exact::Turn;
 
 /// One cylinder with its crank throw. In a [`Family`](super::Family) its angles `A` and its place `L` may hold unknowns.
@@ -26,6 +26,9 @@ pub struct Cylinder<A = Turn, L = BigRational> {
     pub crank_radius: BigRational,
     /// What moves the piston; none where nothing is known of it.
     pub mechanism: Option<Mechanism>,
+    /// Mass at the knuckle pin of a link, in multiples of the reciprocating mass of the engine: the pin, and the big end of the
+    /// link.
+    pub knuckle_mass: BigRational,
     /// Which pin of the crankshaft it works on: cylinders with the same number share it, or the parts of a split one.
     pub pin: usize,
     /// Which crankshaft it works on, where several are geared together; else 0.
@@ -44,6 +47,7 @@ impl<A, L> Cylinder<A, L> {
             rotating_mass: BigRational::zero(),
             crank_radius: BigRational::one(),
             mechanism: None,
+            knuckle_mass: BigRational::zero(),
             pin,
             crank: 0,
         }
@@ -54,11 +58,14 @@ impl<A, L> Cylinder<A, L> {
         &self.reciprocating_mass * &self.crank_radius
     }
 
-    /// Its connecting rod; none where nothing is known of it.
+    /// Its connecting rod on the crankpin; none where nothing is known of it, or where it is a link.
     pub fn rod(&self) -> Option<&Rod> {
-        match self.mechanism.as_ref()? {
-            Mechanism::SliderCrank(rod) => Some(rod),
-        }
+        self.mechanism.as_ref()?.rod()
+    }
+
+    /// Its link on the rod of another cylinder, where it has one.
+    pub fn link(&self) -> Option<&Link> {
+        self.mechanism.as_ref()?.link()
     }
 
     /// The same cylinder with other angles and another place, if they can be had.
@@ -76,6 +83,7 @@ impl<A, L> Cylinder<A, L> {
             rotating_mass: self.rotating_mass.clone(),
             crank_radius: self.crank_radius.clone(),
             mechanism: self.mechanism.clone(),
+            knuckle_mass: self.knuckle_mass.clone(),
             pin: self.pin,
             crank: self.crank,
         })

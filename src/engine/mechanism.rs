@@ -1,13 +1,19 @@
-//! What moves a piston? A crank with a connecting rod, today.
+//! What moves a piston? A crank with a connecting rod of its own, or a link on the rod of another cylinder.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use crate::exact::Turn;
+use crate::motion::Linkage;
+
 /// What moves the piston of a cylinder: the harmonics of its motion are the coefficients c_k and t_k.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mechanism {
-    /// A crank and a connecting rod, with or without an offset of the cylinder axis.
+    /// A crank and a connecting rod, with or without an offset of the cylinder axis. A Scotch yoke moves as the infinitely
+    /// long rod λ = 0 does.
     SliderCrank(Rod),
+    /// An articulated rod: a link on a knuckle pin of the master rod.
+    Link(Link),
 }
 
 /// A connecting rod and how its cylinder stands to the crankshaft.
@@ -19,11 +25,27 @@ pub struct Rod {
     pub offset: BigRational,
 }
 
+/// An articulated rod whose knuckle pin stands, seen from the crankpin, at the angle of its cylinder: γ = Δ. The master rod
+/// is centric, on the same crankpin.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Link {
+    /// Rod ratio λ = r/l of the master rod.
+    pub master: BigRational,
+    /// Knuckle radius κ = a/l, from crankpin to knuckle pin, in lengths of the master rod.
+    pub knuckle: BigRational,
+    /// Δ: by how much the axis of its cylinder stands ahead of that of the master's.
+    pub angle: Turn,
+    /// r/L, L the length of the link.
+    pub ratio: BigRational,
+}
+
 impl Mechanism {
-    /// Whether the cylinder axis meets the crankshaft.
+    /// Whether the motion is that of rods on the crankpin whose cylinder axes meet the crankshaft: order 1 is `cos ψ`, and there
+    /// is no other odd order.
     pub fn is_centric(&self) -> bool {
         match self {
             Mechanism::SliderCrank(rod) => rod.offset.is_zero(),
+            Mechanism::Link(_) => true,
         }
     }
 
@@ -31,7 +53,41 @@ impl Mechanism {
     pub fn turns_round(&self) -> bool {
         match self {
             Mechanism::SliderCrank(rod) => !rod.ratio.is_negative() && turns_round(rod),
+            Mechanism::Link(link) => link.turns_round(),
         }
+    }
+
+    /// The rod of its own that stands on the crankpin; none of a link.
+    pub fn rod(&self) -> Option<&Rod> {
+        match self {
+            Mechanism::SliderCrank(rod) => Some(rod),
+            Mechanism::Link(_) => None,
+        }
+    }
+
+    /// The link on another rod.
+    pub fn link(&self) -> Option<&Link> {
+        match self {
+            Mechanism::SliderCrank(_) => None,
+            Mechanism::Link(link) => Some(link),
+        }
+    }
+}
+
+impl Link {
+    /// The rod that it hangs on.
+    pub fn master_rod(&self) -> Rod {
+        Rod { ratio: self.master.clone(), offset: BigRational::zero() }
+    }
+
+    /// The part of its motion that the master rod does not give it.
+    pub fn linkage(&self) -> Option<Linkage> {
+        Linkage::new(self.ratio.clone(), self.knuckle.clone(), self.angle.turns().clone())
+    }
+
+    fn turns_round(&self) -> bool {
+        let master = &self.master;
+        !master.is_negative() && *master < BigRational::one() && self.linkage().is_some()
     }
 }
 

@@ -17,6 +17,7 @@ mod gas;
 mod geared;
 mod length;
 mod linear;
+mod links;
 mod mechanism;
 mod model;
 mod open_firing;
@@ -43,7 +44,7 @@ pub use gas::{
 pub use geared::GearedCrank;
 pub use length::{Length, LengthUnit};
 pub use linear::Linear;
-pub use mechanism::{Mechanism, Rod};
+pub use mechanism::{Link, Mechanism, Rod};
 pub use model::{Effects, Engine};
 pub use open_firing::{End, FiringSpan, NoSpans, OpenFiring};
 pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, NotAnOrder, ORDERS, WHY_NOT, are_orders};

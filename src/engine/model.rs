@@ -181,6 +181,11 @@ impl<A, L> Engine<A, L> {
         self.cylinders().iter().filter_map(Cylinder::rod)
     }
 
+    /// Whether some rod is a link on another.
+    pub fn has_links(&self) -> bool {
+        self.cylinders().iter().any(|cylinder| cylinder.link().is_some())
+    }
+
     /// The different mechanisms of its cylinders, in their order; none where nothing is known of them.
     pub fn mechanisms(&self) -> Vec<&Mechanism> {
         let mut different: Vec<&Mechanism> = Vec::new();

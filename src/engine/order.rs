@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 use num_traits::Zero;
 
-use super::mechanism::{Mechanism, Rod};
+use super::mechanism::{Link, Mechanism, Rod};
 use super::model::Engine;
 use crate::proof::Quantity;
 
@@ -51,6 +51,21 @@ impl Mechanism {
     pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
         match self {
             Mechanism::SliderCrank(rod) => rod.has_order(quantity, order),
+            Mechanism::Link(link) => link.has_order(quantity, order),
+        }
+    }
+}
+
+impl Link {
+    /// The master's motion and its own are of even order above order 1 (see [`crate::motion::Linkage`]); of the torque, which is not
+    /// judged, any order may be there.
+    fn has_order(&self, quantity: Quantity, order: u32) -> bool {
+        let is_endless = self.ratio.is_zero() && self.master.is_zero();
+        match (quantity, order) {
+            (_, 0) => false,
+            (Quantity::Torque | Quantity::Roll, _) => true,
+            (Quantity::Force | Quantity::Moment, 1) => true,
+            (Quantity::Force | Quantity::Moment, _) => !is_endless && order.is_multiple_of(2),
         }
     }
 }

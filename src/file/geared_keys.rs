@@ -230,7 +230,8 @@ pub(super) fn placed(
         if geared.get(cylinder.crank).is_some_and(|crank| crank.sense == Sense::Reverse) {
             match &mut cylinder.mechanism {
                 Some(Mechanism::SliderCrank(rod)) => rod.offset = -rod.offset.clone(),
-                None => {}
+                // Links are read after the crankshafts, and are refused on several.
+                Some(Mechanism::Link(_)) | None => {}
             }
         }
     }

@@ -9,6 +9,7 @@ use serde_spanned::Spanned;
 use toml::de::DeTable;
 
 use super::above::{Above, Throws};
+use super::articulated_keys;
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
@@ -54,6 +55,7 @@ struct File {
     effects: Option<Vec<Text>>,
     document: Option<Table<title_block_keys::Keys>>,
     mechanism: Option<Table<mechanism_keys::Keys>>,
+    articulated: Option<Spanned<Table<articulated_keys::Keys>>>,
     crankshaft: Option<Spanned<geared_keys::Tables>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<counterweight_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
@@ -231,6 +233,9 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         if let Some(list) = given_bearings {
             return Err(bearings::of_open_layout(list));
         }
+        if let Some(table) = &file.articulated {
+            return Err(articulated_keys::of_open_layout(table));
+        }
         if let Some(table) = &file.torsion {
             let message = "a shaft that twists in an engine whose angles or positions are open";
             return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
@@ -244,6 +249,12 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         return Ok(Layout::Open(Box::new(open)));
     };
     let mut engine = built(engine)?;
+    if let Some(table) = &file.articulated {
+        if !family.unknowns().is_empty() {
+            return Err(articulated_keys::of_open_layout(table));
+        }
+        engine = articulated_keys::read(table, engine)?;
+    }
     if turning.place().is_some() {
         engine = turning.read(engine)?;
     }

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::Deserialize;
+use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::quantities::misread;
@@ -20,6 +21,7 @@ pub(super) struct Keys {
     crank_radius: Option<written::Column>,
     rod_length: Option<written::Column>,
     rod_ratio: Option<written::Column>,
+    scotch_yoke: Option<Spanned<bool>>,
     pin_offset: Option<written::Column>,
     offset_ratio: Option<written::Column>,
     reciprocating_mass: Option<written::Column>,
@@ -102,6 +104,9 @@ impl Keys {
         lengths: Option<&Column>,
         pin_offset: &Option<written::Column>,
     ) -> Result<Vec<Mechanism>, LayoutError> {
+        if let Some(yoke) = self.scotch_yoke.as_ref().filter(|yoke| *yoke.get_ref()) {
+            return self.yokes(table.count, yoke);
+        }
         let ratios = table.column(&self.rod_ratio, Measure::RodRatio)?;
         let (ratios, places) = match (ratios, lengths, radii, &self.rod_length) {
             (Some(_), Some(_), _, Some(length)) => return Err(twice("rod_ratio", "rod_length", length)),
@@ -123,12 +128,12 @@ impl Keys {
             }
         };
         let offsets = self.offsets(table, radii, &ratios, pin_offset)?;
-        let rods = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Mechanism::SliderCrank(Rod { ratio, offset }));
-        let rods: Vec<Mechanism> = rods.collect();
-        match rods.iter().position(|rod| !rod.turns_round()) {
-            None => Ok(rods),
+        let rods: Vec<Rod> = ratios.into_iter().zip(offsets).map(|(ratio, offset)| Rod { ratio, offset }).collect();
+        let mechanisms: Vec<Mechanism> = rods.iter().cloned().map(Mechanism::SliderCrank).collect();
+        match mechanisms.iter().position(|mechanism| !mechanism.turns_round()) {
+            None => Ok(mechanisms),
             Some(index) => {
-                let Mechanism::SliderCrank(Rod { ratio, offset }) = &rods[index];
+                let Rod { ratio, offset } = &rods[index];
                 let message = format!("cylinder {} cannot turn round: λ + |δ| = {}", index + 1, ratio + offset.abs());
                 let right = match offset.is_zero() {
                     true => "the rod has to be longer than the crank radius: λ < 1",
@@ -139,6 +144,17 @@ impl Keys {
                 Err(LayoutError::new(message, right, place(&places[index])))
             }
         }
+    }
+
+    /// Scotch yokes, whose pistons move, and load their cranks, as with an infinitely long rod.
+    fn yokes(&self, count: usize, yoke: &Spanned<bool>) -> Result<Vec<Mechanism>, LayoutError> {
+        let rods = [&self.rod_length, &self.rod_ratio, &self.rod_mass, &self.pin_offset, &self.offset_ratio];
+        if rods.iter().any(|keys| keys.is_some()) {
+            let message = "a Scotch yoke with a connecting rod";
+            return Err(LayoutError::new(message, "leave out the rod and its offset, or the yoke", place(yoke)));
+        }
+        let endless = Rod { ratio: BigRational::zero(), offset: BigRational::zero() };
+        Ok(vec![Mechanism::SliderCrank(endless); count])
     }
 
     /// Offsets δ = e/l; 0 where the file names none.

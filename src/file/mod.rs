@@ -3,6 +3,7 @@
 #![doc = include_str!("README.md")]
 
 mod above;
+mod articulated_keys;
 mod balancer_keys;
 mod bearings;
 mod beside;

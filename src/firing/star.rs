@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::Weights;
-use crate::engine::{CycleOrder, Engine, Firing, Rod};
+use crate::engine::{CycleOrder, Engine, Firing, Mechanism, Rod};
 use crate::exact::{PhasorSum, Term};
 use crate::order::Source;
 use crate::proof::{Certificate, Quantity};
@@ -106,16 +106,18 @@ fn angle_of(firing: &Firing, cylinder: usize) -> &BigRational {
 
 /// The cylinders by rod ratio and offset, in the order of the first of each; one class where no rod is known.
 fn classes(engine: &Engine) -> Vec<Vec<usize>> {
-    let mut classes: Vec<(Option<Rod>, Vec<usize>)> = Vec::new();
+    let mut classes: Vec<(Option<Mechanism>, Vec<usize>)> = Vec::new();
     for (index, cylinder) in engine.cylinders().iter().enumerate() {
         // An infinitely long rod moves the piston alike whatever its offset is.
-        let rod = cylinder.rod().map(|rod| match rod.ratio.is_zero() {
-            true => Rod { ratio: rod.ratio.clone(), offset: BigRational::zero() },
-            false => rod.clone(),
+        let mechanism = cylinder.mechanism.as_ref().map(|mechanism| match mechanism {
+            Mechanism::SliderCrank(rod) if rod.ratio.is_zero() => {
+                Mechanism::SliderCrank(Rod { ratio: rod.ratio.clone(), offset: BigRational::zero() })
+            }
+            Mechanism::SliderCrank(_) | Mechanism::Link(_) => mechanism.clone(),
         });
-        match classes.iter_mut().find(|(own, _)| *own == rod) {
+        match classes.iter_mut().find(|(own, _)| *own == mechanism) {
             Some((_, members)) => members.push(index),
-            None => classes.push((rod, vec![index])),
+            None => classes.push((mechanism, vec![index])),
         }
     }
     classes.into_iter().map(|(_, members)| members).collect()

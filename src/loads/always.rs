@@ -7,18 +7,28 @@
 //!
 //! A rod and its mirror image, δ and −δ, have coefficients that differ by (−1)^k (see [`order::Factor::of_force`]), which is half a turn of β − α. Order 1,
 //! which has the crank's own 1 beside the rod, and the orders of turning masses are judged one by one.
+//!
+//! A link on a master rod moves in part as the master does, with `β − α₀` of the master's cylinder, and has a motion of its own, which it
+//! shares with the links of its kind; the mass at its knuckle pin moves as the master. A mass that is complex, turned by Δ, turns `e^{iα}`.
 
 use std::collections::BTreeMap;
 
 use num_traits::{Signed, Zero};
 
-use crate::engine::{Engine, Mechanism, Rod};
+use crate::engine::{Cylinder, Engine, Link, Mechanism, Rod};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order::{self, mass_radius};
 use crate::proof::{Quantity, Sense};
 
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
+    let is_judged = match quantity {
+        Quantity::Force | Quantity::Moment => true,
+        Quantity::Torque | Quantity::Roll => !engine.has_links(),
+    };
+    if !is_judged {
+        return false;
+    }
     let alone = match quantity {
         Quantity::Torque | Quantity::Roll => order::torque(engine, 2).vanishes(),
         Quantity::Force | Quantity::Moment => {
@@ -31,15 +41,24 @@ pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
 }
 
 /// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
-fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSum> {
-    let mut groups: BTreeMap<(Rod, Turn), Vec<Term>> = BTreeMap::new();
-    for (cylinder, Mechanism::SliderCrank(rod)) in engine.moved() {
+fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Mechanism, Turn), PhasorSum> {
+    let mut groups: BTreeMap<(Mechanism, Turn), Vec<Term>> = BTreeMap::new();
+    for (cylinder, mechanism) in engine.moved() {
+        let rod = match mechanism {
+            Mechanism::SliderCrank(rod) => rod,
+            Mechanism::Link(link) => {
+                for (group, term) in of_link(engine, quantity, cylinder, link) {
+                    groups.entry(group).or_default().push(term);
+                }
+                continue;
+            }
+        };
         let own = &cylinder.throw - &cylinder.bank;
         let weight = mass_radius(engine, cylinder);
         let (group, term) = match quantity {
             _ if rod.ratio.is_zero() => continue,
             Quantity::Torque | Quantity::Roll => {
-                ((rod.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
+                ((mechanism.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
             }
             Quantity::Force | Quantity::Moment => {
                 let own = match (rod.offset.is_zero(), rod.offset.is_negative()) {
@@ -49,10 +68,24 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Rod, Turn), PhasorSu
                 };
                 let rod = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
                 let weight = weight * order::lever(engine, quantity, &cylinder.position);
-                ((rod, own), Term { angle: cylinder.bank.clone(), weight })
+                ((Mechanism::SliderCrank(rod), own), Term { angle: cylinder.bank.clone(), weight })
             }
         };
         groups.entry(group).or_default().push(term);
     }
     groups.into_iter().map(|(group, terms)| (group, PhasorSum::new(terms))).collect()
+}
+
+/// The terms of the force, or of the moment, of a link on a master rod.
+fn of_link(engine: &Engine, quantity: Quantity, cylinder: &Cylinder, link: &Link) -> Vec<((Mechanism, Turn), Term)> {
+    let lever = order::lever(engine, quantity, &cylinder.position);
+    let (own, knuckle) = (&cylinder.throw - &cylinder.bank, &cylinder.knuckle_mass * &cylinder.crank_radius);
+    let piston = mass_radius(engine, cylinder);
+    let master = (Mechanism::SliderCrank(link.master_rod()), (&own + &link.angle).times(2));
+    let kind = (Mechanism::Link(link.clone()), own.times(2));
+    // The knuckle pin stands, seen from the crankpin, in the direction of its cylinder.
+    let with_the_master = (piston.clone() + knuckle) * &link.knuckle;
+    let parts = [(master, &link.master, with_the_master), (kind, &link.ratio, piston)];
+    let moving = parts.into_iter().filter(|(_, ratio, _)| !ratio.is_zero());
+    moving.map(|(group, _, weight)| (group, Term { angle: cylinder.bank.clone(), weight: weight * &lever })).collect()
 }

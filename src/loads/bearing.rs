@@ -80,6 +80,9 @@ const EQUAL: f64 = 1e-12;
 /// # Errors
 /// What the layout lacks.
 pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
+    if engine.has_links() {
+        return Err(Missing::ArticulatedRods("the loads of the main bearings"));
+    }
     let shares = Shares::of(engine, method)?;
     engine::are_orders(orders)?;
     let motion = Motion::new(engine)?;

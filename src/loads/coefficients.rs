@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Missing, Swing, Vector, scale};
-use crate::engine::{Engine, Mechanism};
+use crate::engine::{Engine, Link, Mechanism};
 use crate::motion::{Coefficient, SliderCrank};
 use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
 use crate::proof::Sense;
@@ -14,6 +14,8 @@ const LARGEST: f64 = 1e150;
 /// The motions of the cylinders, and the coefficients that were asked of them.
 pub(super) struct Motion {
     pub cranks: BTreeMap<Mechanism, SliderCrank>,
+    /// The links on master rods.
+    pub links: Vec<Link>,
     coefficients: Coefficients,
 }
 
@@ -27,8 +29,10 @@ impl Motion {
             return Err(Missing::Rods);
         }
         order::comparable(engine)?;
-        let cranks = mechanisms.into_iter().map(|mechanism| (mechanism.clone(), order::crank(mechanism))).collect();
-        Ok(Motion { cranks, coefficients: Coefficients::default() })
+        let links = mechanisms.iter().filter_map(|mechanism| mechanism.link()).cloned().collect();
+        let crank = |mechanism: &Mechanism| Some((mechanism.clone(), order::crank(mechanism)?));
+        let cranks = mechanisms.into_iter().filter_map(crank).collect();
+        Ok(Motion { cranks, links, coefficients: Coefficients::default() })
     }
 
     /// The value of a factor: computed, and counted, once.
@@ -60,8 +64,8 @@ impl Motion {
     /// The coefficient that all cylinders have in common, where a vector asked for it.
     pub fn common(&self, order: u32) -> Option<Coefficient> {
         let mut mechanisms = self.cranks.keys();
-        let (Some(mechanism), None) = (mechanisms.next(), mechanisms.next()) else { return None };
-        let (factor, sign) = Factor::of_force(Some(mechanism), order);
+        let (Some(mechanism), None, []) = (mechanisms.next(), mechanisms.next(), &self.links[..]) else { return None };
+        let (factor, sign) = Factor::of_rod(mechanism.rod(), order);
         if !factor.exists(order) {
             return None;
         }

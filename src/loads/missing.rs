@@ -21,6 +21,8 @@ pub enum Missing {
     Motion(String),
     /// A number that is no order.
     Order(NotAnOrder),
+    /// What is not reckoned of an engine with articulated rods.
+    ArticulatedRods(&'static str),
     /// Several crankshafts that are geared together.
     SeveralCrankshafts,
     /// No main bearings.
@@ -44,6 +46,10 @@ impl fmt::Display for Missing {
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
+            Missing::ArticulatedRods(what) => write!(
+                f,
+                "{what} cannot be had of an engine with articulated rods: of links on a master rod the forces and moments that shake the engine are reckoned, and nothing else"
+            ),
             Missing::SeveralCrankshafts => {
                 f.write_str("the loads of pins and bearings are known of one crankshaft alone; this engine has several")
             }

@@ -57,6 +57,9 @@ pub struct PinOrder {
 /// What the layout lacks.
 pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     engine::are_orders(orders)?;
+    if engine.has_links() {
+        return Err(Missing::ArticulatedRods("the loads of the crankpins"));
+    }
     if !engine.geared_cranks().is_empty() {
         return Err(Missing::SeveralCrankshafts);
     }
@@ -100,7 +103,13 @@ pub(super) fn with_constant(engine: &Engine, orders: &[u32]) -> Vec<u32> {
 fn is_of(source: Source, cylinder: usize) -> bool {
     match source {
         Source::Piston(index) | Source::BigEnd(index) => index == cylinder,
-        Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => false,
+        Source::Knuckle(_)
+        | Source::KnuckleAtPin(_)
+        | Source::KnuckleOffPin(_)
+        | Source::Pin(_)
+        | Source::Webs(_)
+        | Source::Counterweight(_)
+        | Source::Balancer(_) => false,
     }
 }
 

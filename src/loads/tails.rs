@@ -7,7 +7,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
 use crate::engine::{Engine, Mechanism};
-use crate::motion::{Coefficient, Tail};
+use crate::motion::{Coefficient, SliderCrank, Tail};
 use crate::order::{self, Factor, mass_radius};
 use crate::proof::Quantity;
 
@@ -17,7 +17,22 @@ const SLACK: f64 = 1.0 + 1e-9;
 /// What the orders of each piston leave to the higher ones.
 #[derive(Clone, Debug)]
 pub struct Tails {
-    by_mechanism: BTreeMap<Mechanism, Tail>,
+    by_mechanism: BTreeMap<Mechanism, Parts>,
+}
+
+/// The motions that one of a piston is made of, each with the largest part it has: one, or of a link that of its master and its own.
+#[derive(Clone, Debug)]
+struct Parts(Vec<(f64, Tail)>);
+
+impl Parts {
+    fn sum(&self, bound: impl Fn(&Tail) -> f64) -> f64 {
+        self.0.iter().map(|(part, tail)| part * bound(tail)).sum()
+    }
+
+    /// What is not reckoned of links has no bound.
+    fn of_rod(&self, bound: impl Fn(&Tail) -> f64) -> f64 {
+        if let [(_, only)] = &self.0[..] { bound(only) } else { f64::INFINITY }
+    }
 }
 
 impl Tails {
@@ -30,7 +45,7 @@ impl Tails {
     }
 
     pub(super) fn of(motion: &Motion) -> Self {
-        Tails { by_mechanism: motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Tail::new(crank))).collect() }
+        Tails::with(motion, Tail::new)
     }
 
     /// Tighter, from the coefficients of all orders up to the highest.
@@ -38,19 +53,29 @@ impl Tails {
     /// # Errors
     /// What the layout lacks for numbers.
     pub fn with_coefficients(engine: &Engine, highest: u32) -> Result<Self, Missing> {
-        let tail = |(mechanism, crank): (&Mechanism, &crate::motion::SliderCrank)| {
+        Ok(Tails::with(&Motion::new(engine)?, |crank| {
             let coefficients: Vec<Coefficient> = (1..=highest).map(|order| crank.coefficient(order)).collect();
-            (mechanism.clone(), Tail::with_coefficients(crank, &coefficients))
-        };
-        Ok(Tails { by_mechanism: Motion::new(engine)?.cranks.iter().map(tail).collect() })
+            Tail::with_coefficients(crank, &coefficients)
+        }))
+    }
+
+    fn with(motion: &Motion, tail: impl Fn(&SliderCrank) -> Tail) -> Self {
+        let rods = motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Parts(vec![(1.0, tail(crank))])));
+        let links = motion.links.iter().filter_map(|link| {
+            let (master, own) = (Mechanism::SliderCrank(link.master_rod()), link.linkage()?);
+            let parts = [(&link.knuckle, order::crank(&master)?), (&own.distance(), own.crank().clone())];
+            let parts = parts.map(|(part, crank)| (rounded_up(part), tail(&crank)));
+            Some((Mechanism::Link(link.clone()), Parts(parts.into())))
+        });
+        Tails { by_mechanism: rods.chain(links).collect() }
     }
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
     /// its multiples of m r ω²; 0 only where there is none.
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
-        let pistons = self.sum(engine, quantity, &|tail| match quantity {
-            Quantity::Force | Quantity::Moment => tail.force(order),
-            Quantity::Torque | Quantity::Roll => tail.torque(order),
+        let pistons = self.sum(engine, quantity, &|parts| match quantity {
+            Quantity::Force | Quantity::Moment => parts.sum(|tail| tail.force(order)),
+            Quantity::Torque | Quantity::Roll => parts.of_rod(|tail| tail.torque(order)),
         });
         let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
@@ -77,9 +102,12 @@ impl Tails {
         let most = |factor: &Factor, order: u32| match factor {
             Factor::One => 1.0,
             Factor::Motion(mechanism) => {
-                self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |tail| 1.0 + tail.force(order.saturating_sub(1)))
+                let of_rod = |parts: &Parts| parts.of_rod(|tail| tail.force(order.saturating_sub(1)));
+                self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
             }
-            Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => f64::INFINITY,
+            Factor::Torque(_) | Factor::Side(_) | Factor::Linkage(_) | Factor::Open | Factor::OpenTorque => {
+                f64::INFINITY
+            }
         };
         sums.into_iter().fold([0.0, 0.0], |[force, moment], ((factor, order), sizes)| {
             let [more_force, more_moment] = sizes.map(|size| match rounded_up(&size) {
@@ -95,8 +123,11 @@ impl Tails {
     pub fn of_pins_above<'a>(&self, engine: &Engine, parts: impl Iterator<Item = &'a BigRational>, order: u32) -> f64 {
         let pins = engine.cylinders().iter().zip(parts).map(|(cylinder, part)| {
             let weight = (mass_radius(engine, cylinder) * part).abs();
-            let bound =
-                cylinder.mechanism.as_ref().and_then(|rod| self.by_mechanism.get(rod)).map(|tail| tail.pin(order));
+            let bound = cylinder
+                .mechanism
+                .as_ref()
+                .and_then(|rod| self.by_mechanism.get(rod))
+                .map(|parts| parts.of_rod(|tail| tail.pin(order)));
             match bound.unwrap_or(f64::INFINITY) {
                 _ if weight.is_zero() => 0.0,
                 0.0 => 0.0,
@@ -108,8 +139,8 @@ impl Tails {
 
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
     pub fn largest_sum(&self, engine: &Engine, quantity: Quantity) -> f64 {
-        self.sum(engine, quantity, &|tail| {
-            let shaking = 1.0 + tail.force(0);
+        self.sum(engine, quantity, &|parts| {
+            let shaking = 1.0 + parts.sum(|tail| tail.force(0));
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
                 Quantity::Torque | Quantity::Roll => shaking * shaking,
@@ -118,8 +149,8 @@ impl Tails {
     }
 
     /// The bounds of the pistons, each as much as its load counts.
-    fn sum(&self, engine: &Engine, quantity: Quantity, bound: &dyn Fn(&Tail) -> f64) -> f64 {
-        let mut weights: BTreeMap<&Mechanism, BigRational> = BTreeMap::new();
+    fn sum(&self, engine: &Engine, quantity: Quantity, bound: &dyn Fn(&Parts) -> f64) -> f64 {
+        let mut weights: BTreeMap<Mechanism, BigRational> = BTreeMap::new();
         for cylinder in engine.cylinders() {
             let Some(mechanism) = &cylinder.mechanism else { continue };
             let weight = mass_radius(engine, cylinder).abs();
@@ -128,11 +159,18 @@ impl Tails {
                 Quantity::Moment => weight * engine.arm(cylinder).abs(),
                 Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius,
             };
-            *weights.entry(mechanism).or_insert_with(BigRational::zero) += weight;
+            *weights.entry(mechanism.clone()).or_insert_with(BigRational::zero) += weight;
+            if let Some(link) = cylinder.link().filter(|_| quantity != Quantity::Torque) {
+                // The mass at the knuckle pin moves as the master's piston does, in part.
+                let lever = order::lever(engine, quantity, &cylinder.position).abs();
+                let weight = &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle * lever;
+                let master = Mechanism::SliderCrank(link.master_rod());
+                *weights.entry(master).or_insert_with(BigRational::zero) += weight;
+            }
         }
         // A mass of 0 is 0 times whatever the rest is.
         let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
-        let parts = weights.map(|(rod, weight)| match self.by_mechanism.get(rod).map_or(f64::INFINITY, bound) {
+        let parts = weights.map(|(rod, weight)| match self.by_mechanism.get(&rod).map_or(f64::INFINITY, bound) {
             0.0 => 0.0,
             bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
         });

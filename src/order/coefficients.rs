@@ -18,7 +18,8 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    /// The value of a factor in an order: computed once; none where nothing is known of the mechanism.
+    /// The value of a factor in an order: computed once; none where nothing is known of the mechanism, and for what a link has no
+    /// number of: its motion is that of a [`Factor::Linkage`], and its torque is not judged.
     pub fn of(&self, factor: &Factor, order: u32) -> Option<Coefficient> {
         let key = (factor.clone(), order);
         if let Some(known) = self.known.borrow().get(&key) {
@@ -27,9 +28,10 @@ impl Coefficients {
         let coefficient = match factor {
             Factor::One => return Some(exactly_one()),
             Factor::Open | Factor::OpenTorque => return None,
-            Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order)),
-            Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order)),
-            Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order)),
+            Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order))?,
+            Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
+            Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
+            Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
         };
         self.known.borrow_mut().insert(key, coefficient.clone());
         Some(coefficient)
@@ -54,19 +56,24 @@ impl Coefficients {
         self.known.borrow().len()
     }
 
-    fn crank(&self, mechanism: &Mechanism, value: impl Fn(&SliderCrank) -> Coefficient) -> Coefficient {
+    fn crank(&self, mechanism: &Mechanism, value: impl Fn(&SliderCrank) -> Coefficient) -> Option<Coefficient> {
         let mut cranks = self.cranks.borrow_mut();
-        value(cranks.entry(mechanism.clone()).or_insert_with(|| crank(mechanism)))
+        if let Some(known) = cranks.get(mechanism) {
+            return Some(value(known));
+        }
+        let crank = crank(mechanism)?;
+        Some(value(cranks.entry(mechanism.clone()).or_insert(crank)))
     }
 }
 
-/// The motion of a mechanism that an engine has: it turns round.
-pub fn crank(mechanism: &Mechanism) -> SliderCrank {
+/// The motion of a crank with a rod of its own that an engine has: it turns round. None of a link.
+pub fn crank(mechanism: &Mechanism) -> Option<SliderCrank> {
     match mechanism {
         Mechanism::SliderCrank(rod) => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
-            Ok(crank) => crank,
+            Ok(crank) => Some(crank),
             Err(_) => unreachable!("an engine's mechanisms turn round"),
         },
+        Mechanism::Link(_) => None,
     }
 }
 

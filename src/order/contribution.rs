@@ -4,13 +4,14 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::factor::Factor;
+use super::link;
 use super::masses::MassGroup;
-use super::phase::phase;
+use super::phase::{phase, phase_of};
 use super::source::Source;
 use super::sum::OrderSum;
 use super::turning::{TurningMass, mass_radius, turning_masses};
 use crate::engine::{Cylinder, Engine};
-use crate::exact::{PhasorSum, Term};
+use crate::exact::{PhasorSum, Term, Turn};
 use crate::proof::{Masses, Quantity, Sense};
 
 /// The term that a source adds to an order.
@@ -77,22 +78,39 @@ impl<'a> Sources<'a> {
         &self.turning
     }
 
-    /// What each source adds to the force of one order and sense, be its factor zero or not: a term per cylinder, then those
-    /// of the masses that turn so.
+    /// What each source adds to the force of one order and sense, be its factor zero or not: a term per cylinder, several where its
+    /// rod is a link, then those of the masses at knuckle pins and of the masses that turn so.
     ///
     /// A new kind of source has its terms here.
     pub fn of_force(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
-        let pistons = self.cylinders().map(move |(index, cylinder)| {
-            let (factor, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order);
-            let weight = mass_radius(self.engine, cylinder) * sign;
-            Contribution {
+        let pistons = self.cylinders().flat_map(move |(index, cylinder)| {
+            let weight = mass_radius(self.engine, cylinder);
+            let at = phase(cylinder, order, Some(sense));
+            let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), order).into_iter();
+            parts.map(move |(factor, part)| Contribution {
                 source: Source::Piston(index),
                 position: cylinder.position.clone(),
                 factor,
-                term: Term { angle: phase(cylinder, order, Some(sense)), weight },
-            }
+                term: turned(&at, &weight, &part, sense),
+            })
         });
-        pistons.chain(self.of_turning(order, sense))
+        pistons.chain(self.of_knuckles(order, sense)).chain(self.of_turning(order, sense))
+    }
+
+    /// What the masses at knuckle pins add on the piston pins of their master rods.
+    fn of_knuckles(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
+        let knuckles = self.cylinders().filter_map(|(index, _)| Some((index, link::knuckle(self.engine, index)?)));
+        knuckles.map(move |(index, (cylinder, link, weight))| {
+            let (factor, _) = Factor::of_rod(Some(&link.master_rod()), order);
+            let at = phase_of(&cylinder.throw, &link::master_bank(cylinder, link), order, Some(sense));
+            Contribution {
+                source: Source::Knuckle(index),
+                position: cylinder.position.clone(),
+                factor,
+                // A complex mass: it is turned the same way in both senses.
+                term: Term { angle: &at + &link.angle, weight: weight * &link.knuckle },
+            }
+        })
     }
 
     /// What the masses that turn add to it.
@@ -137,6 +155,15 @@ impl<'a> Sources<'a> {
         let has_pistons = MassGroup::Reciprocating.is_among(self.masses);
         self.engine.cylinders().iter().enumerate().filter(move |_| has_pistons)
     }
+}
+
+/// A part of a vector: turned by its angle in the direct star, the other way in the reverse one.
+fn turned(at: &Turn, weight: &BigRational, part: &Term, sense: Sense) -> Term {
+    let angle = match sense {
+        Sense::Direct => at + &part.angle,
+        Sense::Reverse => at - &part.angle,
+    };
+    Term { angle, weight: weight * &part.weight }
 }
 
 /// What every mass of an engine adds to the force of one order and sense, where its factor is not zero.

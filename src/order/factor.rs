@@ -3,7 +3,9 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::link::{Linkage, parts_of};
 use crate::engine::{Mechanism, Rod};
+use crate::exact::{Term, Turn};
 use crate::proof::Quantity;
 
 /// The number that a sum stands before in an order.
@@ -20,6 +22,8 @@ pub enum Factor {
     ///
     /// [`SliderCrank::side_part`]: crate::motion::SliderCrank::side_part
     Side(Mechanism),
+    /// g_k of a link on a master rod ([`crate::motion::Linkage`]), a real number.
+    Linkage(Linkage),
     /// c_k of the rods of an engine that names none: they are centric and alike.
     Open,
     /// t_k of such rods.
@@ -27,19 +31,33 @@ pub enum Factor {
 }
 
 impl Factor {
-    /// What the force of a cylinder with this mechanism stands before, and with which sign. A mechanism of which nothing is
-    /// known is a centric crank.
+    /// What the force of a cylinder with this mechanism stands before: numbers of the motion, each with a part of the vector in the
+    /// direct star and the angle that this part is turned by; it is turned the other way in the reverse star.
+    pub fn parts_of_force(mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
+        let of_rod = |rod| {
+            let (factor, weight) = Factor::of_rod(rod, order);
+            vec![(factor, Term { angle: Turn::zero(), weight })]
+        };
+        match mechanism {
+            None => of_rod(None),
+            Some(Mechanism::SliderCrank(rod)) => of_rod(Some(rod)),
+            Some(Mechanism::Link(link)) => parts_of(link, order),
+        }
+    }
+
+    /// What the force of a piston stands before that has a rod on the crankpin, and with which sign. A rod of which nothing is
+    /// known is centric.
     ///
     /// The root `√(1−(λ sinψ−δ)²)` stays as it is where δ changes its sign and ψ goes on by half a turn, so that its
     /// coefficient of order k then changes by (−1)^k; c_1 has the crank's own 1 beside it.
-    pub fn of_force(mechanism: Option<&Mechanism>, order: u32) -> (Factor, BigRational) {
+    pub fn of_rod(rod: Option<&Rod>, order: u32) -> (Factor, BigRational) {
         let one = BigRational::one();
-        match mechanism {
+        match rod {
             None if order == 1 => (Factor::One, one),
             None => (Factor::Open, one),
-            Some(Mechanism::SliderCrank(rod)) if order == 1 && rod.offset.is_zero() => (Factor::One, one),
-            Some(mechanism) if order == 1 => (Factor::Motion(mechanism.clone()), one),
-            Some(Mechanism::SliderCrank(rod)) => {
+            Some(rod) if order == 1 && rod.offset.is_zero() => (Factor::One, one),
+            Some(rod) if order == 1 => (Factor::Motion(Mechanism::SliderCrank(rod.clone())), one),
+            Some(rod) => {
                 let sign = if rod.offset.is_negative() && order % 2 == 1 { -one } else { one };
                 let mirrored = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
                 (Factor::Motion(Mechanism::SliderCrank(mirrored)), sign)
@@ -49,8 +67,7 @@ impl Factor {
 
     /// What the part of the side force that no c_k has stands before, and with which sign: for −δ the real number E_k of u_k is
     /// `(−1)^{k+1}` times that for δ, since p and q, R and S change places.
-    pub fn of_side(mechanism: &Mechanism, order: u32) -> (Factor, BigRational) {
-        let Mechanism::SliderCrank(rod) = mechanism;
+    pub fn of_side(rod: &Rod, order: u32) -> (Factor, BigRational) {
         let sign =
             if rod.offset.is_negative() && order.is_multiple_of(2) { -BigRational::one() } else { BigRational::one() };
         let mirrored = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
@@ -68,7 +85,10 @@ impl Factor {
             Factor::One | Factor::OpenTorque => true,
             Factor::Motion(mechanism) => mechanism.has_order(Quantity::Force, order),
             Factor::Torque(mechanism) => mechanism.has_order(Quantity::Torque, order),
-            Factor::Side(mechanism) => super::coefficients::crank(mechanism).has_side_part(order),
+            Factor::Side(mechanism) => {
+                super::coefficients::crank(mechanism).is_some_and(|crank| crank.has_side_part(order))
+            }
+            Factor::Linkage(linkage) => linkage.exists(order),
             Factor::Open => order == 1 || order.is_multiple_of(2),
         }
     }
@@ -78,7 +98,7 @@ impl Factor {
         match self {
             Factor::One => Some(false),
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
-            Factor::Open => Some(order.is_multiple_of(4)),
+            Factor::Open | Factor::Linkage(_) => Some(order.is_multiple_of(4)),
             Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
             Factor::Torque(_) | Factor::Side(_) | Factor::OpenTorque => None,
         }

@@ -9,6 +9,7 @@ mod comparable;
 mod contribution;
 mod factor;
 mod group;
+mod link;
 mod masses;
 mod path;
 mod phase;
@@ -26,6 +27,7 @@ pub use contribution::{
 };
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};
+pub use link::Linkage;
 pub use masses::MassGroup;
 pub use path::Path;
 pub use phase::{multiples, phase, phase_of};

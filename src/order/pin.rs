@@ -20,18 +20,19 @@ use super::masses::MassGroup;
 use super::phase::phase;
 use super::source::Source;
 use super::turning::mass_radius;
-use crate::engine::{Cylinder, Engine, Mechanism};
+use crate::engine::{Engine, Mechanism, Rod};
 use crate::exact::{Term, Turn};
 use crate::proof::{Masses, Sense};
 
 /// What the rods of an engine that names them hand on to their crankpins in one order and sense: inertia of the piston with its
-/// side force, and the rotating part of the rod; several terms per cylinder.
+/// side force, and the rotating part of the rod; several terms per cylinder. A link loads no crankpin but a master rod, which is not
+/// reckoned: nothing is asked of an engine that has one.
 pub fn pin_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let cylinders = engine.cylinders().iter().enumerate();
-    let known = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.mechanism.as_ref()?)));
-    let of_pistons = known.flat_map(|(index, cylinder, mechanism)| {
+    let known = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.rod()?)));
+    let of_pistons = known.flat_map(|(index, cylinder, rod)| {
         let weight = mass_radius(engine, cylinder);
-        of_piston(cylinder, mechanism, order, sense).into_iter().map(move |(factor, part, turned)| Contribution {
+        of_piston(rod, order, sense).into_iter().map(move |(factor, part, turned)| Contribution {
             source: Source::Piston(index),
             position: cylinder.position.clone(),
             factor,
@@ -55,7 +56,7 @@ pub fn shaft_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Con
 
 /// Whether some piston has an offset and a rod of finite length, so that its crankpin feels a constant force.
 pub fn has_constant_pin_loads(engine: &Engine) -> bool {
-    engine.mechanisms().into_iter().any(|mechanism| crank(mechanism).has_side_part(0))
+    engine.mechanisms().into_iter().filter_map(crank).any(|crank| crank.has_side_part(0))
 }
 
 fn turning(engine: &Engine, order: u32, sense: Sense, is_meant: impl Fn(MassGroup) -> bool) -> Vec<Contribution> {
@@ -65,10 +66,10 @@ fn turning(engine: &Engine, order: u32, sense: Sense, is_meant: impl Fn(MassGrou
 
 /// What the vector of a piston in the star of the force stands before: numbers of the motion, each with its part and the angle it
 /// is turned by.
-fn of_piston(cylinder: &Cylinder, mechanism: &Mechanism, order: u32, sense: Sense) -> Vec<(Factor, BigRational, Turn)> {
+fn of_piston(rod: &Rod, order: u32, sense: Sense) -> Vec<(Factor, BigRational, Turn)> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
-    let (factor, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order);
+    let (factor, sign) = Factor::of_rod(Some(rod), order);
     if factor.exists(order) && order > 0 {
         let k = i64::from(order);
         let part = match sense {
@@ -84,8 +85,8 @@ fn of_piston(cylinder: &Cylinder, mechanism: &Mechanism, order: u32, sense: Sens
         };
         parts.push((Factor::One, part, Turn::zero()));
     }
-    let crank = crank(mechanism);
-    if crank.has_side_part(order) {
+    let mechanism = Mechanism::SliderCrank(rod.clone());
+    if let Some(crank) = crank(&mechanism).filter(|crank| crank.has_side_part(order)) {
         // −u_k = −i (−i)^k E and u_k* = −i i^k E.
         let quarters = match sense {
             Sense::Direct => -1 - i64::from(order),
@@ -94,7 +95,7 @@ fn of_piston(cylinder: &Cylinder, mechanism: &Mechanism, order: u32, sense: Sens
         match crank.rational_side_part(order) {
             Some(number) => parts.push((Factor::One, number, Turn::fraction(quarters.rem_euclid(4), 4))),
             None => {
-                let (factor, sign) = Factor::of_side(mechanism, order);
+                let (factor, sign) = Factor::of_side(rod, order);
                 let part = match sense {
                     Sense::Direct => -sign,
                     Sense::Reverse => sign,

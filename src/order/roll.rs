@@ -61,11 +61,15 @@ pub fn has_arms(engine: &Engine) -> bool {
 fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor, Term)> {
     let star = phase(cylinder, order, None);
     let weight = mass_radius(engine, cylinder);
-    let (force, sign) = Factor::of_force(cylinder.mechanism.as_ref(), order);
-    let arms = arms(engine, cylinder).into_iter().map(|arm| {
-        let term = Term { angle: &star + &arm.angle, weight: &weight * &sign * arm.weight };
-        (force.clone(), term)
-    });
+    let of_arm = |arm: Term| {
+        let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), order).into_iter();
+        let part = |(factor, part): (Factor, Term)| {
+            let angle = &(&star + &part.angle) + &arm.angle;
+            (factor, Term { angle, weight: &weight * &part.weight * &arm.weight })
+        };
+        parts.map(part).collect::<Vec<_>>()
+    };
+    let arms = arms(engine, cylinder).into_iter().flat_map(of_arm);
     let sense = match engine.sense_of(cylinder) {
         Sense::Direct => -BigRational::one(),
         Sense::Reverse => BigRational::one(),

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::factor::Factor;
+use super::link;
 use super::source::Source;
 use crate::engine::{self, Balancer, Cylinder, Engine};
 use crate::exact::{Term, Turn};
@@ -99,13 +100,37 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
     let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
-    weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass }).collect()
+    let in_multiples = weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass });
+    in_multiples.chain(knuckles(engine)).collect()
+}
+
+/// What the masses at the knuckle pins add on the crankpins: (1 − κ e^{iΔ}) of each.
+fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
+    let with_mass = (0..engine.cylinders().len()).filter_map(|index| Some((index, link::knuckle(engine, index)?)));
+    with_mass.flat_map(|(index, (cylinder, link, mass_radius))| {
+        let part = |source, angle: Turn, mass_radius| TurningMass {
+            source,
+            order: 1,
+            sense: Sense::Direct,
+            mass_radius,
+            factor: Factor::One,
+            angle,
+            position: cylinder.position.clone(),
+            axis: Vec::new(),
+        };
+        let taken_off = &mass_radius * &link.knuckle;
+        let turned = (&cylinder.throw + &link.angle).opposite();
+        [
+            part(Source::KnuckleAtPin(index), cylinder.throw.clone(), mass_radius),
+            part(Source::KnuckleOffPin(index), turned, taken_off),
+        ]
+    })
 }
 
 /// What the mass-radius of a balancer shaft stands before, and with which sign.
 pub fn shaft_factor(engine: &Engine, shaft: &Balancer) -> (Factor, BigRational) {
     match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
-        Some(cylinder) => Factor::of_force(cylinder.mechanism.as_ref(), shaft.order),
+        Some(cylinder) => Factor::of_rod(cylinder.rod(), shaft.order),
         None => (Factor::One, BigRational::one()),
     }
 }

@@ -5,6 +5,8 @@ use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
 use super::engine::{RodClaim, RodStatement};
+use super::link::LinkageClaim;
+use super::verdict::Vector;
 
 /// What stands before a sum.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -16,6 +18,8 @@ pub enum Coefficient {
     Common,
     /// c_k of this rod.
     Rod(RodClaim),
+    /// g_k of this link on a master rod.
+    Linkage(LinkageClaim),
     /// t_k of the torque, which all rods have where none is named.
     #[serde(skip)]
     CommonTorque,
@@ -29,55 +33,97 @@ impl Coefficient {
     pub(super) fn is_open(&self) -> bool {
         match self {
             Coefficient::Common | Coefficient::CommonTorque => true,
-            Coefficient::One | Coefficient::Rod(_) | Coefficient::Torque(_) => false,
+            Coefficient::One | Coefficient::Rod(_) | Coefficient::Linkage(_) | Coefficient::Torque(_) => false,
         }
     }
 }
 
-/// The number that a cylinder's term is multiplied by.
+/// A number that terms of a cylinder are multiplied by.
 #[derive(Clone, Debug)]
 pub(super) struct Factor {
     pub coefficient: Coefficient,
     /// Whether the coefficient is zero: the motion of the rod has no such order.
     pub is_zero: bool,
-    /// 1, or −1.
-    pub sign: BigRational,
+    /// What the vector of the cylinder is multiplied by before it: a vector of length 1 in direction 0, its opposite, or several of
+    /// a link. In a reverse sum they are turned the other way.
+    pub parts: Vec<Vector>,
+}
+
+/// A vector in direction 0.
+fn along(weight: BigRational) -> Vec<Vector> {
+    vec![Vector { angle: BigRational::zero(), weight }]
 }
 
 impl Factor {
     /// In the force. Centric rods have `c_1 = 1` and no other odd order; with the offset's sign the coefficients of odd
     /// orders above 1 change theirs.
-    pub fn of_force(rod: &RodStatement, order: u32) -> Self {
+    ///
+    /// A link has its master's in part, and one of its own; in order 1 it is as a centric rod.
+    pub fn of_force(rod: &RodStatement, order: u32) -> Vec<Self> {
         let is_odd = order % 2 == 1;
-        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, sign: BigRational::one() };
+        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
         match rod {
-            RodStatement::Unknown if order == 1 => plain(Coefficient::One, false),
-            RodStatement::Unknown => plain(Coefficient::Common, is_odd),
-            RodStatement::Known(rod) if order == 1 && rod.offset.is_zero() => plain(Coefficient::One, false),
-            RodStatement::Known(rod) if order == 1 => plain(Coefficient::Rod(rod.clone()), false),
-            RodStatement::Known(rod) => {
+            RodStatement::Unknown if order == 1 => vec![plain(Coefficient::One, false)],
+            RodStatement::Unknown => vec![plain(Coefficient::Common, is_odd)],
+            RodStatement::Known(rod) => vec![Factor::of_rod(rod, order)],
+            RodStatement::Link(_) if order == 1 => vec![plain(Coefficient::One, false)],
+            RodStatement::Link(link) => {
+                let master = Factor { parts: link.with_the_master(order), ..Factor::of_rod(&link.master_rod(), order) };
+                if is_odd {
+                    // Neither coefficient is there: one stands for both.
+                    return vec![master];
+                }
+                let linkage = link.linkage();
+                let is_zero = linkage.lacks(order);
+                vec![
+                    master,
+                    Factor { coefficient: Coefficient::Linkage(linkage), is_zero, parts: link.on_its_own(order) },
+                ]
+            }
+        }
+    }
+
+    /// 1, or −1: what the vector of a rod on the crankpin is multiplied by.
+    pub fn sign(&self) -> BigRational {
+        self.parts.iter().map(|part| &part.weight).sum()
+    }
+
+    /// In the force, of a rod on the crankpin.
+    pub fn of_rod(rod: &RodClaim, order: u32) -> Self {
+        let is_odd = order % 2 == 1;
+        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
+        match (order, rod.offset.is_zero()) {
+            (1, true) => plain(Coefficient::One, false),
+            (1, false) => plain(Coefficient::Rod(rod.clone()), false),
+            _ => {
                 let one = BigRational::one();
                 Factor {
                     coefficient: Coefficient::Rod(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() }),
                     is_zero: rod.ratio.is_zero() || (rod.offset.is_zero() && is_odd),
-                    sign: if rod.offset.is_negative() && is_odd { -one } else { one },
+                    parts: along(if rod.offset.is_negative() && is_odd { -one } else { one }),
                 }
             }
         }
     }
 
-    /// In the force of a mass that turns: that of the rod that it names, or 1.
+    /// In the force of a mass that turns: that of the rod that it names, or 1. It names no link.
     pub fn of_shaft(rod: Option<&RodStatement>, order: u32) -> Self {
-        let one = || Factor { coefficient: Coefficient::One, is_zero: false, sign: BigRational::one() };
-        rod.map_or_else(one, |rod| Factor::of_force(rod, order))
+        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
+        match rod {
+            None => plain(Coefficient::One, false),
+            Some(RodStatement::Unknown) if order == 1 => plain(Coefficient::One, false),
+            Some(RodStatement::Unknown | RodStatement::Link(_)) => plain(Coefficient::Common, order % 2 == 1),
+            Some(RodStatement::Known(rod)) => Factor::of_rod(rod, order),
+        }
     }
 
-    /// In the inertia torque, where only an infinitely long rod lacks orders: it has the second and no other.
+    /// In the inertia torque, where only an infinitely long rod lacks orders: it has the second and no other. That of a link is not
+    /// judged.
     pub fn of_torque(rod: &RodStatement, order: u32) -> Self {
         let (coefficient, is_zero) = match rod {
-            RodStatement::Unknown => (Coefficient::CommonTorque, false),
+            RodStatement::Unknown | RodStatement::Link(_) => (Coefficient::CommonTorque, false),
             RodStatement::Known(rod) => (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2),
         };
-        Factor { coefficient, is_zero, sign: BigRational::one() }
+        Factor { coefficient, is_zero, parts: along(BigRational::one()) }
     }
 }

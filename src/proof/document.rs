@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::audit::Reason;
-use super::engine::{Cylinder, Masses, Quantity, RodClaim, TurningMassClaim, has_offset, rods};
+use super::engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, TurningMassClaim, has_offset, rods};
 use super::fraction;
 use super::reading::Format;
 use super::shape::ShapeClaim;
@@ -51,9 +51,17 @@ impl Document {
         rods(self.cylinders.iter().map(|cylinder| &cylinder.rod))
     }
 
-    pub(super) fn has_equal_centric_rods(&self) -> bool {
-        self.rods().is_ok_and(|rods| {
-            rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods))
+    pub(super) fn has_links(&self) -> bool {
+        self.cylinders.iter().any(|cylinder| match cylinder.rod {
+            RodStatement::Link(_) => true,
+            RodStatement::Unknown | RodStatement::Known(_) => false,
         })
+    }
+
+    pub(super) fn has_equal_centric_rods(&self) -> bool {
+        !self.has_links()
+            && self.rods().is_ok_and(|rods| {
+                rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods))
+            })
     }
 }

@@ -5,11 +5,12 @@ use num_traits::Zero;
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_names};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;
 use super::shape::check_shape;
+use super::source::knuckle_name;
 use super::theorem::check_theorem;
 use super::verdict::About;
 use super::whole_sum::check_whole;
@@ -44,6 +45,17 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     check_turning_masses(document)?;
     check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
+    let is_judged = |quantity: &Quantity| match quantity {
+        Quantity::Force | Quantity::Moment => true,
+        Quantity::Torque | Quantity::Roll => false,
+    };
+    if document.has_links() && !document.quantities.iter().all(is_judged) {
+        return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not judged"));
+    }
+    for cylinder in &document.cylinders {
+        let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
+        checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
+    }
     document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })
 }
 
@@ -53,7 +65,7 @@ fn check_axes(document: &Document) -> Result<(), Fault> {
     if document.quantities.contains(&Quantity::Roll) {
         let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
             RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
-            RodStatement::Unknown => false,
+            RodStatement::Unknown | RodStatement::Link(_) => false,
         });
         return match endless {
             None => Ok(()),
@@ -79,7 +91,14 @@ fn check_turning_masses(document: &Document) -> Result<(), Fault> {
             "the verdicts are about the reciprocating masses, so none stands here",
         ));
     }
+    let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
+    check_shafts(of_shafts).map_err(|reason| Fault::new("turning_masses", reason))?;
+    let knuckles: Vec<String> = document.knuckles().map(|(cylinder, _)| knuckle_name(cylinder)).collect();
     let mut names: Vec<&str> = document.cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
+    if let Some(name) = knuckles.iter().find(|name| names.contains(&name.as_str())) {
+        return Err(Fault::new("cylinders", format!("another cylinder is called {name}")));
+    }
+    names.extend(knuckles.iter().map(String::as_str));
     names.sort_unstable();
     let mut turning: Vec<&str> = document.turning_masses.iter().map(|mass| mass.name.as_str()).collect();
     turning.sort_unstable();
@@ -101,7 +120,8 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
     for &order in &document.orders {
         for &quantity in &document.quantities {
             let sources = (document.cylinders.len() + document.turning_masses.len()) as u64;
-            audit.spend(sources).map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
+            let steps = sources.saturating_add(document.steps_of_links(order));
+            audit.spend(steps).map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
             let groups = document.groups(quantity, order);
             let is_alone = groups.len() == 1;
             let mut sums = Vec::new();

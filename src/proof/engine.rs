@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::audit::{Fault, Reason};
 use super::fraction;
+use super::link::LinkClaim;
 use super::verdict::Vector;
 
 /// A cylinder as the phasors see it.
@@ -33,6 +34,9 @@ pub struct Cylinder {
     pub crank_radius: BigRational,
     /// Its rod.
     pub rod: RodStatement,
+    /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; left out where it is 0.
+    #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
+    pub knuckle_weight: BigRational,
     /// Its crankshaft, where several are geared together; its throw and rod are then those of the equivalent crank that turns with
     /// the reference.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -57,6 +61,8 @@ pub enum RodStatement {
     Unknown,
     /// This rod.
     Known(RodClaim),
+    /// This link on the rod of another cylinder.
+    Link(LinkClaim),
 }
 
 /// A rod, which names a coefficient c_k.
@@ -185,22 +191,28 @@ impl Sense {
     }
 }
 
-/// The rods of an engine that names them; none where it names none.
+/// The rods on the crankpins of an engine that names its rods; none where it names none.
 pub(super) fn rods<'a>(
     statements: impl Iterator<Item = &'a RodStatement>,
 ) -> Result<Option<Vec<&'a RodClaim>>, Reason> {
-    let (mut known, mut unknown) = (Vec::new(), 0);
+    let (mut known, mut links, mut unknown) = (Vec::new(), Vec::new(), 0);
     for statement in statements {
         match statement {
             RodStatement::Unknown => unknown += 1,
             RodStatement::Known(rod) => known.push(rod),
+            RodStatement::Link(link) => links.push(link),
         }
+    }
+    if let Some(link) = links.iter().find(|link| !link.turns_round()) {
+        let LinkClaim { master, knuckle, angle, ratio } = link;
+        let link = format!("master {master}, knuckle {knuckle}, angle {angle}, ratio {ratio}");
+        return Err(format!("a link cannot turn round: {link}").into());
     }
     let turns_round = |rod: &&RodClaim| !rod.ratio.is_negative() && &rod.ratio + rod.offset.abs() < BigRational::one();
     if let Some(rod) = known.iter().find(|rod| !turns_round(rod)) {
         return Err(format!("a rod of ratio {} and offset {} cannot turn round", rod.ratio, rod.offset).into());
     }
-    match (known.len(), unknown) {
+    match (known.len() + links.len(), unknown) {
         (_, 0) => Ok(Some(known)),
         (0, _) => Ok(None),
         (given, missing) => Err(format!("{given} rods are known and {missing} are not; all are, or none").into()),
@@ -232,6 +244,24 @@ pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(),
     match quantities.windows(2).all(|pair| pair[0] < pair[1]) {
         true => Ok(()),
         false => Err(Fault::new("quantities", "they stand in the order force, moment, torque, roll, each once")),
+    }
+}
+
+/// Checks that no shaft takes the coefficient of a link, which has several.
+pub(super) fn check_shafts<'a>(mut rods: impl Iterator<Item = &'a RodStatement>) -> Result<(), Reason> {
+    let is_link = |rod: &RodStatement| match rod {
+        RodStatement::Link(_) => true,
+        RodStatement::Unknown | RodStatement::Known(_) => false,
+    };
+    if rods.any(is_link) { Err("a shaft takes the coefficient of a link, which has several".into()) } else { Ok(()) }
+}
+
+/// Checks that a mass at a knuckle pin hangs on a link.
+pub(super) fn check_knuckle(rod: &RodStatement, weight: &BigRational) -> Result<(), Reason> {
+    match rod {
+        RodStatement::Link(_) => Ok(()),
+        RodStatement::Unknown | RodStatement::Known(_) if weight.is_zero() => Ok(()),
+        RodStatement::Unknown | RodStatement::Known(_) => Err("a knuckle weight without a link".into()),
     }
 }
 

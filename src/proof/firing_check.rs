@@ -103,7 +103,7 @@ fn classes(cylinders: &[FiringCylinder]) -> Vec<Vec<&FiringCylinder>> {
 /// Whether pistons of one crank radius move alike: infinitely long rods do whatever their offsets are.
 fn move_alike(one: &RodStatement, other: &RodStatement) -> bool {
     let is_infinite = |rod: &RodStatement| match rod {
-        RodStatement::Unknown => false,
+        RodStatement::Unknown | RodStatement::Link(_) => false,
         RodStatement::Known(rod) => rod.ratio.is_zero(),
     };
     one == other || (is_infinite(one) && is_infinite(other))

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Zero};
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, Fault, Reason};
@@ -14,9 +14,10 @@ use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::{Decimal, check_decimals};
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, rods};
+use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_shafts, rods};
 use super::fraction;
 use super::reading::Format;
+use super::source::turned;
 use super::verdict::{Vector, phase};
 
 /// A remedy as data: the JSON document of `remedy --json`.
@@ -67,6 +68,9 @@ pub struct RodCylinder {
     pub weight: BigRational,
     /// Its rod.
     pub rod: RodStatement,
+    /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; left out where it is 0.
+    #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
+    pub knuckle_weight: BigRational,
 }
 
 /// A mass that turns at a multiple of the crank speed.
@@ -206,7 +210,12 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
     if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
     }
+    for cylinder in &document.cylinders {
+        let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
+        checked.map_err(|reason| Fault::new("cylinders", reason))?;
+    }
     let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
+    check_shafts(of_shafts.clone()).map_err(|reason| Fault::new("turning_masses", reason))?;
     let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod).chain(of_shafts));
     rods.map(|rods| rods.is_some()).map_err(|reason| Fault::new("cylinders", reason))
 }
@@ -254,18 +263,32 @@ impl RemedyDocument {
         };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         for cylinder in &self.cylinders {
-            let Factor { coefficient, is_zero, sign } = Factor::of_force(&cylinder.rod, order);
-            if is_zero {
-                continue;
-            }
-            let weight = &cylinder.weight * arm(&cylinder.position) * sign;
+            let weight = &cylinder.weight * arm(&cylinder.position);
             let angle = phase(&cylinder.throw, &cylinder.bank, order, Some(sense));
-            sums.entry(coefficient).or_default().push((angle, weight));
+            if let RodStatement::Link(link) = &cylinder.rod {
+                audit.spend(link.steps(order))?;
+            }
+            let factors = Factor::of_force(&cylinder.rod, order).into_iter().filter(|factor| !factor.is_zero);
+            for Factor { coefficient, parts, .. } in factors {
+                let vectors = parts.iter().map(|part| turned(&angle, &weight, part, Some(sense)));
+                let terms = vectors.map(|vector| (vector.angle, vector.weight));
+                sums.entry(coefficient).or_default().extend(terms);
+            }
+            let RodStatement::Link(link) = &cylinder.rod else { continue };
+            let Factor { coefficient, is_zero, .. } = Factor::of_rod(&link.master_rod(), order);
+            if !is_zero && !cylinder.knuckle_weight.is_zero() {
+                let weight = &cylinder.knuckle_weight * &link.knuckle * arm(&cylinder.position);
+                let bank = &cylinder.bank - &link.angle;
+                let angle = phase(&cylinder.throw, &bank, order, Some(sense)) + &link.angle;
+                sums.entry(coefficient).or_default().push((angle, weight));
+            }
         }
         let k = BigRational::from_integer(BigInt::from(order));
         let double = &k * &k * BigRational::from_integer(2.into());
         for mass in self.turning_masses.iter().filter(|mass| (mass.order, mass.sense) == (order, sense)) {
-            let Factor { coefficient, is_zero, sign } = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
+            let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
+            let sign = factor.sign();
+            let Factor { coefficient, is_zero, .. } = factor;
             if is_zero {
                 continue;
             }

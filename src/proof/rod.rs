@@ -40,7 +40,7 @@ const WIDEST: u32 = 256;
 /// The coefficients that one check came across.
 pub(super) struct Motion<'a> {
     audit: &'a Audit,
-    known: RefCell<BTreeMap<(RodClaim, u32, bool, u32), Complex>>,
+    known: RefCell<BTreeMap<(Coefficient, u32, u32), Complex>>,
 }
 
 impl<'a> Motion<'a> {
@@ -54,20 +54,19 @@ impl<'a> Motion<'a> {
 
     /// The coefficient of an order, in units of `2^−bits`; that of rods which are not named is not known.
     pub fn coefficient(&self, coefficient: &Coefficient, order: u32, bits: u32) -> Result<Option<Complex>, Refusal> {
-        let (rod, is_torque) = match coefficient {
-            Coefficient::One => return Ok(Some(one(bits))),
-            Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
-            Coefficient::Rod(rod) => (rod, false),
-            Coefficient::Torque(rod) => (rod, true),
-        };
-        let key = (rod.clone(), order, is_torque, bits);
+        let key = (coefficient.clone(), order, bits);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(Some(known.clone()));
         }
-        let found = match is_torque {
-            true => torque(rod, order, bits, self.audit),
-            false => force(rod, order, bits, self.audit),
-        }?;
+        let found = match coefficient {
+            Coefficient::One => return Ok(Some(one(bits))),
+            Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
+            Coefficient::Torque(rod) => torque(rod, order, bits, self.audit)?,
+            Coefficient::Rod(rod) => force(rod, order, bits, self.audit)?,
+            Coefficient::Linkage(linkage) => {
+                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
+            }
+        };
         self.known.borrow_mut().insert(key, found.clone());
         Ok(Some(found))
     }
@@ -96,10 +95,11 @@ pub fn coefficient_bounds(
 }
 
 /// How many bits below 1 the bound of a coefficient stands.
-pub(super) fn smallness(coefficient: &Coefficient, order: u32) -> Result<u64, Refusal> {
+pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) -> Result<u64, Refusal> {
     let strip = match coefficient {
         Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
         Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
+        Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
         Coefficient::Rod(_) | Coefficient::Torque(_) => return Ok(0),
         Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),
     };

@@ -41,17 +41,24 @@ pub(super) fn arms(cylinder: &Cylinder) -> Vec<Vector> {
             let weight = if is_against(cylinder) { offset } else { -offset };
             arms.push(Vector { angle: BigRational::zero(), weight });
         }
-        RodStatement::Known(_) | RodStatement::Unknown => {}
+        RodStatement::Known(_) | RodStatement::Unknown | RodStatement::Link(_) => {}
     }
     arms
 }
 
-/// The terms of a piston's force, whose sign above its coefficient this is.
-pub(super) fn of_force(cylinder: &Cylinder, order: u32, sign: &BigRational) -> Vec<Vector> {
+/// The terms of a piston's force, whose vector stands before its coefficient with these parts.
+pub(super) fn of_force(cylinder: &Cylinder, order: u32, parts: &[Vector]) -> Vec<Vector> {
     let star = phase(&cylinder.throw, &cylinder.bank, order, None);
-    let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * sign;
-    let arms = arms(cylinder).into_iter();
-    arms.map(|arm| Vector { angle: &star + arm.angle, weight: &size * arm.weight }).collect()
+    let size = &cylinder.reciprocating_mass * &cylinder.crank_radius;
+    let arms = arms(cylinder);
+    let of_part = |part: &Vector| -> Vec<Vector> {
+        let vector = |arm: &Vector| Vector {
+            angle: &star + &part.angle + &arm.angle,
+            weight: &size * &part.weight * &arm.weight,
+        };
+        arms.iter().map(vector).collect()
+    };
+    parts.iter().flat_map(of_part).collect()
 }
 
 /// The term of the torque on a piston's crank.

@@ -4,17 +4,20 @@ use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 use super::coefficient::{Coefficient, Factor};
 use super::document::Document;
-use super::engine::{Cylinder, Masses, Quantity, Sense, TurningMassClaim};
+use super::engine::{Cylinder, Masses, Quantity, RodStatement, Sense, TurningMassClaim};
+use super::link::LinkClaim;
 use super::roll;
 use super::verdict::{Vector, phase};
 
-/// What makes a force: a cylinder or a mass that turns, with the sign of its term.
+/// What makes a force: a cylinder, with what its vector is multiplied by; the mass at the knuckle pin of its link, as far as it moves
+/// as the master's piston does; or a mass that turns, with the sign of its term.
 pub(super) enum Source<'a> {
-    Cylinder(&'a Cylinder, BigRational),
+    Cylinder(&'a Cylinder, Vec<Vector>),
+    Knuckle(&'a Cylinder, &'a LinkClaim),
     /// The torque on the crank of a cylinder.
     Torque(&'a Cylinder),
     Turning(&'a TurningMassClaim, BigRational),
@@ -45,15 +48,15 @@ impl Document {
         let mut groups = Groups::default();
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
         for cylinder in cylinders {
-            let force = Factor::of_force(&cylinder.rod, order);
             let torque = Factor::of_torque(&cylinder.rod, order);
             let has_force = match quantity {
                 Quantity::Force | Quantity::Moment => true,
                 Quantity::Roll => !roll::arms(cylinder).is_empty(),
                 Quantity::Torque => false,
             };
-            if has_force {
-                groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.sign));
+            let forces = Factor::of_force(&cylinder.rod, order).into_iter().filter(|_| has_force);
+            for force in forces {
+                groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.parts));
             }
             match quantity {
                 Quantity::Force | Quantity::Moment => {}
@@ -61,6 +64,15 @@ impl Document {
                     groups.add(torque.coefficient, torque.is_zero, Source::Torque(cylinder));
                 }
             }
+        }
+        // The roll moment of an engine with links is not judged.
+        let shakes = match quantity {
+            Quantity::Force | Quantity::Moment => self.masses.reciprocate(),
+            Quantity::Torque | Quantity::Roll => false,
+        };
+        for (cylinder, link) in self.knuckles().filter(|_| shakes) {
+            let factor = Factor::of_rod(&link.master_rod(), order);
+            groups.add(factor.coefficient, factor.is_zero, Source::Knuckle(cylinder, link));
         }
         let is_there = |mass: &TurningMassClaim| match quantity {
             Quantity::Force | Quantity::Moment => true,
@@ -70,7 +82,8 @@ impl Document {
         let turning = self.turning_masses.iter().filter(|mass| self.masses.turn() && mass.order == order);
         for mass in turning.filter(|mass| is_there(mass)) {
             let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
-            groups.add(factor.coefficient, factor.is_zero, Source::Turning(mass, factor.sign));
+            let sign = factor.sign();
+            groups.add(factor.coefficient, factor.is_zero, Source::Turning(mass, sign));
         }
         groups.or_empty()
     }
@@ -90,13 +103,20 @@ impl Document {
         };
         let is_roll = quantity == Quantity::Roll;
         let terms = |source: &Source<'_>| match source {
-            Source::Cylinder(cylinder, sign) if is_roll => {
-                (cylinder.name.clone(), roll::of_force(cylinder, order, sign))
+            Source::Cylinder(cylinder, parts) if is_roll => {
+                (cylinder.name.clone(), roll::of_force(cylinder, order, parts))
             }
-            Source::Cylinder(cylinder, sign) => {
-                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * lever(&cylinder.position) * sign;
+            Source::Cylinder(cylinder, parts) => {
+                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * lever(&cylinder.position);
                 let angle = phase(&cylinder.throw, &cylinder.bank, order, sense);
-                (cylinder.name.clone(), vec![Vector { angle, weight }])
+                let vectors = parts.iter().map(|part| turned(&angle, &weight, part, sense));
+                (cylinder.name.clone(), vectors.collect())
+            }
+            Source::Knuckle(cylinder, link) => {
+                // A complex mass on the master's piston pin: it is turned by Δ in either sense.
+                let weight = &cylinder.knuckle_weight * &link.knuckle * lever(&cylinder.position);
+                let angle = phase(&cylinder.throw, &(&cylinder.bank - &link.angle), order, sense) + &link.angle;
+                (knuckle_name(cylinder), vec![Vector { angle, weight }])
             }
             Source::Torque(cylinder) if is_roll => (cylinder.name.clone(), roll::of_torque(cylinder, order)),
             Source::Torque(cylinder) => {
@@ -118,6 +138,38 @@ impl Document {
         };
         group.sources.iter().flat_map(named).collect()
     }
+
+    /// The cylinders with a mass at the knuckle pin of their link.
+    pub(super) fn knuckles(&self) -> impl Iterator<Item = (&Cylinder, &LinkClaim)> {
+        self.cylinders.iter().filter(|cylinder| !cylinder.knuckle_weight.is_zero()).filter_map(|cylinder| {
+            match &cylinder.rod {
+                RodStatement::Link(link) => Some((cylinder, link)),
+                RodStatement::Unknown | RodStatement::Known(_) => None,
+            }
+        })
+    }
+
+    /// The steps that the terms of all links cost in an order.
+    pub(super) fn steps_of_links(&self, order: u32) -> u64 {
+        self.cylinders.iter().fold(0, |steps, cylinder| match &cylinder.rod {
+            RodStatement::Link(link) => link.steps(order).saturating_add(steps),
+            RodStatement::Unknown | RodStatement::Known(_) => steps,
+        })
+    }
+}
+
+/// What the mass at a knuckle pin is called.
+pub(super) fn knuckle_name(cylinder: &Cylinder) -> String {
+    format!("knuckle of cylinder {}", cylinder.name)
+}
+
+/// A vector times a part of it: turned by the angle of the part, the other way in a reverse sum.
+pub(super) fn turned(angle: &BigRational, weight: &BigRational, part: &Vector, sense: Option<Sense>) -> Vector {
+    let angle = match sense {
+        Some(Sense::Reverse) => angle - &part.angle,
+        Some(Sense::Direct) | None => angle + &part.angle,
+    };
+    Vector { angle, weight: weight * &part.weight }
 }
 
 #[derive(Default)]

@@ -150,7 +150,7 @@ impl Enclosure {
             senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect();
         let smallness: Vec<u64> = left
             .iter()
-            .map(|(group, _)| smallness(&group.coefficient, judged.order))
+            .map(|(group, _)| smallness(&group.coefficient, judged.order, motion.audit()))
             .collect::<Result<_, Refusal>>()?;
         let below_one = smallness.into_iter().min().unwrap_or_default();
         let bits = below_one.checked_add(u64::from(bits) + GUARD).and_then(|bits| u32::try_from(bits).ok());

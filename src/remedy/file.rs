@@ -24,6 +24,8 @@ use crate::proof::Sense;
 pub enum FileError {
     /// The engine was not read from a layout file.
     NoFile,
+    /// A shaft stands before a number of a link, which no key of a file names.
+    OfLinks,
     /// The file with the weights behind it is not read.
     Layout(Box<LayoutError>),
     /// It is read as an engine that is not the corrected one.
@@ -38,6 +40,9 @@ impl fmt::Display for FileError {
             FileError::NoFile => {
                 f.write_str("the engine was not read from a layout file, to which weights could be added")
             }
+            FileError::OfLinks => f.write_str(
+                "shafts against what links on a master rod leave are sums before numbers of their motion, which a layout file has no key for",
+            ),
             FileError::Layout(error) => {
                 write!(f, "the layout file does not take the weights of the remedy; {RIGHT}: {error}")
             }
@@ -58,11 +63,23 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result
     if source.trim().is_empty() {
         return Err(FileError::NoFile);
     }
+    if remedy.weights().iter().any(|weight| weight.vector.parts().keys().any(is_of_link)) {
+        return Err(FileError::OfLinks);
+    }
     let text = with_tables(remedy, source);
     let read = parse_beside(name, &text, beside).map_err(|error| FileError::Layout(Box::new(error)))?;
     match is_meant(remedy, &read) {
         true => Ok(text),
         false => Err(FileError::AnotherEngine),
+    }
+}
+
+fn is_of_link(factor: &Factor) -> bool {
+    match factor {
+        Factor::Linkage(_) => true,
+        Factor::One | Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
+            false
+        }
     }
 }
 
@@ -170,11 +187,11 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
 fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
     let one = BigRational::from_integer(1.into());
     match factor {
-        Factor::One => (None, one),
+        // Of a link no file is written.
+        Factor::One | Factor::Linkage(_) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
-            let cylinders = engine.cylinders().iter().enumerate();
-            let found =
-                cylinders.map(|(index, cylinder)| (index, Factor::of_force(cylinder.mechanism.as_ref(), order)));
+            let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| cylinder.link().is_none());
+            let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));
             let found = found.into_iter().find(|(_, (own, _))| own == factor);
             found.map_or((None, one), |(index, (_, sign))| (Some(index), sign))
         }

@@ -34,7 +34,7 @@ impl PairHeight {
 /// The height of the pair of an order in an engine whose cylinders stand in one line, with equal centric rods and crank
 /// radii; `None` for others, and where the rods are not known or the order has no force.
 pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
-    let rod = engine.rods().next()?;
+    let rod = engine.rods().next().filter(|_| !engine.has_links())?;
     let [first, ..] = engine.cylinders() else { return None };
     let alike = engine.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
     let upright = first.bank.turns().is_zero();

@@ -1,5 +1,6 @@
 //! What does `classify --json` hold? Every verdict with its terms and its certificate.
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::engine::{self, Engine, Mechanism, Rod};
@@ -7,8 +8,8 @@ use crate::exact::Term;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
-    self, Coefficient, CrankClaim, Cylinder, Document, Format, OrderClaim, Quantity, RodClaim, RodStatement,
-    ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
+    self, Coefficient, CrankClaim, Cylinder, Document, Format, LinkClaim, LinkageClaim, OrderClaim, Quantity, RodClaim,
+    RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
@@ -75,7 +76,14 @@ pub(super) fn shaft_radius(engine: &Engine, mass: &order::TurningMass) -> num_ra
 fn balancer<'a>(engine: &'a Engine, mass: &order::TurningMass) -> Option<&'a engine::Balancer> {
     match mass.source {
         Source::Balancer(index) => engine.crankshaft().balancers.get(index),
-        Source::Piston(_) | Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) => None,
+        Source::Piston(_)
+        | Source::BigEnd(_)
+        | Source::Knuckle(_)
+        | Source::KnuckleAtPin(_)
+        | Source::KnuckleOffPin(_)
+        | Source::Pin(_)
+        | Source::Webs(_)
+        | Source::Counterweight(_) => None,
     }
 }
 
@@ -89,13 +97,28 @@ fn cylinder(engine: &Engine, cylinder: &engine::Cylinder, with_roll: bool) -> Cy
         reciprocating_mass: order::mass_radius(engine, cylinder) / &cylinder.crank_radius,
         crank_radius: cylinder.crank_radius.clone(),
         rod: rod_statement(cylinder),
+        knuckle_weight: knuckle_weight(cylinder),
         crankshaft: crank.map(|crank| CrankClaim { sense: crank.sense, axis: vectors(&crank.axis) }),
     }
 }
 
 /// What is known of the rod of a cylinder, as data.
 pub(super) fn rod_statement(cylinder: &engine::Cylinder) -> RodStatement {
-    cylinder.rod().map_or(RodStatement::Unknown, |rod| RodStatement::Known(rod_claim(rod)))
+    match &cylinder.mechanism {
+        None => RodStatement::Unknown,
+        Some(Mechanism::SliderCrank(rod)) => RodStatement::Known(rod_claim(rod)),
+        Some(Mechanism::Link(link)) => RodStatement::Link(LinkClaim {
+            master: link.master.clone(),
+            knuckle: link.knuckle.clone(),
+            angle: link.angle.turns().clone(),
+            ratio: link.ratio.clone(),
+        }),
+    }
+}
+
+/// The mass at the knuckle pin of a cylinder's link times the crank radius, in multiples of m r.
+pub(super) fn knuckle_weight(cylinder: &engine::Cylinder) -> BigRational {
+    &cylinder.knuckle_mass * &cylinder.crank_radius
 }
 
 /// A rod as data.
@@ -108,9 +131,17 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
         Factor::Open | Factor::OpenTorque => Coefficient::Common,
-        Factor::Motion(Mechanism::SliderCrank(rod))
-        | Factor::Torque(Mechanism::SliderCrank(rod))
-        | Factor::Side(Mechanism::SliderCrank(rod)) => Coefficient::Rod(rod_claim(rod)),
+        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
+            Mechanism::SliderCrank(rod) => Coefficient::Rod(rod_claim(rod)),
+            Mechanism::Link(_) => {
+                unreachable!("the sums of a link stand before the number of its master and of its linkage")
+            }
+        },
+        Factor::Linkage(linkage) => Coefficient::Linkage(LinkageClaim {
+            ratio: linkage.ratio.clone(),
+            knuckle: linkage.knuckle.clone(),
+            apart: linkage.apart.turns().clone(),
+        }),
     }
 }
 

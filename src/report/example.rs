@@ -17,7 +17,9 @@ use crate::verdict::OrderBalance;
 /// What stands before equations (1) and (2): one cylinder of these sums, of order 1 or 2, put into them, with a picture.
 pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
     // Above order 2 a coefficient may be negative or imaginary, and the picture would need more words than it explains.
-    let is_shown = balance.exists && balance.order <= 2;
+    // A link's vector is made of several there.
+    let is_one = balance.order == 1 || !engine.has_links();
+    let is_shown = balance.exists && balance.order <= 2 && is_one;
     let Some((cylinder, weight)) = chosen(engine, balance).filter(|_| is_shown) else { return Vec::new() };
     let mut blocks =
         vec![Block::Paragraph(two_vectors(balance.order)), Block::Paragraph(numbers_of(cylinder, weight, balance))];
@@ -39,7 +41,14 @@ fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cyli
     let terms = direct.sources.iter().zip(direct.sum.terms());
     let pistons = terms.filter_map(|(source, term)| match source {
         Source::Piston(index) => Some((engine.cylinders().get(*index)?, &term.weight)),
-        Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => None,
+        Source::BigEnd(_)
+        | Source::Knuckle(_)
+        | Source::KnuckleAtPin(_)
+        | Source::KnuckleOffPin(_)
+        | Source::Pin(_)
+        | Source::Webs(_)
+        | Source::Counterweight(_)
+        | Source::Balancer(_) => None,
     });
     let is_plain = |angle: &Turn| *angle == Turn::zero();
     pistons

@@ -65,15 +65,17 @@ fn equals(value: &BigRational) -> String {
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class) -> String {
     let rod = match &class.factor {
-        Factor::Motion(Mechanism::SliderCrank(rod))
-        | Factor::Torque(Mechanism::SliderCrank(rod))
-        | Factor::Side(Mechanism::SliderCrank(rod)) => {
-            let offset = match rod.offset.is_zero() {
-                true => String::new(),
-                false => format!(", δ {}", equals(&rod.offset)),
-            };
-            format!(", λ {}{offset}", equals(&rod.ratio))
-        }
+        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
+            Mechanism::SliderCrank(rod) => {
+                let offset = match rod.offset.is_zero() {
+                    true => String::new(),
+                    false => format!(", δ {}", equals(&rod.offset)),
+                };
+                format!(", λ {}{offset}", equals(&rod.ratio))
+            }
+            Mechanism::Link(link) => format!(", r/L {}", equals(&link.ratio)),
+        },
+        Factor::Linkage(linkage) => format!(", Δ = ±{}", typeset::degrees(&linkage.apart.degrees())),
         Factor::One | Factor::Open | Factor::OpenTorque => String::new(),
     };
     format!("{}{rod}", class_sources(class))
@@ -169,7 +171,7 @@ pub(super) fn roll(roll: &TorqueVerdict) -> Text {
 pub(super) fn is_of_torques(part: &TorquePart) -> bool {
     match part.class.as_ref().map(|class| &class.factor) {
         Some(Factor::Torque(_) | Factor::OpenTorque) | None => true,
-        Some(Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open) => false,
+        Some(Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Linkage(_) | Factor::Open) => false,
     }
 }
 

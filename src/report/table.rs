@@ -155,6 +155,9 @@ type Parts<'a> = [(i64, &'a BigRational); 2];
 
 /// The vector-star table of order k: how each phase comes about, and the sums.
 pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
+    if engine.has_links() {
+        return term_by_term(engine, order);
+    }
     let k = i64::from(order.order);
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
     let pistons_alone = order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(is_piston));
@@ -203,6 +206,31 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
         add(name, |verdict| residual::modulus(verdict).into());
         if !balance.is_balanced() {
             add("angle", angle_cell);
+        }
+    }
+    table
+}
+
+/// The same where a cylinder may have several vectors: each term of both sums.
+fn term_by_term(engine: &Engine, order: &OrderBalance) -> Table {
+    let mut table =
+        Table::new(["Source".into(), arm_heading(engine), "Sense".into(), "Weight m r".into(), "Phase".into()]);
+    for (balance, sense) in [(&order.force.direct, "direct"), (&order.force.reverse, "reverse")] {
+        for (source, term) in balance.sources.iter().zip(balance.sum.terms()) {
+            let arm = source.position(engine).map(|at| position(engine, &(at - engine.reference_plane())));
+            table.push(vec![
+                source.label(engine).into(),
+                arm.unwrap_or_default(),
+                sense.into(),
+                Number::exact(&term.weight).into(),
+                typeset::angle(&term.angle).into(),
+            ]);
+        }
+    }
+    for (name, balance) in [("**Σ force**", &order.force), ("**Σ moment**", &order.moment)] {
+        for (verdict, sense) in balance.verdicts().into_iter().zip(["direct", "reverse"]) {
+            let angle = if verdict.vanishes() { Text::default() } else { angle_cell(verdict) };
+            table.push(vec![name.into(), Text::default(), sense.into(), residual::modulus(verdict).into(), angle]);
         }
     }
     table

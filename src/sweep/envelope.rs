@@ -52,10 +52,10 @@ pub struct Envelope {
     pub metres: Option<f64>,
 }
 
-/// The box round an engine; none for one with cylinders of different strokes.
+/// The box round an engine; none for one with cylinders of different strokes, and with links, whose tops lie elsewhere.
 pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
-    if engine.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
+    if engine.has_links() || engine.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
         return None;
     }
     let bore = geometry.bore;
@@ -100,6 +100,9 @@ const RAYS: u32 = 3600;
 ///
 /// Every bank and the crankcase are seen whole from the shaft, so that the area is `½ ∫ ρ² dθ` over the farthest of them.
 pub fn section(engine: &Engine, geometry: &Geometry) -> Option<f64> {
+    if engine.has_links() {
+        return None;
+    }
     let half = geometry.half_width * geometry.bore;
     let mut banks = Vec::new();
     for cylinder in engine.cylinders() {

@@ -96,12 +96,12 @@ impl Motions {
 }
 
 fn coefficients(mechanism: &Mechanism, highest: u32) -> Vec<Complex<f64>> {
-    let Mechanism::SliderCrank(rod) = mechanism;
+    let Some(rod) = mechanism.rod() else { return Vec::new() };
     if rod.offset.is_zero() {
         let real = coefficients_fast(rod.ratio.to_f64().unwrap_or(f64::NAN), highest);
         return real.into_iter().map(|value| Complex::new(value, 0.0)).collect();
     }
-    let crank = order::crank(mechanism);
+    let Some(crank) = order::crank(mechanism) else { return Vec::new() };
     (0..=highest).map(|order| crank.coefficient(order).to_complex()).collect()
 }
 
@@ -224,6 +224,7 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
     };
     let mut coefficient = |factor: &Factor| match factor {
         Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
+        Factor::Linkage(linkage) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
         // Of rods that are not given, amplitudes are in multiples of c_k.
         Factor::One | Factor::Open | Factor::OpenTorque => Complex::new(1.0, 0.0),
         Factor::Torque(_) | Factor::Side(_) => {

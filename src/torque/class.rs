@@ -137,7 +137,7 @@ fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
     let weight = numbers::float(&(mass * &radius * &radius));
     let radius = numbers::float(&radius);
     let scale = weight * omega(engine)?.powi(2);
-    let crank = order::crank(mechanism);
+    let crank = order::crank(mechanism)?;
     let harmonics = (1..=HIGHEST).map(|order| crank.torque_coefficient(order).to_complex() * scale).collect();
     let lever = match crank.offset().is_zero() {
         true => 0.0,

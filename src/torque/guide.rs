@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 
 use super::EngineTorque;
 use super::order::star;
-use crate::engine::{CycleOrder, Engine, Mechanism};
+use crate::engine::{CycleOrder, Engine};
 use crate::loads::Arm;
 use crate::numbers;
 
@@ -31,7 +31,7 @@ pub fn guide_moments(engine: &Engine, torque: &EngineTorque) -> Option<Vec<Guide
     let revolutions = torque.classes.first()?.harmonics.revolutions as usize;
     let lengths = torque.classes.iter().map(|class| {
         let cylinder = &engine.cylinders()[class.cylinders[0]];
-        let Mechanism::SliderCrank(rod) = cylinder.mechanism.as_ref()?;
+        let rod = cylinder.rod()?;
         let length = engine.dimensions().crank_radius.as_ref()? * &cylinder.crank_radius / &rod.ratio;
         length.to_f64().filter(|length| length.is_finite())
     });

@@ -85,7 +85,9 @@ pub fn firmness(engine: &Engine, balance: &Balance) -> Option<Firmness> {
     };
     let pistons = (0..engine.cylinders().len()).map(Source::Piston);
     let of_pistons = balance.verdicts().into_iter().all(|verdict| verdict.sources.iter().copied().eq(pistons.clone()));
-    (of_pistons && balance.is_balanced()).then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
+    // Above order 1 a link has terms before two numbers, and no disturbance moves those of one alone.
+    let is_one_star = balance.direct.order == 1 || !engine.has_links();
+    (of_pistons && is_one_star && balance.is_balanced()).then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
 }
 
 /// The coefficient of every symbol of a disturbance; `None` where it does not apply.

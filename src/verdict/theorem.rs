@@ -86,7 +86,7 @@ pub fn period(engine: &Engine) -> BigInt {
 /// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, where the engine is not one of equal centric
 /// cranks, and where a shaft turns faster than the crank.
 pub fn theorem(engine: &Engine, masses: Masses) -> Result<Theorem, NoTheorem> {
-    if engine.mechanisms().len() > 1 {
+    if engine.mechanisms().len() > 1 || engine.has_links() {
         return Err(NoTheorem::RodsDiffer);
     }
     if engine.has_offset() {

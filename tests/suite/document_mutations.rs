@@ -246,6 +246,16 @@ fn every_change_of_whole_orders_is_refused() {
 }
 
 #[test]
+fn every_change_of_links_on_a_master_rod_is_refused() {
+    let row = "[mechanism]\nrod_ratio = '1/4'\nreciprocating_mass = [2, 1, 1]\n[articulated]\nmaster = 1\nknuckle_ratio = '1/5'";
+    classify(&format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/3'"), &[1, 2], false, false);
+    let engine =
+        file::parse("engine", &format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/7'")).expect("a layout");
+    let found = remedy(&engine, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
+    assert_guarded(&report::remedy_document(&found));
+}
+
+#[test]
 fn every_change_of_theorems_is_refused() {
     classify("inline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25", &[2], false, true);
     classify("vee = { bank_angle = 90, throws = [0] }", &[1], false, true);

@@ -150,7 +150,9 @@ fn check(layout: &Engine, dice: &mut Dice) -> [usize; 3] {
 #[test]
 fn random_disturbances_of_every_engine_break_what_is_said_to_break_and_nothing_else() {
     let mut dice = Dice::new(5);
-    let met = catalogue().unwrap().into_iter().map(|(_, layout)| check(&layout, &mut dice));
+    // A link that is moved apart from its master is none.
+    let catalogue = catalogue().unwrap().into_iter().filter(|(_, layout)| !layout.has_links());
+    let met = catalogue.map(|(_, layout)| check(&layout, &mut dice));
     let total = met.fold([0; 3], |sum, one| [0, 1, 2].map(|index| sum[index] + one[index]));
     assert!(total.iter().all(|&outcomes| outcomes > 100), "hardly a law: {total:?}");
 }

@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod arguments;
+mod articulated;
 mod atlas;
 mod beam;
 mod bearings;

@@ -19,6 +19,12 @@ fn named(name: &str) -> Engine {
     file::find(name).expect("a name of the catalogue").engine().expect("it reads")
 }
 
+/// The engines of the catalogue whose rods stand on the crankpins: of others no order is one sum.
+fn concentric() -> impl Iterator<Item = Engine> {
+    let all = file::catalogue().expect("it reads").into_iter();
+    all.map(|(_, engine)| engine).filter(|engine| !engine.has_links())
+}
+
 fn written(form: &str) -> Engine {
     file::parse("layout.toml", &format!("title = 'engine'\n{form}")).expect("it reads")
 }
@@ -169,14 +175,14 @@ fn agrees(layout: &Engine, theorem: &Theorem) {
 
 #[test]
 fn every_statement_on_the_catalogue_agrees_with_direct_verdicts_up_to_order_200() {
-    for (_, layout) in file::catalogue().expect("it reads") {
+    for layout in concentric() {
         agrees(&layout, &proved(&layout));
     }
 }
 
 #[test]
 fn no_statement_on_the_catalogue_holds_with_a_smaller_modulus() {
-    for (_, layout) in file::catalogue().expect("it reads") {
+    for layout in concentric() {
         let theorem = proved(&layout);
         for every in [&theorem.force, &theorem.moment] {
             for found in senses(every).into_iter().chain([every.survivors()]) {
@@ -223,7 +229,7 @@ fn document(layout: &Engine) -> Document {
 
 #[test]
 fn every_theorem_on_the_catalogue_passes_the_checker_as_json() {
-    for (_, layout) in file::catalogue().expect("it reads") {
+    for layout in concentric() {
         let document = document(&layout);
         let subjects: BTreeSet<_> = document.theorems.iter().map(|claim| (claim.quantity, claim.sense)).collect();
         assert_eq!((document.theorems.len(), subjects.len()), (4, 4));

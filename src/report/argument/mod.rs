@@ -49,7 +49,14 @@ pub(super) fn polygons_shown(star: JudgedStar<'_>) -> Vec<Polygon> {
 fn stand_in_the_plane(engine: &Engine, star: JudgedStar<'_>) -> bool {
     let arm = |source: &Source| match source {
         Source::Piston(index) => Some(engine.arm(&engine.cylinders()[*index])),
-        Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => None,
+        Source::BigEnd(_)
+        | Source::Knuckle(_)
+        | Source::KnuckleAtPin(_)
+        | Source::KnuckleOffPin(_)
+        | Source::Pin(_)
+        | Source::Webs(_)
+        | Source::Counterweight(_)
+        | Source::Balancer(_) => None,
     };
     star.sources.iter().all(|source| arm(source).is_some_and(|arm| arm.is_zero()))
 }

@@ -201,7 +201,7 @@ fn turning(vector: &Vector, sum: &OrderSum, unit: Unit) -> Turning {
 
 /// `1`, or c_k or n_k of which rod.
 fn coefficient(factor: &Factor) -> String {
-    let (letter, Mechanism::SliderCrank(rod)) = match factor {
+    let (letter, mechanism) = match factor {
         Factor::One => return "1".to_owned(),
         Factor::Open | Factor::OpenTorque => return "c_k".to_owned(),
         Factor::Motion(mechanism) => ("c_k", mechanism),
@@ -209,6 +209,10 @@ fn coefficient(factor: &Factor) -> String {
         // Without an offset it is all there is of n_k in an odd order.
         Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
         Factor::Side(mechanism) => ("u_k", mechanism),
+        Factor::Linkage(linkage) => return format!("g_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
     };
-    format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset)
+    match mechanism {
+        Mechanism::SliderCrank(rod) => format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset),
+        Mechanism::Link(link) => format!("{letter} of a link, r/L = {}, κ = {}", link.ratio, link.knuckle),
+    }
 }

@@ -7,7 +7,7 @@ use num_traits::Zero;
 use super::super::calculation::Unit;
 use super::super::{residual, table};
 use super::amounts;
-use crate::engine::{Engine, Mechanism, Rod};
+use crate::engine::{Engine, Rod};
 use crate::loads::{BearingLoad, BearingLoads, PinLoads};
 use crate::motion::Enclosure;
 use crate::order::{self, Factor, OrderSum};
@@ -107,10 +107,8 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
 /// The rod whose motion a sum stands before.
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
-        Factor::One | Factor::Open | Factor::OpenTorque => None,
-        Factor::Motion(Mechanism::SliderCrank(rod))
-        | Factor::Torque(Mechanism::SliderCrank(rod))
-        | Factor::Side(Mechanism::SliderCrank(rod)) => Some(rod),
+        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) => None,
+        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => mechanism.rod(),
     }
 }
 
@@ -122,6 +120,7 @@ fn number(factor: &Factor) -> Option<char> {
         Factor::Torque(_) => Some('t'),
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
+        Factor::Linkage(_) => Some('g'),
     }
 }
 
@@ -132,7 +131,7 @@ pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
     if !mechanism.is_centric() {
         return None;
     }
-    let crank = order::crank(mechanism);
+    let crank = order::crank(mechanism)?;
     let mut table = Table::new(["Order".into(), Text::formula("c_k".to_owned()), Text::formula("n_k".to_owned())]);
     for order in loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders) {
         let cell = |part: Enclosure| match (part.low == part.high, part.low.is_zero()) {

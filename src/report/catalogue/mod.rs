@@ -14,8 +14,8 @@ use crate::engine::{Engine, Form};
 use crate::file::Entry;
 use crate::order::Masses;
 use crate::page::{Text, phrase};
-use crate::proof::Quantity;
-use crate::verdict::{self, Balance, EveryOrder, NoTheorem, OrderBalance, Theorem};
+use crate::proof::{Quantity, Shape};
+use crate::verdict::{self, EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem, WholeOrder};
 
 /// An engine of the catalogue, judged.
 pub(super) struct Known<'a> {
@@ -63,16 +63,41 @@ fn family(form: Form) -> (&'static str, &'static str) {
     }
 }
 
+/// What is left first of the force, or of the moment.
+pub(super) struct First {
+    /// The order.
+    pub order: u32,
+    /// What it traces.
+    pub shape: Shape,
+    /// How large it is, where one sum says it.
+    size: Option<Text>,
+}
+
 impl Known<'_> {
     /// What is left first of the force and of the moment; none where nothing is known of every order.
-    pub fn first(&self) -> Option<[Option<&Balance>; 2]> {
-        let theorem = self.theorem.as_ref().ok()?;
-        Some([&theorem.force, &theorem.moment].map(|every: &EveryOrder| every.first.as_ref()))
+    pub fn first(&self) -> Option<[Option<First>; 2]> {
+        let Ok(theorem) = &self.theorem else { return self.first_of_links() };
+        Some([&theorem.force, &theorem.moment].map(|every: &EveryOrder| {
+            let first = every.first.as_ref()?;
+            Some(First { order: first.direct.order, shape: first.shape, size: Some(residual::largest(first).into()) })
+        }))
+    }
+
+    /// The same of an engine with articulated rods, where something of both is left, or one is zero, at the orders that it asks for.
+    fn first_of_links(&self) -> Option<[Option<First>; 2]> {
+        let wanted = self.engine.has_links().then(|| self.engine.orders())?;
+        let judged = verdict::classify(self.engine, wanted, Masses::Reciprocating, &[Quantity::Force]).ok()?;
+        let first = |whole: &dyn Fn(&OrderVerdict) -> WholeOrder| {
+            let mut orders = judged.iter().filter(|order| order.exists()).map(|order| (order.order, whole(order)));
+            let left = orders.find(|(_, whole)| !whole.is_balanced());
+            left.map(|(order, whole)| First { order, shape: whole.shape, size: None })
+        };
+        Some([first(&|order| order.force.clone()), first(&|order| order.moment.clone())])
     }
 
     /// The lowest order that is left; none where nothing is, and where nothing is known of every order.
     pub fn lowest(&self) -> Option<u32> {
-        self.first()?.into_iter().flatten().map(|first| first.direct.order).min()
+        self.first()?.into_iter().flatten().map(|first| first.order).min()
     }
 
     /// The verdicts on the lowest order that is left; on order 1 where nothing is.
@@ -92,8 +117,12 @@ impl Known<'_> {
     }
 }
 
-fn left(first: &Balance) -> Text {
-    phrase!("order {}: {}, {}", first.direct.order, residual::largest(first), residual::shape_name(first.shape))
+fn left(first: First) -> Text {
+    let shape = residual::shape_name(first.shape);
+    match first.size {
+        Some(size) => phrase!("order {}: {}, {}", first.order, size, shape),
+        None => phrase!("order {}: {}", first.order, shape),
+    }
 }
 
 /// What is said of the whole catalogue: which engines leave nothing of orders 1 and 2, and which nothing at all.
@@ -102,7 +131,7 @@ pub(super) fn answer(families: &[Family]) -> Vec<Text> {
         let engines = families.iter().flat_map(|family| &family.engines);
         Text::joined(engines.filter(|known| of(known)).map(|known| Text::label(known.name)), ", ")
     };
-    let is_known = |known: &Known| known.first().is_some();
+    let is_known = |known: &Known| known.theorem.is_ok();
     let never = names(&|known| is_known(known) && known.lowest().is_none());
     let late = names(&|known| known.lowest().is_some_and(|order| order > 2));
     let mut lines = Vec::new();

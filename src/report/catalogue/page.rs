@@ -40,7 +40,7 @@ fn firing(firing: Option<&Firing>) -> Text {
 /// The numbers of the lowest orders left.
 fn orders(known: &Known) -> [Text; 2] {
     match known.first() {
-        Some(first) => first.map(|first| first.map_or_else(|| "none".into(), |first| first.direct.order.into())),
+        Some(first) => first.map(|first| first.map_or_else(|| "none".into(), |first| first.order.into())),
         None => ["not stated".into(), "not stated".into()],
     }
 }

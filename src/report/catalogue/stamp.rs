@@ -3,10 +3,9 @@
 use super::super::figure::{Anchor, Figure, Point};
 use super::super::residual;
 use super::super::star::small_star;
-use super::Known;
 use super::small::{SIZE, small_engine};
+use super::{First, Known};
 use crate::page::{Text, phrase};
-use crate::verdict::Balance;
 
 /// Width of each of the two drawings in millimetres.
 const DRAWING: f64 = 21.5;
@@ -53,13 +52,13 @@ impl Stamp {
 /// What is left first of the force and of the moment.
 fn lines(known: &Known) -> [Text; 2] {
     let Some([force, moment]) = known.first() else { return ["not stated of every order".into(), Text::default()] };
-    let shape = |first: &Balance| residual::shape_name(first.shape);
+    let shape = |first: &First| residual::shape_name(first.shape);
     let force = match force {
-        Some(first) => phrase!("force of order {}, {}", first.direct.order, shape(first)),
+        Some(first) => phrase!("force of order {}, {}", first.order, shape(&first)),
         None => "no force".into(),
     };
     let moment = match moment {
-        Some(first) => phrase!("moment of order {}, {}", first.direct.order, shape(first)),
+        Some(first) => phrase!("moment of order {}, {}", first.order, shape(&first)),
         None => "no moment".into(),
     };
     [force, moment]

@@ -2,7 +2,7 @@
 
 use super::super::calculation::Unit;
 use super::super::{residual, table};
-use super::cures;
+use super::{articulated, conventions, cures};
 use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
 use crate::loads::{self, Loads};
 use crate::order::{self, Masses};
@@ -38,6 +38,7 @@ pub(super) fn lines(
             false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
         });
     }
+    lines.extend(articulated::hidden(engine));
     lines
 }
 
@@ -207,9 +208,11 @@ pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
     })
 }
 
-/// What is left in newtons, where the file gives numbers of what is judged.
+/// What is left in newtons, where the file gives numbers of what is judged; in multiples of m r ω² where rods are articulated, whose sums
+/// alone say little.
 pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, loads: Option<&Loads>) -> Option<Table> {
-    let loads = loads.filter(|loads| is_as_built(engine, judged) && loads.scale.is_some())?;
+    let has_numbers = |loads: &&Loads| loads.scale.is_some() || engine.has_links();
+    let loads = loads.filter(|loads| is_as_built(engine, judged) && has_numbers(loads))?;
     let mut table = Table::new(["Order", "Force", "Moment"]);
     let cell = |order: &OrderVerdict, quantity: Quantity, whole: &WholeOrder| match (
         whole.shape,
@@ -247,6 +250,8 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
         }
     }
     page.push(Block::Note(residual::LEGEND.into()));
+    page.blocks.extend(engine.has_links().then(|| Block::Note(conventions::LINKS.into())));
+    page.blocks.extend(articulated::hidden(engine).map(Block::Note));
     page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
     page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
     let missing =

@@ -32,7 +32,8 @@ pub(super) fn units(engine: &Engine) -> Text {
         LengthUnit::Metre => "moments in that times metres.".into(),
         LengthUnit::Spacing => "moments in that times a, the unit of the positions (the cylinder spacing).".into(),
     };
-    forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS)
+    let signs = forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS);
+    if engine.has_links() { signs.and(" ").and(LINKS) } else { signs }
 }
 
 const LARGEST: &str =
@@ -40,8 +41,15 @@ const LARGEST: &str =
 const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
                      taken about the reference plane.";
 
+/// What the rows of links count in.
+pub(super) const LINKS: &str =
+    "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {
+    if engine.has_links() {
+        return Text::from(ARTICULATED).and(" ").and(CENTRIC_ORDERS);
+    }
     let unequal = engine.mechanisms().len() > 1;
     match (unequal, engine.has_offset()) {
         (false, false) => ASSUMED.into(),
@@ -53,6 +61,7 @@ fn assumed(engine: &Engine) -> Text {
 }
 
 const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself.";
+const ARTICULATED: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder, each rod as two masses, links on the master rod as the layout file says.";
 const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";

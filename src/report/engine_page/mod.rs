@@ -1,6 +1,7 @@
 //! What stands on the report of an engine? The answer, the engine, what is left, what cures it; then the proofs; then what they rest on.
 
 mod answer;
+mod articulated;
 mod conventions;
 mod cures;
 mod engine;
@@ -84,6 +85,7 @@ pub fn engine_page(subject: Contents) -> Document {
     }
     page.blocks.extend(results(engine, judged, known));
     page.blocks.extend(engine::section(engine));
+    page.blocks.extend(articulated::section(engine, judged));
     match &numbers {
         None => {}
         Some(Err(missing)) => page.blocks.extend([

@@ -98,9 +98,14 @@ impl<'a> OpenAngle<'a> {
         let cylinder = match source {
             Source::Piston(index) => self.family.cylinders().get(index),
             // A family is judged without them.
-            Source::BigEnd(_) | Source::Pin(_) | Source::Webs(_) | Source::Counterweight(_) | Source::Balancer(_) => {
-                None
-            }
+            Source::BigEnd(_)
+            | Source::Knuckle(_)
+            | Source::KnuckleAtPin(_)
+            | Source::KnuckleOffPin(_)
+            | Source::Pin(_)
+            | Source::Webs(_)
+            | Source::Counterweight(_)
+            | Source::Balancer(_) => None,
         };
         let phase = cylinder.zip(verdict.sense).map(|(one, sense)| family::phase(one, verdict.order, sense));
         phase.map_or_else(BigRational::zero, |phase| phase.coefficient(self.unknown))

@@ -1,6 +1,6 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use super::super::document::{coefficient_claim, rod_statement, shaft_radius, shaft_rod, vectors};
+use super::super::document::{coefficient_claim, knuckle_weight, rod_statement, shaft_radius, shaft_rod, vectors};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
@@ -69,6 +69,7 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
         position: cylinder.position.clone(),
         weight: order::mass_radius(engine, cylinder),
         rod: rod_statement(cylinder),
+        knuckle_weight: knuckle_weight(cylinder),
     });
     let masses = order::turning_masses(engine).into_iter().map(|mass| TurningClaim {
         order: mass.order,

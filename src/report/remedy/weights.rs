@@ -89,6 +89,10 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
             let amount = amount(residual::modulus_of(sum).decimal);
             match factor {
                 Factor::One => phrase!("{} $m\\,r$", amount),
+                Factor::Linkage(_) => {
+                    let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", weight.order));
+                    phrase!("{} {}", amount, unit)
+                }
                 Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
                     phrase!("{} {}", amount, unit)

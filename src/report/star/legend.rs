@@ -100,6 +100,9 @@ fn kind(source: Source) -> Option<&'static str> {
     match source {
         Source::Piston(_) => None,
         Source::BigEnd(_) => Some("rod for the big end of a rod"),
+        Source::Knuckle(_) | Source::KnuckleAtPin(_) | Source::KnuckleOffPin(_) => {
+            Some("kn for the mass at a knuckle pin")
+        }
         Source::Pin(_) => Some("pin for a crankpin"),
         Source::Webs(_) => Some("webs for the webs of a throw"),
         Source::Counterweight(_) => Some("cw for a counterweight"),

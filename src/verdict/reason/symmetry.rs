@@ -5,13 +5,15 @@ use num_traits::Zero;
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
 
-/// For each cylinder its mirror image across the reference plane: equal throw, bank and mass, opposite arm.
+/// For each cylinder its mirror image across the reference plane: equal throw, bank, mass and rod, opposite arm.
 ///
 /// `None` where some cylinder has none. A cylinder in the plane is its own image.
 pub fn mirror_partners(engine: &Engine) -> Option<Vec<usize>> {
     let mut partners: Vec<Option<usize>> = vec![None; engine.cylinders().len()];
     let is_image = |a: &Cylinder, b: &Cylinder| {
-        engine.arm(a) == -engine.arm(b) && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
+        engine.arm(a) == -engine.arm(b)
+            && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
+            && (&a.mechanism, &a.knuckle_mass) == (&b.mechanism, &b.knuckle_mass)
     };
     for (index, cylinder) in engine.cylinders().iter().enumerate() {
         if partners[index].is_some() {

@@ -25,6 +25,7 @@ pub fn cylinder(name: &str, [throw, bank, position]: [&str; 3], rod: Option<[&st
         reciprocating_mass: BigRational::one(),
         crank_radius: BigRational::one(),
         rod: rod.map_or(RodStatement::Unknown, known),
+        knuckle_weight: BigRational::zero(),
         crankshaft: None,
     }
 }
@@ -95,6 +96,7 @@ pub fn senses(quantity: Quantity) -> Vec<Option<Sense>> {
 fn before(rod: &RodStatement, quantity: Quantity, order: u32) -> (Coefficient, bool, i64) {
     let odd = order % 2 == 1;
     match (rod, quantity) {
+        (RodStatement::Link(_), _) => panic!("documents by hand have no links"),
         (RodStatement::Unknown, Quantity::Torque) => (Coefficient::CommonTorque, false, 1),
         (RodStatement::Known(rod), Quantity::Torque) => {
             (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2, 1)
@@ -183,6 +185,7 @@ pub fn number(coefficient: &Coefficient, order: u32) -> Option<Complex<f64>> {
         Coefficient::One => Some(Complex::one()),
         Coefficient::Common | Coefficient::CommonTorque => None,
         Coefficient::Rod(rod) => Some(crank(rod).coefficient(order).to_complex()),
+        Coefficient::Linkage(_) => panic!("documents by hand have no links"),
         Coefficient::Torque(rod) => Some(crank(rod).torque_coefficient(order).to_complex()),
     }
 }

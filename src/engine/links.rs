@@ -1,0 +1,46 @@
+//! Do the links of an engine hang on its rods, and is nothing asked of it that links have no numbers for?
+
+use super::build::{BuildError, not_negative};
+use super::crankshaft::Balancer;
+use super::mechanism::Mechanism;
+use super::model::Engine;
+
+/// Each link hangs on a master rod, and nothing is asked of the engine that links have no numbers for.
+pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
+    for cylinder in engine.cylinders() {
+        let Some(link) = cylinder.link() else {
+            not_negative(&-&cylinder.knuckle_mass, || format!("minus the knuckle mass of cylinder {}", cylinder.name))?;
+            continue;
+        };
+        let master = Mechanism::SliderCrank(link.master_rod());
+        let has_master = engine.cylinders().iter().any(|other| {
+            other.mechanism.as_ref() == Some(&master)
+                && (&other.throw, &other.position, &other.crank_radius)
+                    == (&cylinder.throw, &cylinder.position, &cylinder.crank_radius)
+                && &other.bank + &link.angle == cylinder.bank
+        });
+        if !has_master {
+            return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
+        }
+    }
+    let of_link = |shaft: &Balancer| {
+        let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
+        cylinder.is_some_and(|cylinder| cylinder.link().is_some())
+    };
+    let effects = engine.effects();
+    let asked = [
+        (effects.torque, "the inertia torque"),
+        (!engine.geared_cranks().is_empty(), "several crankshafts"),
+        (engine.gas().is_some() || effects.gas, "the torque of the gas"),
+        (engine.torsion().is_some(), "the torsional vibration"),
+        (!engine.bearings().is_empty(), "the load of the main bearings"),
+        (
+            engine.crankshaft().balancers.iter().any(of_link),
+            "a shaft with the coefficient of a link, which has several,",
+        ),
+    ];
+    match asked.into_iter().find(|(is_asked, _)| *is_asked && engine.has_links()) {
+        Some((_, what)) => Err(BuildError::ArticulatedRods(what)),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,263 @@
+//! How are articulated rods written? `[articulated]`: who is a master, and how the links hang on its rod.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::error::LayoutError;
+use super::layout::built;
+use super::quantities::misread;
+use super::units;
+use super::written::{Column, Table, Text, Values, place};
+use crate::engine::{Cylinder, Draft, Engine, Link, Mechanism};
+
+/// `[articulated]`: every cylinder on the crankpin of a master hangs on its rod, but the master itself.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    master: Column,
+    knuckle_radius: Option<Column>,
+    knuckle_ratio: Option<Column>,
+    link_length: Option<Column>,
+    link_ratio: Option<Column>,
+    knuckle_mass: Option<Column>,
+}
+
+type Articulated = Spanned<Table<Keys>>;
+
+/// The engine with the links that the table names.
+pub(super) fn read(table: &Articulated, engine: Engine) -> Result<Engine, LayoutError> {
+    let keys = &table.get_ref().0;
+    let masters = keys.masters(&engine)?;
+    let on_pin = |pin: usize| masters.iter().copied().find(|&master| engine.cylinders()[master].pin == pin);
+    let cylinders = engine.cylinders().iter().enumerate();
+    let links: Vec<(usize, usize)> = cylinders
+        .filter(|(index, _)| !masters.contains(index))
+        .filter_map(|(index, cylinder)| Some((index, on_pin(cylinder.pin)?)))
+        .collect();
+    if links.is_empty() {
+        let right = "a master shares its crankpin with other cylinders, whose links hang on its rod";
+        return Err(LayoutError::new("no cylinder has a link", right, place(&keys.master)));
+    }
+    let lone = masters.iter().find(|master| !links.iter().any(|(_, own)| own == *master));
+    if let Some(master) = lone {
+        let name = &engine.cylinders()[*master].name;
+        let message = format!("no link hangs on the rod of cylinder {name}: no other cylinder is on its crankpin");
+        return Err(LayoutError::new(message, "leave it out", place(&keys.master)));
+    }
+    let mut changed = engine.cylinders().to_vec();
+    let rows = Rows { keys, engine: &engine, count: links.len(), table };
+    for (row, (index, master)) in links.into_iter().enumerate() {
+        let (mechanism, knuckle_mass) = rows.link(row, index, master)?;
+        changed[index].mechanism = Some(mechanism);
+        changed[index].knuckle_mass = knuckle_mass;
+    }
+    built(Draft { cylinders: changed, ..engine.into_draft() }.build())
+}
+
+/// The error of a layout whose angles or lengths are open.
+pub(super) fn of_open_layout(table: &Articulated) -> LayoutError {
+    let message = "articulated rods in an engine with unknown angles or positions";
+    LayoutError::new(message, "write the angles and positions as numbers", place(table))
+}
+
+impl Keys {
+    /// The masters by their index, at most one on each crankpin.
+    fn masters(&self, engine: &Engine) -> Result<Vec<usize>, LayoutError> {
+        let texts = match self.master.get_ref() {
+            Values::One(text) => vec![Text::new(self.master.span(), text.clone())],
+            Values::Each(texts) => texts.clone(),
+        };
+        let mut masters: Vec<usize> = Vec::new();
+        for text in &texts {
+            let name = &text.get_ref().0;
+            let Some(index) = engine.cylinders().iter().position(|cylinder| cylinder.name == *name) else {
+                let right = "the name of a cylinder, a list of them where there are several crankpins";
+                return Err(misread("master", name, right.to_owned(), text));
+            };
+            let pin = engine.cylinders()[index].pin;
+            if let Some(&other) = masters.iter().find(|&&other| engine.cylinders()[other].pin == pin) {
+                let message = format!("cylinders {} and {name} share a crankpin", engine.cylinders()[other].name);
+                return Err(LayoutError::new(message, "one of them is the master of this pin", place(text)));
+            }
+            masters.push(index);
+        }
+        Ok(masters)
+    }
+}
+
+/// The values of the links, by their place among them.
+struct Rows<'a> {
+    keys: &'a Keys,
+    engine: &'a Engine,
+    count: usize,
+    table: &'a Articulated,
+}
+
+impl Rows<'_> {
+    /// The link of a cylinder on the rod of its master, and the mass at its knuckle pin in multiples of m.
+    fn link(&self, row: usize, index: usize, master: usize) -> Result<(Mechanism, BigRational), LayoutError> {
+        let (cylinder, master) = (&self.engine.cylinders()[index], &self.engine.cylinders()[master]);
+        self.check(cylinder, master)?;
+        let fault = |message: String, right: &str| LayoutError::new(message, right, place(self.table));
+        let Some(rod) = master.rod().filter(|rod| rod.offset.is_zero() && rod.ratio.is_positive()) else {
+            let message = format!("the rod of master {} is not known, endless, or has an offset", master.name);
+            return Err(fault(
+                message,
+                "below [mechanism], give its rod_ratio, or its rod_length with the stroke; no offset",
+            ));
+        };
+        let one = BigRational::one();
+        let knuckle = match self.one_of(
+            ("knuckle_radius", &self.keys.knuckle_radius),
+            ("knuckle_ratio", &self.keys.knuckle_ratio),
+            row,
+        )? {
+            Some(Given::Length(radius, text)) => radius / self.rod_length(master, &rod.ratio, &text)?,
+            Some(Given::Ratio(ratio)) => ratio,
+            None => {
+                let right = "how far the knuckle pins stand from the crankpin: knuckle_radius, or knuckle_ratio = a/l";
+                return Err(fault("no knuckle radius".to_owned(), right));
+            }
+        };
+        let ratio =
+            match self.one_of(("link_length", &self.keys.link_length), ("link_ratio", &self.keys.link_ratio), row)? {
+                Some(Given::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
+                Some(Given::Ratio(ratio)) => ratio,
+                None if knuckle < one => &rod.ratio / (&one - &knuckle),
+                None => {
+                    let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
+                    return Err(fault(message, "give the link_length, which is l − a where it is left out"));
+                }
+            };
+        let angle = &cylinder.bank - &master.bank;
+        let link = Mechanism::Link(Link { master: rod.ratio.clone(), knuckle, angle, ratio });
+        if !link.turns_round() {
+            let message = format!("the link of cylinder {} is too short for its crank to turn round", cylinder.name);
+            return Err(fault(
+                message,
+                "it has to be longer than its knuckle pin swings across the axis of the cylinder",
+            ));
+        }
+        Ok((link, self.mass(row)?))
+    }
+
+    /// What a cylinder with a link and its master have in common, and what the link has not.
+    fn check(&self, cylinder: &Cylinder, master: &Cylinder) -> Result<(), LayoutError> {
+        let differ = |what: &str, right: &str| {
+            let message = format!("cylinder {} and its master {} differ in {what}", cylinder.name, master.name);
+            Err(LayoutError::new(message, right, place(self.table)))
+        };
+        let place_of = |at: &Cylinder| (at.throw.clone(), at.position.clone());
+        if place_of(cylinder) != place_of(master) {
+            return differ("throw or position", "a link works on the crankpin of its master, in the same plane");
+        }
+        if cylinder.crank_radius != master.crank_radius || cylinder.mechanism != master.mechanism {
+            return differ(
+                "crank or rod",
+                "below [mechanism] stands the master rod; links have link_length or link_ratio",
+            );
+        }
+        match cylinder.rotating_mass.is_zero() {
+            true => Ok(()),
+            false => {
+                let message = format!("cylinder {} has a link and yet a rotating mass on the crankpin", cylinder.name);
+                let right = "list rotating_mass by cylinder, 0 for links; big end of a link and knuckle pin are the knuckle_mass";
+                Err(LayoutError::new(message, right, place(self.table)))
+            }
+        }
+    }
+
+    /// A length, or a ratio, or none.
+    fn one_of(
+        &self,
+        (length_name, length): (&str, &Option<Column>),
+        (ratio_name, ratio): (&str, &Option<Column>),
+        row: usize,
+    ) -> Result<Option<Given>, LayoutError> {
+        match (length, ratio) {
+            (Some(_), Some(list)) => {
+                let message = format!("both {length_name} and {ratio_name} are given");
+                Err(LayoutError::new(message, "one of them is enough", place(list)))
+            }
+            (Some(list), None) => {
+                let text = self.value(list, row)?;
+                let metres = |text: &str| units::length(text).map(|length| length.value);
+                let length = positive(length_name, &text, metres, "a length above 0")?;
+                Ok(Some(Given::Length(length, text)))
+            }
+            (None, Some(list)) => {
+                let text = self.value(list, row)?;
+                let pure = |text: &str| super::parse_number(text).map_err(|error| error.to_string());
+                Ok(Some(Given::Ratio(positive(ratio_name, &text, pure, "a number above 0")?)))
+            }
+            (None, None) => Ok(None),
+        }
+    }
+
+    /// The length of the master rod in metres, beside a length of the table.
+    fn rod_length(&self, master: &Cylinder, ratio: &BigRational, text: &Text) -> Result<BigRational, LayoutError> {
+        match &self.engine.dimensions().crank_radius {
+            Some(radius) => Ok(radius * &master.crank_radius / ratio),
+            None => {
+                let right =
+                    "below [mechanism], give stroke or crank_radius; or write knuckle_ratio = a/l and link_ratio = r/L";
+                Err(LayoutError::new("a length of links without a crank radius", right, place(text)))
+            }
+        }
+    }
+
+    fn mass(&self, row: usize) -> Result<BigRational, LayoutError> {
+        let Some(list) = &self.keys.knuckle_mass else { return Ok(BigRational::zero()) };
+        let text = self.value(list, row)?;
+        let written = &text.get_ref().0;
+        let mass = units::mass(written).map_err(|right| misread("mass", written, right, &text))?;
+        if mass.is_negative() {
+            return Err(misread("mass", written, "a mass is 0 or more".to_owned(), &text));
+        }
+        match self.engine.dimensions().mass.as_ref().filter(|unit| unit.is_positive()) {
+            Some(unit) => Ok(mass / unit),
+            None if mass.is_zero() => Ok(mass),
+            None => {
+                let right = "below [mechanism], give reciprocating_mass";
+                Err(LayoutError::new(
+                    "a knuckle mass beside reciprocating masses that are not known",
+                    right,
+                    place(&text),
+                ))
+            }
+        }
+    }
+
+    /// The value of a link: that of all, or its own.
+    fn value(&self, list: &Column, row: usize) -> Result<Text, LayoutError> {
+        match list.get_ref() {
+            Values::One(text) => Ok(Text::new(list.span(), text.clone())),
+            Values::Each(texts) if texts.len() == self.count => Ok(texts[row].clone()),
+            Values::Each(texts) => {
+                let message = format!("{} values for {} links", texts.len(), self.count);
+                let right = "one value for all, or a list with one per link, in the order of their cylinders";
+                Err(LayoutError::new(message, right, place(list)))
+            }
+        }
+    }
+}
+
+/// A measure of a link.
+enum Given {
+    /// In metres, as written.
+    Length(BigRational, Text),
+    Ratio(BigRational),
+}
+
+fn positive(
+    name: &str,
+    text: &Text,
+    read: impl Fn(&str) -> Result<BigRational, String>,
+    right: &str,
+) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let value = read(written).map_err(|right| misread(name, written, right, text))?;
+    if value.is_positive() { Ok(value) } else { Err(misread(name, written, right.to_owned(), text)) }
+}

@@ -1,0 +1,193 @@
+//! Which terms does a link on a master rod have, and what number stands before them?
+//!
+//! With Δ the angle from the master's cylinder to that of the link, `κ = a/l` and `z = 1 − κ e^{iΔ}`, order k > 1 of a link is
+//! `κ e^{ikΔ} c_k(λ) + z^k g_k`: the first before the c_k of the master rod, the second before the real number
+//! `g_k = |z|^{1−k} c_k(r|z|/L)`, which Δ and −Δ have in common.
+//!
+//! With `X = (r|z|/L)²` and k = 2m it is `(r/L)^{k−1} d_m (1 + Σ_{i>0} Π (j² − ¼)/((j+1)² − m²) X^i)`, the product over j from m to
+//! m + i − 1, and `d_m = 2k² C(½,m) 4^{−m}`: the series of c_k in λ, divided by a power. Its terms have one sign, so that g_k is not zero.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use serde::{Deserialize, Serialize};
+
+use super::audit::{Audit, squared_words};
+use super::ball::Ball;
+use super::enclosure::Circle;
+use super::engine::RodClaim;
+use super::fraction;
+use super::refusal::Refusal;
+use super::verdict::Vector;
+
+/// Bits that tell whether a link lets the crank turn round.
+const BITS_OF_REACH: u32 = 128;
+/// Bits that tell how small g_k is.
+const BITS_OF_SIZE: u32 = 64;
+/// Bits beyond those that are answered for.
+const GUARD: u32 = 64;
+/// More bits are not computed.
+const MOST_BITS: u64 = 8192;
+
+/// A link on a master rod without offset, whose knuckle pin stands at the angle of its cylinder.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LinkClaim {
+    /// λ = r/l of the master rod.
+    #[serde(with = "fraction")]
+    pub master: BigRational,
+    /// κ = a/l, the knuckle radius in lengths of the master rod.
+    #[serde(with = "fraction")]
+    pub knuckle: BigRational,
+    /// Δ in turns: from the axis of the master's cylinder to that of the link.
+    #[serde(with = "fraction")]
+    pub angle: BigRational,
+    /// r/L, L the length of the link.
+    #[serde(with = "fraction")]
+    pub ratio: BigRational,
+}
+
+/// What of a link tells its number g_k.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LinkageClaim {
+    /// r/L.
+    #[serde(with = "fraction")]
+    pub ratio: BigRational,
+    /// κ = a/l.
+    #[serde(with = "fraction")]
+    pub knuckle: BigRational,
+    /// Δ or −Δ, in turns: the one up to ½.
+    #[serde(with = "fraction")]
+    pub apart: BigRational,
+}
+
+impl LinkClaim {
+    pub(super) fn master_rod(&self) -> RodClaim {
+        RodClaim { ratio: self.master.clone(), offset: BigRational::zero() }
+    }
+
+    pub(super) fn linkage(&self) -> LinkageClaim {
+        let part = &self.angle - self.angle.floor();
+        let apart = if &part + &part > BigRational::one() { BigRational::one() - part } else { part };
+        LinkageClaim { ratio: self.ratio.clone(), knuckle: self.knuckle.clone(), apart }
+    }
+
+    /// Whether the crank is known to turn round.
+    pub(super) fn turns_round(&self) -> bool {
+        let one = BigRational::one();
+        let is_right = !self.master.is_negative() && self.master < one && !self.ratio.is_negative();
+        if !is_right || !self.knuckle.is_positive() {
+            return false;
+        }
+        let reach = self.linkage().reach(&Circle::new(BITS_OF_REACH), BITS_OF_REACH);
+        &reach.middle + &reach.doubt < BigInt::one() << BITS_OF_REACH
+    }
+
+    /// The steps that the terms of an order cost.
+    pub(super) fn steps(&self, order: u32) -> u64 {
+        let bits = self.knuckle.numer().bits() + self.knuckle.denom().bits() + 1;
+        let words = u64::from(order).saturating_mul(bits) / 64 + 1;
+        words.saturating_mul(words).saturating_mul(u64::from(order) + 1)
+    }
+
+    /// What the vector of its piston before the master's c_k is multiplied by.
+    pub(super) fn with_the_master(&self, order: u32) -> Vec<Vector> {
+        let angle = &self.angle * BigRational::from_integer(order.into());
+        vec![Vector { angle, weight: self.knuckle.clone() }]
+    }
+
+    /// The same before g_k: z^k, one term for each power of Δ, rising.
+    pub(super) fn on_its_own(&self, order: u32) -> Vec<Vector> {
+        let (mut binomial, mut power) = (BigInt::one(), BigRational::one());
+        let mut vectors = Vec::new();
+        for u in 0..=order {
+            let weight = &power * BigRational::from_integer(binomial.clone());
+            vectors.push(Vector { angle: &self.angle * BigRational::from_integer(u.into()), weight });
+            binomial = binomial * (order - u) / (u + 1);
+            power *= -&self.knuckle;
+        }
+        vectors
+    }
+}
+
+impl LinkageClaim {
+    /// Whether g_k is zero.
+    pub(super) fn lacks(&self, order: u32) -> bool {
+        order % 2 == 1 || self.ratio.is_zero()
+    }
+
+    /// X, in units of `2^−bits`.
+    fn reach(&self, circle: &Circle, bits: u32) -> Ball {
+        let (cos, _) = circle.cos_sin(&self.apart);
+        let cos = Ball { middle: cos, doubt: 2.into() };
+        let twice = &self.knuckle * BigRational::from_integer(2.into());
+        let squares = BigRational::one() + &self.knuckle * &self.knuckle;
+        let ratio = &self.ratio * &self.ratio;
+        Ball::rational(&squares, bits).minus(&cos.scaled(&twice)).scaled(&ratio)
+    }
+
+    /// `(r/L)^{k−1} d_m`, which g_k begins with.
+    fn first(&self, order: u32) -> BigRational {
+        let whole = |number: u32| BigRational::from_integer(number.into());
+        let mut first = whole(2) * whole(order) * whole(order) * &self.ratio;
+        for j in 1..=order / 2 {
+            // C(½,j) from C(½,j−1), over 4; and two more powers of r/L, of which there are k − 1 in all.
+            first *= (BigRational::new(3.into(), 2.into()) - whole(j)) / whole(4 * j);
+            if j > 1 {
+                first *= &self.ratio * &self.ratio;
+            }
+        }
+        first
+    }
+
+    /// The sum in brackets, in units of `2^−bits`.
+    fn brackets(&self, order: u32, bits: u32, audit: &Audit) -> Result<Ball, Refusal> {
+        let (one, m) = (BigInt::one() << bits, BigInt::from(order / 2));
+        let words = u64::from(bits / 64 + 1);
+        let reach = self.reach(&audit.circle(bits), bits);
+        let most = BigRational::new(&reach.middle + &reach.doubt, one.clone());
+        let (mut sum, mut term) = (Ball::exact(one.clone()), Ball::exact(one));
+        let mut j = m.clone();
+        loop {
+            audit.spend(2 * words * words)?;
+            let next = &j + 1;
+            let growth = BigRational::new(&j * &j * 4 - 1, (&next * &next - &m * &m) * 4);
+            // It falls while it is above 1, and stays below 1 afterwards.
+            let falls_by = growth.clone().max(BigRational::one()) * &most;
+            term = term.times(&reach, bits).scaled(&growth);
+            let size = term.middle.abs() + &term.doubt;
+            if falls_by < BigRational::one() && size <= BigInt::from(1_u64 << (GUARD / 2)) {
+                // What is left is a geometric series at most, this term its first.
+                let rest = BigRational::from_integer(size) / (BigRational::one() - falls_by);
+                sum.doubt += rest.ceil().to_integer();
+                return Ok(sum);
+            }
+            sum = sum.plus(&term);
+            j = next;
+        }
+    }
+
+    /// How many bits below 1 the bound of g_k stands.
+    pub(super) fn smallness(&self, order: u32, audit: &Audit) -> Result<u64, Refusal> {
+        if self.lacks(order) {
+            return Ok(0);
+        }
+        let brackets = self.brackets(order, BITS_OF_SIZE, audit)?;
+        let first = self.first(order).abs();
+        let most = (brackets.middle + brackets.doubt).bits() + first.numer().bits() + 1;
+        Ok((first.denom().bits() + u64::from(BITS_OF_SIZE)).saturating_sub(most))
+    }
+
+    /// g_k, in units of `2^−bits`.
+    pub(super) fn number(&self, order: u32, bits: u32, audit: &Audit) -> Result<Ball, Refusal> {
+        if self.lacks(order) {
+            return Ok(Ball::exact(BigInt::zero()));
+        }
+        let first = self.first(order);
+        audit.spend(squared_words(first.numer()) + squared_words(first.denom()))?;
+        let fine = u64::from(bits) + u64::from(GUARD) + first.ceil().to_integer().bits();
+        let fine = u32::try_from(fine).ok().filter(|_| fine <= MOST_BITS).ok_or(Refusal::TooManySteps)?;
+        Ok(self.brackets(order, fine, audit)?.scaled(&first).rounded(fine - bits))
+    }
+}

@@ -1,0 +1,172 @@
+//! What do links on a master rod change, and what does an engine hide that is taken to have none?
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use super::super::{residual, typeset};
+use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
+use crate::loads::{self, Loads};
+use crate::order;
+use crate::page::{Block, Number, Table, Text, phrase};
+use crate::proof::{Quantity, Sense};
+use crate::verdict::Judgement;
+
+/// r : l : a of the master rod that a radial is compared with which names none.
+const TYPICAL: [(i64, i64); 3] = [(1, 1), (19, 5), (9, 10)];
+
+/// The first orders that a master rod leaves.
+const COMPARED: [u32; 2] = [2, 4];
+
+/// The links of an engine, and what is proved of them.
+pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    if !engine.has_links() {
+        return Vec::new();
+    }
+    let paragraph = |text: &'static str| Block::Paragraph(text.into());
+    let mut blocks = vec![Block::Heading(1, "Articulated rods".into()), links(engine).into()];
+    blocks.extend([paragraph(MOTION), Block::Formula(HARMONIC.to_owned(), None), paragraph(THEOREM), paragraph(TERMS)]);
+    let lines = in_line(engine, judged);
+    if !lines.is_empty() {
+        blocks.push(Block::Paragraph(phrase!(
+            "**Direction, proved.** The vectors of {}, direct and reverse, lie on the line of the master's own: every sum, of force and moment, before \
+             whichever number, is its own mirror image in it. So the force swings most along that line or across it, by symmetry and not by measurement.",
+            residual::orders_in_words(&lines)
+        )));
+    }
+    if engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero()) {
+        blocks.push(paragraph(KNUCKLES));
+    }
+    blocks.push(paragraph(NOT_JUDGED));
+    blocks
+}
+
+const MOTION: &str = "The cylinders of the table have no rod on the crankpin: a link hangs on a knuckle pin of the master rod. The pin stands at the radius a \
+                      and, seen from the crankpin, at the angle of its cylinder. With $\\kappa = a/l$, $\\Delta = \\alpha - \\alpha_0$ and \
+                      $z = 1 - \\kappa e^{i\\Delta}$, the shaking force of such a piston has $c_1 = 1$, no other odd order, and for even k";
+const HARMONIC: &str = "\\kappa\\, e^{ik\\Delta} c_k(\\lambda) + z^k g_k, \\qquad z^k = \\sum_{u=0}^{k} \\binom{k}{u} (-\\kappa)^u e^{iu\\Delta}";
+const THEOREM: &str = "Order 1 is therefore exactly that of rods on the crankpin itself. $c_k(\\lambda)$ is that of the master rod; $g_k = |z|^{1-k} c_k(r|z|/L)$ is a real \
+                       number that is not zero, for it is a series whose terms have one sign, and it has the sign of $c_k$. It is the same for $\\Delta$ and \
+                       $-\\Delta$.";
+const TERMS: &str = "So each order is made of exact sums, one before $c_k$ and one before each $g_k$: they are judged apart. Where all are zero the order is, proved; \
+                     where some are left, numbers enclosed from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
+const KNUCKLES: &str = "A knuckle pin moves as $(1-\\zeta)$ times the crankpin and $\\zeta$ times the piston pin of the master, $\\zeta = \\kappa e^{i\\Delta}$. So its mass, with the \
+                        big end of the link, is exactly a mass on each of them: terms of the sums of the master and of what turns with the crank.";
+const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The inertia torque, the loads of pins and bearings, and the gas are not judged of \
+                          an engine with articulated rods.";
+
+/// The links, with what they hang on.
+fn links(engine: &Engine) -> Table {
+    let with_mass = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
+    let mut header: Vec<Text> =
+        vec!["Cylinder".into(), "Master".into(), "Δ".into(), "κ = a/l".into(), "λ = r/l".into(), "r/L".into()];
+    header.extend(with_mass.then(|| "Knuckle mass / m".into()));
+    let mut table = Table::new(header);
+    for (cylinder, link) in engine.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.link()?))) {
+        let number = |number: &BigRational| Text::from(Number::exact(number));
+        let master = master_of(engine, cylinder, link).map(|master| master.name.clone()).unwrap_or_default();
+        let mut row: Vec<Text> = vec![
+            cylinder.name.clone().into(),
+            master.into(),
+            typeset::degrees(&typeset::signed_degrees(&link.angle)).into(),
+            number(&link.knuckle),
+            number(&link.master),
+            number(&link.ratio),
+        ];
+        row.extend(with_mass.then(|| number(&cylinder.knuckle_mass)));
+        table.push(row);
+    }
+    table
+}
+
+/// The cylinder whose rod a link hangs on.
+fn master_of<'a>(engine: &'a Engine, cylinder: &Cylinder, link: &Link) -> Option<&'a Cylinder> {
+    engine.cylinders().iter().find(|other| {
+        let stands_there = other.pin == cylinder.pin && &other.bank + &link.angle == cylinder.bank;
+        stands_there && other.rod() == Some(&link.master_rod())
+    })
+}
+
+/// The orders above 1 whose vectors are left and proved to lie on the line of the first master's own.
+fn in_line(engine: &Engine, judged: &Judgement) -> Vec<String> {
+    let Some(master) = engine.cylinders().iter().find(|cylinder| cylinder.rod().is_some()) else { return Vec::new() };
+    let is_left = |order: &u32| {
+        let of_order = judged.orders.iter().find(|one| one.order == *order);
+        of_order.is_some_and(|one| one.exists() && (one.force.is_left() || one.moment.is_left()))
+    };
+    let lies = |order: &u32| {
+        [Sense::Direct, Sense::Reverse].into_iter().all(|sense| {
+            let line = order::phase(master, *order, Some(sense));
+            [Quantity::Force, Quantity::Moment].into_iter().all(|quantity| {
+                // Every number of such an engine is real.
+                let sums = order::all_masses(engine, quantity, *order, sense);
+                sums.parts().values().all(|sum| {
+                    let turned = sum.turned(&-&line);
+                    turned.minus(&turned.conjugate()).vanishes()
+                })
+            })
+        })
+    };
+    let orders = judged.orders.iter().map(|one| one.order).filter(|order| *order > 1);
+    orders.filter(is_left).filter(lies).map(|order| order.to_string()).collect()
+}
+
+/// What a radial hides whose rods are all taken to stand on the crankpin, as a line of the headline.
+pub(super) fn hidden(engine: &Engine) -> Option<Text> {
+    if engine.form() != Form::Radial || engine.has_links() || engine.has_offset() {
+        return None;
+    }
+    let [r, l, a] = TYPICAL.map(|(n, d)| BigRational::new(n.into(), d.into()));
+    let (usual, knuckle) = (&r / &l, &a / &l);
+    let ratio = engine.rods().next().map_or(usual, |rod| rod.ratio.clone());
+    if !ratio.is_positive() {
+        return None;
+    }
+    let [concentric, linked] = [None, Some(&knuckle)].map(|knuckle| Some(loads_with(engine, &ratio, knuckle)));
+    let (concentric, linked) = (concentric?.ok()?, linked?.ok()?);
+    let peak = |loads: &Loads, order: u32| {
+        let swing =
+            loads.orders.iter().find(|one| one.order == order).map(|one| (one.force.vanishes(), one.force.largest()));
+        swing.map_or(0.0, |(vanishes, largest)| if vanishes { 0.0 } else { largest })
+    };
+    let order = COMPARED.into_iter().find(|order| (peak(&linked, *order) - peak(&concentric, *order)).abs() > 1e-9)?;
+    let unit = Text::formula("m\\,r\\,\\omega^2".to_owned());
+    let [before, after] = [&concentric, &linked].map(|loads| {
+        let peak = peak(loads, order);
+        if peak == 0.0 { Text::zero() } else { phrase!("{} {}", Number::Decimal(peak), unit.clone()) }
+    });
+    Some(phrase!(
+        "**Rods are taken as concentric.** All stand on the crankpin itself. With a master rod and links, crank : rod : knuckle radius = {}, the force of order {} would \
+         be {} and not {}; give [articulated] to judge yours.",
+        [r.clone(), &r / &ratio, &knuckle / &ratio].map(|length| typeset::short(&length)).join(" : "),
+        order,
+        after,
+        before
+    ))
+}
+
+/// The loads of the pistons of an engine with these rods, concentric or on the first master of each row.
+fn loads_with(engine: &Engine, ratio: &BigRational, knuckle: Option<&BigRational>) -> Result<Loads, String> {
+    let rod = Mechanism::SliderCrank(Rod { ratio: ratio.clone(), offset: BigRational::zero() });
+    let mut draft = Draft { cylinders: engine.cylinders().to_vec(), ..Draft::new("") };
+    let mut masters: Vec<(usize, crate::exact::Turn)> = Vec::new();
+    for cylinder in &mut draft.cylinders {
+        cylinder.rotating_mass = BigRational::zero();
+        cylinder.mechanism = Some(rod.clone());
+        let master = masters.iter().find(|(pin, _)| *pin == cylinder.pin).map(|(_, bank)| bank.clone());
+        match (master, knuckle) {
+            (Some(bank), Some(knuckle)) => {
+                let one = BigRational::from_integer(1.into());
+                cylinder.mechanism = Some(Mechanism::Link(Link {
+                    master: ratio.clone(),
+                    knuckle: knuckle.clone(),
+                    angle: &cylinder.bank - &bank,
+                    ratio: ratio / (one - knuckle),
+                }));
+            }
+            (Some(_), None) => {}
+            (None, _) => masters.push((cylinder.pin, cylinder.bank.clone())),
+        }
+    }
+    let engine = draft.build().map_err(|error| error.to_string())?;
+    loads::loads(&engine, &COMPARED).map_err(|error| error.to_string())
+}
