@@ -6,6 +6,7 @@ pub use page::engines_page;
 
 use super::claims::needs;
 use super::family_page::exact_angles;
+use super::remedy::remedy_cures;
 use super::residual;
 use crate::claim::{Answer, Claim, Claims, Published};
 use crate::engine::{Engine, Firing};
@@ -75,15 +76,20 @@ impl BuiltEngine {
             true => Text::from("It fires evenly."),
             false => "It fires unevenly.".into(),
         });
-        let needs = CURED.iter().filter_map(|order| self.needs(*order));
+        let needs = CURED.iter().flat_map(|order| self.needs(*order));
         let sentences = orders.chain(needs).chain(exact_angles(&self.family)).chain(firing);
         Text::joined(sentences, " ")
     }
 
-    /// What an order needs; none where that is not decided.
-    fn needs(&self, order: u32) -> Option<Text> {
+    /// What an order needs; nothing where that is not decided. Where rods differ it says the sizes, which no exact number tells.
+    fn needs(&self, order: u32) -> Vec<Text> {
         let wish = Wish { orders: vec![order], ..Wish::default() };
-        remedy::remedy(&self.engine, &wish).ok().map(|remedy| needs(&remedy))
+        let Ok(remedy) = remedy::remedy(&self.engine, &wish) else { return Vec::new() };
+        let told = usize::from(remedy.crankshaft.is_some()) + usize::from(!remedy.shafts.is_empty());
+        match self.engine.mechanisms().len() > 1 && told > 0 {
+            true => remedy_cures(&remedy).into_iter().take(told).collect(),
+            false => vec![needs(&remedy)],
+        }
     }
 }
 

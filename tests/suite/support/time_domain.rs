@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 use std::ops::{Add, Mul, Sub};
 
 use num_complex::Complex;
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crankstar::engine::{Cylinder, Engine};
+use crankstar::engine::{Cylinder, Engine, Link};
 use crankstar::numbers;
 use crankstar::proof::Sense;
 use crankstar::remedy::ComparableEngine;
@@ -51,6 +52,9 @@ fn vector(engine: &Engine, order: f64, with_arm: bool) -> Complex<f64> {
 /// Where a piston is, how fast it goes and how fast that changes, over the crank angle; lengths in crank radii.
 fn path(cylinder: &Cylinder, theta: f64) -> Jet {
     let [throw, bank] = [&cylinder.throw, &cylinder.bank].map(|angle| TAU * angle.turns().to_f64().expect("an angle"));
+    if let Some(link) = cylinder.link() {
+        return hung(theta + throw - bank, link);
+    }
     let (rod, offset) = match cylinder.rod() {
         Some(rod) => {
             let [ratio, offset] = [&rod.ratio, &rod.offset].map(|value| value.to_f64().expect("a number"));
@@ -65,6 +69,21 @@ fn path(cylinder: &Cylinder, theta: f64) -> Jet {
 fn slider(psi: f64, rod: f64, offset: f64) -> Jet {
     let across = Jet::sine(psi) - Jet::fixed(offset);
     Jet::cosine(psi) + (Jet::fixed(rod * rod) - across * across).root()
+}
+
+/// A piston whose link hangs on a knuckle pin of a master rod: seen with its own axis in direction 0, the pin stands at the crank
+/// pin and the knuckle radius along the master rod, whose piston stands Δ behind; the link reaches from there to the axis.
+fn hung(psi: f64, link: &Link) -> Jet {
+    let number = |value: &BigRational| value.to_f64().expect("a number");
+    let delta = TAU * number(link.angle.turns());
+    let (ratio, knuckle) = (number(&link.master), number(&link.knuckle) / number(&link.master));
+    // The master rod as its own cylinder sees it: from the crankpin outwards, and across.
+    let sine = Jet::sine(psi + delta) * Jet::fixed(ratio);
+    let (along, across) = ((Jet::fixed(1.0) - sine * sine).root(), Jet::fixed(0.0) - sine);
+    // Its knuckle pin is turned by Δ against it, and so is this cylinder's axis against that of the master's: the two cancel.
+    let (along, across) =
+        (Jet::cosine(psi) + along * Jet::fixed(knuckle), Jet::sine(psi) + across * Jet::fixed(knuckle));
+    along + (Jet::fixed(1.0 / (number(&link.ratio) * number(&link.ratio))) - across * across).root()
 }
 
 /// `c_k` of a rod that is not named, by the mean of its own motion.
