@@ -21,8 +21,9 @@ const ANGLES: f64 = -RADIUS - 4.6;
 /// Lines of the legend are not longer than this, or than the crankshaft.
 const LEGEND: f64 = 82.0;
 
-/// Between the views of two crankshafts.
+/// Between the views of two crankshafts, and beside them for words that are longer in another language.
 const APART: f64 = 6.0;
+const BESIDE: f64 = 2.0;
 
 /// The engine from the side, positions to scale: pins at their heights, filled where they stand towards the reader; of several
 /// crankshafts one below the other.
@@ -30,16 +31,21 @@ pub fn side_view(engine: &Engine) -> Figure {
     if engine.geared_cranks().is_empty() {
         return of_crankshaft(engine);
     }
-    let (mut whole, mut top) = (Figure::new(0.0, 0.0), 0.0);
-    for (index, crank) in engine.geared_cranks().iter().enumerate() {
-        let Some(alone) = engine.crankshaft_alone(index) else { continue };
-        let view = of_crankshaft(&alone);
-        whole.heading(Point::new(0.0, top), crank.name.as_str());
-        top -= LINE + view.height;
-        whole.place(view, Point::new(0.0, top));
+    let cranks = engine.geared_cranks().iter().enumerate();
+    let views: Vec<(&str, Figure)> = cranks
+        .filter_map(|(index, crank)| Some((crank.name.as_str(), of_crankshaft(&engine.crankshaft_alone(index)?))))
+        .collect();
+    let width = views.iter().map(|(_, view)| view.width).fold(0.0, f64::max);
+    let height = views.iter().map(|(_, view)| view.height + LINE + APART).sum();
+    let (mut whole, mut top) = (Figure::new(width + 2.0 * BESIDE, height), height);
+    for (name, view) in views {
+        top -= LINE;
+        whole.heading(Point::new(BESIDE, top), name);
+        top -= view.height;
+        whole.place(view, Point::new(BESIDE, top));
         top -= APART;
     }
-    cropped(whole)
+    whole
 }
 
 fn of_crankshaft(engine: &Engine) -> Figure {
