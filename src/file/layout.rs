@@ -3,19 +3,20 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use num_rational::BigRational;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 use toml::de::DeTable;
 
-use super::above::{Above, Throws};
+use super::above::Above;
 use super::articulated_keys;
+use super::asked::{check_values, cycle, effects, orders, values};
 use super::balancer_keys;
 use super::bearings;
 use super::beside::Beside;
 use super::convention_keys;
 use super::counterweight_keys;
 use super::crankshaft_keys;
+use super::cylinder_keys;
 use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
 use super::firing_throws;
@@ -27,15 +28,11 @@ use super::geared_keys;
 use super::known_firing;
 use super::mechanism_keys;
 use super::narrow;
-use super::numbering::cylinder_name;
 use super::quantities;
 use super::title_block_keys;
 use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
-use crate::engine::{
-    BuildError, Crankshaft, Cycle, Cylinder, DELTA, Dimensions, Draft, Effects, Engine, Family, Form, LengthUnit,
-    Linear, MOST_CYLINDERS, ORDERS, PHI, ReferencePlane,
-};
+use crate::engine::{BuildError, Crankshaft, Dimensions, Draft, Effects, Engine, Family, ReferencePlane};
 use crate::text::Untrusted;
 
 #[derive(Deserialize)]
@@ -63,7 +60,7 @@ struct File {
     flywheel: Option<Table<flywheel_keys::Keys>>,
     torsion: Option<Spanned<Table<torsion_keys::Keys>>>,
     values: Option<BTreeMap<String, Text>>,
-    cylinder: Option<Spanned<Vec<Spanned<Table<CylinderTable>>>>>,
+    cylinder: Option<Spanned<Vec<Spanned<Table<cylinder_keys::Keys>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
     vee: Option<Spanned<Table<forms::Vee>>>,
     flat: Option<Spanned<Table<forms::Flat>>>,
@@ -77,18 +74,6 @@ struct File {
     square_four: Option<Spanned<Table<geared_forms::SquareFour>>>,
     h: Option<Spanned<Table<geared_forms::H>>>,
     delta: Option<Spanned<Table<geared_forms::Delta>>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CylinderTable {
-    name: Option<Text>,
-    throw: Option<Text>,
-    bank: Text,
-    position: Text,
-    reciprocating_mass: Option<Text>,
-    pin: Option<Text>,
-    crankshaft: Option<Text>,
 }
 
 /// What a layout file describes.
@@ -298,56 +283,6 @@ fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, Layout
     Ok(dimensions)
 }
 
-fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
-    let mut effects = Effects::default();
-    for text in list {
-        match text.get_ref().0.as_str() {
-            "torque" => effects.torque = true,
-            "remedy" => effects.remedy = true,
-            "gas" => effects.gas = true,
-            "firing" => effects.firing = true,
-            "torsion" => effects.torsion = true,
-            other => {
-                let right = "\"torque\", \"remedy\", \"gas\", \"firing\" or \"torsion\"";
-                return Err(quantities::misread("effect", other, right.to_owned(), text));
-            }
-        }
-    }
-    Ok(effects)
-}
-
-/// The values that the file gives to its unknowns.
-fn values(
-    table: &Option<BTreeMap<String, Text>>,
-    unit: &mut LengthUnit,
-) -> Result<BTreeMap<String, BigRational>, LayoutError> {
-    let value = |(name, text): (&String, &Text)| {
-        let value = if name == PHI || name == DELTA {
-            quantities::known_angle(text)?
-        } else {
-            let length = quantities::length(text, unit)?;
-            let known = length.as_known().cloned();
-            known.ok_or_else(|| quantities::misread("value", &text.get_ref().0, "a known length".to_owned(), text))?
-        };
-        Ok((name.clone(), value))
-    };
-    table.iter().flatten().map(value).collect()
-}
-
-/// A value for what does not occur is a mistake, in the name most likely.
-fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Family) -> Result<(), LayoutError> {
-    let unknowns = family.unknowns();
-    match table.iter().flatten().find(|(name, _)| !unknowns.contains(name.as_str())) {
-        None => Ok(()),
-        Some((name, text)) => {
-            let known: Vec<&str> = unknowns.into_iter().collect();
-            let right =
-                if known.is_empty() { "it has no unknown".to_owned() } else { format!("it has {}", known.join(", ")) };
-            Err(LayoutError::new(format!("the layout has no unknown `{name}`"), right, place(text)))
-        }
-    }
-}
-
 /// The one form that the file uses, as cylinders.
 fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
@@ -356,7 +291,7 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
         let right = "[[crankshaft]] goes with [[cylinder]] tables, which name theirs; a short form has its own, and takes [crankshaft]";
         return Err(LayoutError::new("crankshafts that no cylinder can name", right, place(table)));
     }
-    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), general(tables, several, above))));
+    forms.extend(file.cylinder.as_ref().map(|tables| (tables.span(), cylinder_keys::expand(tables, several, above))));
     forms.extend(file.inline.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.vee.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
@@ -378,115 +313,4 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
             Err(LayoutError::new("the file describes more than one engine", "one form is enough", Some(span)))
         }
     }
-}
-
-fn general(
-    list: &Spanned<Vec<Spanned<Table<CylinderTable>>>>,
-    several: &[Spanned<Table<geared_keys::Keys>>],
-    above: &Above<'_>,
-) -> Result<Expanded, LayoutError> {
-    let tables = list.get_ref();
-    if tables.is_empty() || tables.len() > MOST_CYLINDERS {
-        let message = format!("{} cylinders", tables.len());
-        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), place(list)));
-    }
-    let without = tables.iter().find(|table| table.get_ref().0.throw.is_none());
-    let throws = match without {
-        None => Throws::Listed,
-        Some(_) if tables.iter().all(|table| table.get_ref().0.throw.is_none()) && above.firing_place().is_some() => {
-            Throws::Follow { splits_given: false }
-        }
-        Some(table) => {
-            let right =
-                "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
-            return Err(LayoutError::new("the key `throw` is missing", right, place(table)));
-        }
-    };
-    let mut length_unit = LengthUnit::Spacing;
-    let cranks = geared_keys::read(several)?;
-    let cylinders = tables.iter().enumerate().map(|(index, spanned)| {
-        let table = &spanned.get_ref().0;
-        let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
-        let position = quantities::length(&table.position, &mut length_unit)?;
-        let (throw, bank) = (quantities::optional_angle(&table.throw)?, quantities::angle(&table.bank)?);
-        let crank = geared_keys::named(&cranks, table.crankshaft.as_ref(), || place(spanned))?;
-        let throw = match cranks.get(crank) {
-            Some((geared, phase)) => {
-                geared_keys::equivalent(&throw.plus(&Linear::constant(phase.clone())), &bank, geared.sense)
-            }
-            None => throw,
-        };
-        let cylinder = Cylinder::new(throw, bank, position, pin);
-        Ok(Cylinder {
-            crank,
-            name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
-            reciprocating_mass: table
-                .reciprocating_mass
-                .as_ref()
-                .map_or(Ok(BigRational::from_integer(1.into())), quantities::mass)?,
-            ..cylinder
-        })
-    });
-    let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
-    number_pins(&mut cylinders);
-    check_names(&cylinders, tables)?;
-    let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
-    let pin_offsets = None;
-    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, pin_offsets, geared })
-}
-
-/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins
-/// are numbered from 0 without gaps.
-fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
-    let mut pins: BTreeMap<(usize, Linear), usize> = BTreeMap::new();
-    for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
-        let place = (cylinder.crank, cylinder.position.clone());
-        cylinder.pin = *pins.entry(place).or_insert(MOST_CYLINDERS + 1 + index);
-    }
-    let mut numbers: Vec<usize> = cylinders.iter().map(|cylinder| cylinder.pin).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    for cylinder in cylinders {
-        cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
-    }
-}
-
-fn check_names(
-    cylinders: &[Cylinder<Linear, Linear>],
-    tables: &[Spanned<Table<CylinderTable>>],
-) -> Result<(), LayoutError> {
-    let mut seen = BTreeMap::new();
-    for (index, cylinder) in cylinders.iter().enumerate() {
-        if let Some(first) = seen.insert(&cylinder.name, index) {
-            let message = format!("cylinders {} and {} have the same name `{}`", first + 1, index + 1, cylinder.name);
-            return Err(LayoutError::new(message, "every cylinder needs a name of its own", place(&tables[index])));
-        }
-    }
-    Ok(())
-}
-
-fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
-    match text.get_ref().0.as_str() {
-        "four-stroke" => Ok(Cycle::FourStroke),
-        "two-stroke" => Ok(Cycle::TwoStroke),
-        other => Err(quantities::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
-    }
-}
-
-fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError> {
-    let right = || format!("whole numbers from 1 to {}, such as [1, 2, 4, 6]", ORDERS.end());
-    let mut orders = Vec::new();
-    for text in list.get_ref() {
-        let written = &text.get_ref().0;
-        match written.parse() {
-            Ok(order) if ORDERS.contains(&order) => orders.push(order),
-            _ => return Err(quantities::misread("order", written, right(), text)),
-        }
-    }
-    if orders.is_empty() {
-        return Err(LayoutError::new("the list of orders is empty", right(), place(list)));
-    }
-    orders.sort_unstable();
-    orders.dedup();
-    Ok(orders)
 }

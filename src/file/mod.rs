@@ -4,6 +4,7 @@
 
 mod above;
 mod articulated_keys;
+mod asked;
 mod balancer_keys;
 mod bearings;
 mod beside;
@@ -12,6 +13,7 @@ mod contradiction;
 mod convention_keys;
 mod counterweight_keys;
 mod crankshaft_keys;
+mod cylinder_keys;
 mod error;
 mod firing_order;
 mod firing_throws;

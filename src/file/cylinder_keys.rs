@@ -1,0 +1,112 @@
+//! How are cylinders written one by one? `[[cylinder]]`.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::above::{Above, Throws};
+use super::error::LayoutError;
+use super::forms::Expanded;
+use super::geared_keys;
+use super::numbering::cylinder_name;
+use super::quantities;
+use super::written::{Table, Text, place};
+use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+
+/// `[[cylinder]]`: one of the tables.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Keys {
+    name: Option<Text>,
+    throw: Option<Text>,
+    bank: Text,
+    position: Text,
+    pub reciprocating_mass: Option<Text>,
+    pin: Option<Text>,
+    crankshaft: Option<Text>,
+}
+
+/// The cylinders of the tables, on the crankshafts that they name.
+pub(super) fn expand(
+    list: &Spanned<Vec<Spanned<Table<Keys>>>>,
+    several: &[Spanned<Table<geared_keys::Keys>>],
+    above: &Above<'_>,
+) -> Result<Expanded, LayoutError> {
+    let tables = list.get_ref();
+    if tables.is_empty() || tables.len() > MOST_CYLINDERS {
+        let message = format!("{} cylinders", tables.len());
+        return Err(LayoutError::new(message, format!("between 1 and {MOST_CYLINDERS} are read"), place(list)));
+    }
+    let without = tables.iter().find(|table| table.get_ref().0.throw.is_none());
+    let throws = match without {
+        None => Throws::Listed,
+        Some(_) if tables.iter().all(|table| table.get_ref().0.throw.is_none()) && above.firing_place().is_some() => {
+            Throws::Follow { splits_given: false }
+        }
+        Some(table) => {
+            let right =
+                "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
+            return Err(LayoutError::new("the key `throw` is missing", right, place(table)));
+        }
+    };
+    let mut length_unit = LengthUnit::Spacing;
+    let cranks = geared_keys::read(several)?;
+    let cylinders = tables.iter().enumerate().map(|(index, spanned)| {
+        let table = &spanned.get_ref().0;
+        let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;
+        let position = quantities::length(&table.position, &mut length_unit)?;
+        let (throw, bank) = (quantities::optional_angle(&table.throw)?, quantities::angle(&table.bank)?);
+        let crank = geared_keys::named(&cranks, table.crankshaft.as_ref(), || place(spanned))?;
+        let throw = match cranks.get(crank) {
+            Some((geared, phase)) => {
+                geared_keys::equivalent(&throw.plus(&Linear::constant(phase.clone())), &bank, geared.sense)
+            }
+            None => throw,
+        };
+        let cylinder = Cylinder::new(throw, bank, position, pin);
+        Ok(Cylinder {
+            crank,
+            name: table.name.as_ref().map_or(Ok((index + 1).to_string()), cylinder_name)?,
+            reciprocating_mass: table
+                .reciprocating_mass
+                .as_ref()
+                .map_or(Ok(BigRational::from_integer(1.into())), quantities::mass)?,
+            ..cylinder
+        })
+    });
+    let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
+    number_pins(&mut cylinders);
+    check_names(&cylinders, tables)?;
+    let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
+    let pin_offsets = None;
+    Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, pin_offsets, geared })
+}
+
+/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins
+/// are numbered from 0 without gaps.
+fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
+    let mut pins: BTreeMap<(usize, Linear), usize> = BTreeMap::new();
+    for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.pin == 0) {
+        let place = (cylinder.crank, cylinder.position.clone());
+        cylinder.pin = *pins.entry(place).or_insert(MOST_CYLINDERS + 1 + index);
+    }
+    let mut numbers: Vec<usize> = cylinders.iter().map(|cylinder| cylinder.pin).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    for cylinder in cylinders {
+        cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
+    }
+}
+
+fn check_names(cylinders: &[Cylinder<Linear, Linear>], tables: &[Spanned<Table<Keys>>]) -> Result<(), LayoutError> {
+    let mut seen = BTreeMap::new();
+    for (index, cylinder) in cylinders.iter().enumerate() {
+        if let Some(first) = seen.insert(&cylinder.name, index) {
+            let message = format!("cylinders {} and {} have the same name `{}`", first + 1, index + 1, cylinder.name);
+            return Err(LayoutError::new(message, "every cylinder needs a name of its own", place(&tables[index])));
+        }
+    }
+    Ok(())
+}
