@@ -29,10 +29,10 @@ pub(super) struct OpposedPiston {
     positions: Option<List>,
 }
 
-/// `[u]`: two engines in line side by side.
+/// `[u]`: two engines in line side by side; `[h]`: two flat engines on shared pins, one above the other.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct U {
+pub(super) struct Pair {
     throws: List,
     sense: Text,
     phase: Option<Text>,
@@ -49,18 +49,6 @@ pub(super) struct SquareFour {
     sense: Text,
     distance: Text,
     spacing: Option<Text>,
-}
-
-/// `[h]`: two flat engines on shared pins, one above the other.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct H {
-    throws: List,
-    sense: Text,
-    phase: Option<Text>,
-    distance: Text,
-    spacing: Option<Text>,
-    positions: Option<List>,
 }
 
 /// `[delta]`: rows of three cylinders with two pistons each, on crankshafts in the corners of a triangle.
@@ -118,11 +106,24 @@ impl OpposedPiston {
     }
 }
 
-impl U {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+impl Pair {
+    pub fn side_by_side(&self) -> Result<Expanded, LayoutError> {
         let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, optional_angle(&self.phase)?)];
         let cranks = side_by_side(sense(&self.sense)?, &self.distance);
         expand(Form::U, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
+    }
+
+    pub fn flat(&self) -> Result<Expanded, LayoutError> {
+        let phase = optional_angle(&self.phase)?;
+        let banks = [
+            Bank::new(0, 90, Linear::default()),
+            Bank::new(0, -90, Linear::default()),
+            Bank::new(1, 90, phase.clone()),
+            Bank::new(1, -90, phase),
+        ];
+        let of_lower = sense(&self.sense)?;
+        let cranks = above_each_other(["upper", "lower"], of_lower, |half| Distance::of(half, &self.distance));
+        expand(Form::H, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
 
@@ -140,21 +141,6 @@ impl SquareFour {
         let cranks = side_by_side(sense(&self.sense)?, &self.distance);
         let place = place(&self.in_phase).unwrap_or_default();
         of_throws(Form::U, vec![degrees(0), degrees(180)], place, (&self.spacing, &None), &banks, cranks)
-    }
-}
-
-impl H {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
-        let phase = optional_angle(&self.phase)?;
-        let banks = [
-            Bank::new(0, 90, Linear::default()),
-            Bank::new(0, -90, Linear::default()),
-            Bank::new(1, 90, phase.clone()),
-            Bank::new(1, -90, phase),
-        ];
-        let of_lower = sense(&self.sense)?;
-        let cranks = above_each_other(["upper", "lower"], of_lower, |half| Distance::of(half, &self.distance));
-        expand(Form::H, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
 

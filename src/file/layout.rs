@@ -70,9 +70,9 @@ struct File {
     w: Option<Spanned<Table<narrow::W>>>,
     radial: Option<Spanned<Table<forms::Radial>>>,
     opposed_piston: Option<Spanned<Table<geared_forms::OpposedPiston>>>,
-    u: Option<Spanned<Table<geared_forms::U>>>,
+    u: Option<Spanned<Table<geared_forms::Pair>>>,
     square_four: Option<Spanned<Table<geared_forms::SquareFour>>>,
-    h: Option<Spanned<Table<geared_forms::H>>>,
+    h: Option<Spanned<Table<geared_forms::Pair>>>,
     delta: Option<Spanned<Table<geared_forms::Delta>>>,
 }
 
@@ -301,9 +301,9 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above))));
     forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.side_by_side())));
     forms.extend(file.square_four.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.flat())));
     forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
     let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
     match (forms.pop(), forms.pop()) {
