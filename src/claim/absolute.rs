@@ -31,14 +31,15 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    /// What a layout file says itself, where all rods are alike and without offset.
-    fn of(engine: &Engine) -> Option<Self> {
+    /// What a layout file says itself, where all rods are alike and without offset; in order 1 it is enough that none has an
+    /// offset, for `c_1 = 1` then.
+    fn of(engine: &Engine, order: u32) -> Option<Self> {
         let mechanism = engine.dimensions();
         mechanism.mass.as_ref()?;
-        let rod =
-            engine.rods().next().filter(|rod| !engine.has_links() && rod.offset.is_zero() && !rod.ratio.is_zero())?;
+        let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
         let crank_radius = mechanism.crank_radius.clone()?;
-        engine.rods().all(|other| other == rod).then_some(())?;
+        let are_alike = !engine.has_links() && engine.rods().all(|other| other == rod);
+        (are_alike || (order == 1 && !engine.has_offset())).then_some(())?;
         Some(Numbers {
             reciprocating_mass: unit_mass(engine),
             rod_length: &crank_radius / &rod.ratio,
@@ -76,7 +77,7 @@ pub(super) fn answer(
         Some(Sense::Reverse) => balance.reverse.vanishes(),
     };
     let claims_nothing = value.form.as_rational().is_some_and(|claimed| claimed.is_zero());
-    let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(engine)) else {
+    let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(engine, subject.order)) else {
         return Answer::nothing("a value in N or N·m needs the table numbers");
     };
     let empty = crate::exact::PhasorSum::new(Vec::new());

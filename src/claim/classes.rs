@@ -1,6 +1,8 @@
-//! Is it true of an engine with several kinds of rods, of whose orders no single sum tells?
+//! Is it true of an engine with several kinds of rods, of whose orders but few are single sums?
 
+use super::absolute::Numbers;
 use super::answer::{Answer, Finding, Status};
+use super::order;
 use super::shafts::evidence;
 use super::statement::{Orders, Predicate, Statement, Subject};
 use crate::engine::Engine;
@@ -8,11 +10,11 @@ use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 use crate::verdict::{self, OrderVerdict, WholeOrder};
 
-/// Answers whether orders vanish and which shape is left; sizes are not compared.
-pub(super) fn answer(engine: &Engine, statement: &Statement) -> Answer {
+/// Answers whether orders vanish and which shape is left; sizes and directions are compared where an order is one sum.
+pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
     match statement {
         Statement::Order { subject, predicate } if ![Quantity::Torque, Quantity::Roll].contains(&subject.quantity) => {
-            one(engine, *subject, predicate)
+            one(engine, *subject, predicate, numbers)
         }
         Statement::Vanish { orders: Orders::Listed(orders), quantities } => listed(engine, orders, quantities),
         Statement::Order { .. }
@@ -37,10 +39,14 @@ fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
     verdict::classify(engine, &[order], masses, &quantities).ok()?.into_iter().next()
 }
 
-fn one(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
+fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
     let Some(order) = judged(engine, subject.order, subject.masses) else { return Answer::nothing("no order") };
+    // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
+    if order.parts.len() == 1 || !order.exists() {
+        return order::answer(engine, subject, predicate, numbers);
+    }
     let whole = whole(&order, subject.quantity);
-    let vanishes = if order.exists() { vanish(whole, subject.sense) } else { Some(true) };
+    let vanishes = vanish(whole, subject.sense);
     let holds = match (predicate, subject.sense) {
         (Predicate::Vanishes(claimed), _) => vanishes.map(|vanishes| vanishes == *claimed),
         (Predicate::Is(shape), None) => match whole.shape {
@@ -49,7 +55,7 @@ fn one(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
         },
         (Predicate::Is(_) | Predicate::Equals(..) | Predicate::Plane(_), _) => {
             return Answer::nothing(
-                "the rods of the engine differ, so that sizes and directions of an order are not compared",
+                "the rods of the engine differ and this order has a sum for each kind, so that its size and direction are not compared",
             );
         }
     };

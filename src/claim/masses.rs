@@ -38,14 +38,17 @@ fn balance(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, 
     let parts = judged.into_iter().flat_map(|verdict| verdict.parts);
     let has_terms = |part: &OrderBalance| {
         let verdicts = [&part.force, &part.moment].into_iter().flat_map(Balance::verdicts);
-        part.exists && verdicts.into_iter().any(|verdict| !verdict.sum.collected().is_empty())
+        verdicts.into_iter().any(|verdict| !verdict.sum.collected().is_empty())
     };
-    // What nothing is left of counts for nothing in the others.
-    let (mut with, without): (Vec<OrderBalance>, Vec<OrderBalance>) = parts.partition(has_terms);
+    // What nothing is left of counts for nothing in the others, and so does what stands before 0.
+    let counts = |part: &OrderBalance| part.exists && has_terms(part);
+    let (mut with, without): (Vec<OrderBalance>, Vec<OrderBalance>) = parts.partition(counts);
     match (with.pop(), with.is_empty()) {
         (Some(only), true) => Ok(OrderBalance { class: None, ..only }),
         (None, _) => {
-            without.into_iter().next().map(|part| OrderBalance { exists: true, ..part }).ok_or("no order".into())
+            let nothing = without.into_iter().max_by_key(|part| !has_terms(part));
+            let exists = |part: &OrderBalance| part.exists || !has_terms(part);
+            nothing.map(|part| OrderBalance { exists: exists(&part), class: None, ..part }).ok_or("no order".into())
         }
         _ => Err("the masses have more than one coefficient".to_owned()),
     }

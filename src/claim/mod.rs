@@ -64,7 +64,7 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         | Statement::FiresEvenly { .. } => false,
     };
     if of_orders && engine.mechanisms().len() > 1 {
-        return classes::answer(engine, statement);
+        return classes::answer(engine, statement, numbers);
     }
     match statement {
         Statement::NoFreeMoment => free::answer(engine),

@@ -24,7 +24,7 @@ pub struct Dimensions {
 pub struct Given {
     /// Which.
     pub quantity: Measure,
-    /// The cylinder that it belongs to, by its index; none where it is that of all.
+    /// The cylinder that it belongs to, by its index; none where it is that of all, or of all links.
     pub cylinder: Option<usize>,
     /// In metres, kilograms, revolutions a minute, or a pure number.
     pub value: BigRational,
@@ -65,4 +65,42 @@ pub enum Measure {
     RodCentre,
     /// Rotating mass at the crankpin.
     RotatingMass,
+    /// Knuckle radius a of a link, from crankpin to knuckle pin.
+    KnuckleRadius,
+    /// Knuckle ratio κ = a/l, l the length of the master rod.
+    KnuckleRatio,
+    /// Length L of a link.
+    LinkLength,
+    /// Link ratio r/L.
+    LinkRatio,
+    /// Mass at a knuckle pin.
+    KnuckleMass,
+}
+
+impl Measure {
+    /// Whether links have it, and not every cylinder.
+    pub fn is_of_links(self) -> bool {
+        match self {
+            Measure::KnuckleRadius
+            | Measure::KnuckleRatio
+            | Measure::LinkLength
+            | Measure::LinkRatio
+            | Measure::KnuckleMass => true,
+            Measure::Speed
+            | Measure::Stroke
+            | Measure::CrankRadius
+            | Measure::RodLength
+            | Measure::RodRatio
+            | Measure::PinOffset
+            | Measure::OffsetRatio
+            | Measure::ReciprocatingMass
+            | Measure::PistonMass
+            | Measure::PinMass
+            | Measure::PistonRodMass
+            | Measure::CrossheadMass
+            | Measure::RodMass
+            | Measure::RodCentre
+            | Measure::RotatingMass => false,
+        }
+    }
 }

@@ -8,9 +8,9 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::layout::built;
 use super::quantities::misread;
-use super::units;
 use super::written::{Column, Table, Text, Values, place};
-use crate::engine::{Cylinder, Draft, Engine, Link, Mechanism};
+use crate::engine::{Cylinder, Draft, Engine, Given, Link, Measure, Mechanism};
+use crate::text::Untrusted;
 
 /// `[articulated]`: every cylinder on the crankpin of a master hangs on its rod, but the master itself.
 #[derive(Deserialize)]
@@ -48,12 +48,15 @@ pub(super) fn read(table: &Articulated, engine: Engine) -> Result<Engine, Layout
     }
     let mut changed = engine.cylinders().to_vec();
     let rows = Rows { keys, engine: &engine, count: links.len(), table };
-    for (row, (index, master)) in links.into_iter().enumerate() {
+    for (row, &(index, master)) in links.iter().enumerate() {
         let (mechanism, knuckle_mass) = rows.link(row, index, master)?;
         changed[index].mechanism = Some(mechanism);
         changed[index].knuckle_mass = knuckle_mass;
     }
-    built(Draft { cylinders: changed, ..engine.into_draft() }.build())
+    let given = keys.given(&links)?;
+    let mut draft = Draft { cylinders: changed, ..engine.into_draft() };
+    draft.dimensions.given.extend(given);
+    built(draft.build())
 }
 
 /// The error of a layout whose angles or lengths are open.
@@ -63,6 +66,40 @@ pub(super) fn of_open_layout(table: &Articulated) -> LayoutError {
 }
 
 impl Keys {
+    /// Of knuckle pins and of links: the length, and the ratio that may stand for it.
+    fn lengths(&self) -> [[Key<'_>; 2]; 2] {
+        use Measure::*;
+        let key = |name, measure, column| Key { name, measure, column: Option::as_ref(column) };
+        [
+            [
+                key("knuckle_radius", KnuckleRadius, &self.knuckle_radius),
+                key("knuckle_ratio", KnuckleRatio, &self.knuckle_ratio),
+            ],
+            [key("link_length", LinkLength, &self.link_length), key("link_ratio", LinkRatio, &self.link_ratio)],
+        ]
+    }
+
+    /// What is said of the links, cylinders by their index, as written.
+    fn given(&self, links: &[(usize, usize)]) -> Result<Vec<Given>, LayoutError> {
+        let lengths = self.lengths().concat();
+        let columns = lengths.into_iter().filter_map(|key| Some((key.measure, key.column?)));
+        let masses = self.knuckle_mass.iter().map(|column| (Measure::KnuckleMass, column));
+        let mut given = Vec::new();
+        for (quantity, column) in columns.chain(masses) {
+            let texts: Vec<(Option<usize>, Text)> = match column.get_ref() {
+                Values::One(text) => vec![(None, Text::new(column.span(), text.clone()))],
+                Values::Each(texts) => {
+                    links.iter().zip(texts).map(|((index, _), text)| (Some(*index), text.clone())).collect()
+                }
+            };
+            for (cylinder, text) in texts {
+                let written = Untrusted::new(text.get_ref().0.as_str());
+                given.push(Given { quantity, cylinder, value: quantity.read(&text)?, written });
+            }
+        }
+        Ok(given)
+    }
+
     /// The masters by their index, at most one on each crankpin.
     fn masters(&self, engine: &Engine) -> Result<Vec<usize>, LayoutError> {
         let texts = match self.master.get_ref() {
@@ -87,6 +124,14 @@ impl Keys {
     }
 }
 
+/// A key of links as it was written, if it was, and what its values measure.
+#[derive(Clone, Copy)]
+struct Key<'a> {
+    name: &'static str,
+    measure: Measure,
+    column: Option<&'a Column>,
+}
+
 /// The values of the links, by their place among them.
 struct Rows<'a> {
     keys: &'a Keys,
@@ -109,22 +154,19 @@ impl Rows<'_> {
             ));
         };
         let one = BigRational::one();
-        let knuckle = match self.one_of(
-            ("knuckle_radius", &self.keys.knuckle_radius),
-            ("knuckle_ratio", &self.keys.knuckle_ratio),
-            row,
-        )? {
-            Some(Given::Length(radius, text)) => radius / self.rod_length(master, &rod.ratio, &text)?,
-            Some(Given::Ratio(ratio)) => ratio,
+        let [radii, lengths] = self.keys.lengths();
+        let knuckle = match self.one_of(radii, row)? {
+            Some(Measured::Length(radius, text)) => radius / self.rod_length(master, &rod.ratio, &text)?,
+            Some(Measured::Ratio(ratio)) => ratio,
             None => {
                 let right = "how far the knuckle pins stand from the crankpin: knuckle_radius, or knuckle_ratio = a/l";
                 return Err(fault("no knuckle radius".to_owned(), right));
             }
         };
         let ratio =
-            match self.one_of(("link_length", &self.keys.link_length), ("link_ratio", &self.keys.link_ratio), row)? {
-                Some(Given::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
-                Some(Given::Ratio(ratio)) => ratio,
+            match self.one_of(lengths, row)? {
+                Some(Measured::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
+                Some(Measured::Ratio(ratio)) => ratio,
                 None if knuckle < one => &rod.ratio / (&one - &knuckle),
                 None => {
                     let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
@@ -170,28 +212,17 @@ impl Rows<'_> {
     }
 
     /// A length, or a ratio, or none.
-    fn one_of(
-        &self,
-        (length_name, length): (&str, &Option<Column>),
-        (ratio_name, ratio): (&str, &Option<Column>),
-        row: usize,
-    ) -> Result<Option<Given>, LayoutError> {
-        match (length, ratio) {
+    fn one_of(&self, [length, ratio]: [Key<'_>; 2], row: usize) -> Result<Option<Measured>, LayoutError> {
+        match (length.column, ratio.column) {
             (Some(_), Some(list)) => {
-                let message = format!("both {length_name} and {ratio_name} are given");
+                let message = format!("both {} and {} are given", length.name, ratio.name);
                 Err(LayoutError::new(message, "one of them is enough", place(list)))
             }
             (Some(list), None) => {
                 let text = self.value(list, row)?;
-                let metres = |text: &str| units::length(text).map(|length| length.value);
-                let length = positive(length_name, &text, metres, "a length above 0")?;
-                Ok(Some(Given::Length(length, text)))
+                Ok(Some(Measured::Length(length.measure.read(&text)?, text)))
             }
-            (None, Some(list)) => {
-                let text = self.value(list, row)?;
-                let pure = |text: &str| super::parse_number(text).map_err(|error| error.to_string());
-                Ok(Some(Given::Ratio(positive(ratio_name, &text, pure, "a number above 0")?)))
-            }
+            (None, Some(list)) => Ok(Some(Measured::Ratio(ratio.measure.read(&self.value(list, row)?)?))),
             (None, None) => Ok(None),
         }
     }
@@ -211,11 +242,7 @@ impl Rows<'_> {
     fn mass(&self, row: usize) -> Result<BigRational, LayoutError> {
         let Some(list) = &self.keys.knuckle_mass else { return Ok(BigRational::zero()) };
         let text = self.value(list, row)?;
-        let written = &text.get_ref().0;
-        let mass = units::mass(written).map_err(|right| misread("mass", written, right, &text))?;
-        if mass.is_negative() {
-            return Err(misread("mass", written, "a mass is 0 or more".to_owned(), &text));
-        }
+        let mass = Measure::KnuckleMass.read(&text)?;
         match self.engine.dimensions().mass.as_ref().filter(|unit| unit.is_positive()) {
             Some(unit) => Ok(mass / unit),
             None if mass.is_zero() => Ok(mass),
@@ -245,19 +272,8 @@ impl Rows<'_> {
 }
 
 /// A measure of a link.
-enum Given {
+enum Measured {
     /// In metres, as written.
     Length(BigRational, Text),
     Ratio(BigRational),
-}
-
-fn positive(
-    name: &str,
-    text: &Text,
-    read: impl Fn(&str) -> Result<BigRational, String>,
-    right: &str,
-) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let value = read(written).map_err(|right| misread(name, written, right, text))?;
-    if value.is_positive() { Ok(value) } else { Err(misread(name, written, right.to_owned(), text)) }
 }

@@ -326,7 +326,7 @@ impl Reading {
 
 impl Measure {
     /// Reads a value in the unit of this quantity.
-    fn read(self, text: &Text) -> Result<BigRational, LayoutError> {
+    pub(super) fn read(self, text: &Text) -> Result<BigRational, LayoutError> {
         let written = &text.get_ref().0;
         let metres = |text: &str| units::length(text).map(|length| length.value);
         let pure = |text: &str| super::parse_number(text).map_err(|error| error.to_string());
@@ -339,16 +339,22 @@ impl Measure {
             RodRatio => ("rod ratio", pure(written), "r/l, from 0 up to 1"),
             PinOffset => ("pin offset", metres(written), ""),
             OffsetRatio => ("offset ratio", pure(written), ""),
-            ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass | RotatingMass => {
-                ("mass", units::mass(written), "a mass is 0 or more")
-            }
+            KnuckleRadius => ("knuckle radius", metres(written), "a length above 0"),
+            KnuckleRatio => ("knuckle ratio", pure(written), "a number above 0"),
+            LinkLength => ("link length", metres(written), "a length above 0"),
+            LinkRatio => ("link ratio", pure(written), "a number above 0"),
+            ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass | RotatingMass
+            | KnuckleMass => ("mass", units::mass(written), "a mass is 0 or more"),
             RodCentre => ("distance of the centre of gravity", metres(written), "a length of 0 or more"),
         };
         let value = value.map_err(|right| misread(name, written, right, text))?;
         let fits = match self {
-            Stroke | CrankRadius | RodLength => value.is_positive(),
+            Stroke | CrankRadius | RodLength | KnuckleRadius | KnuckleRatio | LinkLength | LinkRatio => {
+                value.is_positive()
+            }
             PinOffset | OffsetRatio => true,
-            _ => !value.is_negative(),
+            Speed | RodRatio | ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass
+            | RodCentre | RotatingMass | KnuckleMass => !value.is_negative(),
         };
         if fits { Ok(value) } else { Err(misread(name, written, smallest.to_owned(), text)) }
     }

@@ -33,6 +33,11 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
         Measure::RodMass => ("rod", "m_{\\mathrm{R}}", "kg"),
         Measure::RodCentre => ("centre of gravity of the rod from its big end", "x_{\\mathrm{G}}", "m"),
         Measure::RotatingMass => ("rotating mass at the crankpin, per cylinder", "m_{\\mathrm{rot}}", "kg"),
+        Measure::KnuckleRadius => ("knuckle radius, from crankpin to knuckle pin", "a", "m"),
+        Measure::KnuckleRatio => ("knuckle ratio a/l", "\\kappa", ""),
+        Measure::LinkLength => ("length of a link between centres", "L", "m"),
+        Measure::LinkRatio => ("link ratio", "r/L", ""),
+        Measure::KnuckleMass => ("mass at a knuckle pin, with the big end of its link", "m_{\\mathrm{kn}}", "kg"),
     }
 }
 
@@ -50,7 +55,11 @@ pub(super) fn table(engine: &Engine) -> Table {
                 false => Text::label(format!("{value} {unit}").trim()),
             },
             (&given.written).into(),
-            given.cylinder.map_or("all".into(), |index| engine.cylinders()[index].name.clone().into()),
+            match given.cylinder {
+                Some(index) => engine.cylinders()[index].name.clone().into(),
+                None if given.quantity.is_of_links() => "all links".into(),
+                None => "all".into(),
+            },
         ]);
     }
     table
@@ -104,7 +113,8 @@ pub(super) fn turning(engine: &Engine) -> Table {
 
 /// What follows from the inputs before any order: radius, ratios, masses, ω and m r ω².
 pub(super) fn lines(engine: &Engine, loads: &Loads) -> Vec<Line> {
-    let by_cylinder = engine.dimensions().given.iter().any(|given| given.cylinder.is_some());
+    let of_cylinders = |given: &Given| given.cylinder.is_some() && !given.quantity.is_of_links();
+    let by_cylinder = engine.dimensions().given.iter().any(of_cylinders);
     let cylinders = if by_cylinder { engine.cylinders().len() } else { 1 };
     let mut lines = Vec::new();
     if cylinders <= MOST_LINES {

@@ -29,7 +29,7 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     if !engine.has_offset() {
         lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".into());
     }
-    let common_axis = engine.form() == crate::engine::Form::Radial;
+    let common_axis = engine.form() == crate::engine::Form::Radial && !engine.has_links();
     if common_axis {
         lines.push("All rods of a row work on the crankpin itself: no articulated rods.".into());
     }
