@@ -163,16 +163,15 @@ impl Rows<'_> {
                 return Err(fault("no knuckle radius".to_owned(), right));
             }
         };
-        let ratio =
-            match self.one_of(lengths, row)? {
-                Some(Measured::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
-                Some(Measured::Ratio(ratio)) => ratio,
-                None if knuckle < one => &rod.ratio / (&one - &knuckle),
-                None => {
-                    let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
-                    return Err(fault(message, "give the link_length, which is l − a where it is left out"));
-                }
-            };
+        let ratio = match self.one_of(lengths, row)? {
+            Some(Measured::Length(length, text)) => &rod.ratio * self.rod_length(master, &rod.ratio, &text)? / length,
+            Some(Measured::Ratio(ratio)) => ratio,
+            None if knuckle < one => &rod.ratio / (&one - &knuckle),
+            None => {
+                let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
+                return Err(fault(message, "give the link_length, which is l − a where it is left out"));
+            }
+        };
         let angle = &cylinder.bank - &master.bank;
         let link = Mechanism::Link(Link { master: rod.ratio.clone(), knuckle, angle, ratio });
         if !link.turns_round() {

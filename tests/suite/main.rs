@@ -15,6 +15,7 @@ mod citation;
 mod claims;
 mod claims_files;
 mod claims_of_forces;
+mod claims_of_links;
 mod claims_of_numbers;
 mod classes;
 mod closed_forms;

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::expression::{Expression, Line, fraction, power, quantity};
+use super::links;
 use crate::engine::{Engine, Given, Measure};
 use crate::exact::Turn;
 use crate::loads::{Loads, Scale};
@@ -121,6 +122,9 @@ pub(super) fn lines(engine: &Engine, loads: &Loads) -> Vec<Line> {
         for index in 0..cylinders {
             lines.extend(of_cylinder(engine, index, by_cylinder));
         }
+    }
+    if engine.has_links() && engine.cylinders().len() <= MOST_LINES {
+        lines.extend(links::lines(engine, by_cylinder));
     }
     if let Some(scale) = &loads.scale {
         lines.extend(of_engine(scale));

@@ -7,6 +7,7 @@ mod equations;
 mod expression;
 mod inputs;
 mod largest;
+mod links;
 mod page;
 mod plots;
 mod results;
