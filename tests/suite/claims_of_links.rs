@@ -137,6 +137,8 @@ fn the_inputs_of_a_calculation_list_the_lengths_of_links_as_written() {
     ] {
         assert!(each.contains(words), "{words} is not on the page");
     }
+    // One knuckle radius makes one line.
+    assert!(each.contains("\\kappa &=") && !each.contains("\\kappa_{5}"));
     // What the file says of a link does not make the lines of the rods a line for each cylinder.
     assert!(!each.contains("r_{1}"));
 }
