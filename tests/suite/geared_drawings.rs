@@ -183,3 +183,47 @@ fn the_weight_at_minus_1_stands_on_that_crankshaft_as_it_is_proposed() {
     let balances = orders[0].parts.iter().flat_map(|part| [&part.force, &part.moment]);
     assert!(balances.flat_map(|balance| balance.verdicts()).all(|one| one.vanishes()), "{own}");
 }
+
+/// Vs on two crankshafts with no throws, one against the other: `β = α − τ` on the first, `α + τ` on the other.
+#[test]
+fn throws_follow_from_the_firing_on_crankshafts_of_either_sense() {
+    let text = |[rotation, sense, minus, plus]: [&str; 4]| {
+        let cranks = format!(
+            "[[crankshaft]]\nname = 'a'\nsense = 'with'\n[[crankshaft]]\nname = 'b'\nsense = '{sense}'\nheight = 4\n"
+        );
+        let pin = |crank: &str, position: u32| {
+            let one =
+                |bank: &str| format!("[[cylinder]]\ncrankshaft = '{crank}'\nbank = {bank}\nposition = {position}\n");
+            one(minus) + &one(plus)
+        };
+        let head = format!("{rotation}cycle = 'four-stroke'\nfiring_angles = [0, 90, 450, 360, 270, 180]\n");
+        head + &cranks + &pin("a", 0) + &pin("b", 1) + &pin("b", 2)
+    };
+    for [rotation, minus, plus] in [["", "-45", "45"], [CLOCKWISE, "45", "-45"]] {
+        let engine = layout(&text([rotation, "against", minus, plus]));
+        let pins: Vec<_> = engine.cylinders().iter().map(|cylinder| engine.pin_angle(cylinder)).collect();
+        assert!(pins.chunks(2).all(|pins| pins[0] == pins[1]), "{pins:?}");
+        // Where both turn alike, shared pins would take the banks of the second exchanged.
+        let wrong = text([rotation, "with", minus, plus]);
+        let error = parse("v.toml", &wrong).expect_err("two pins of three").to_string();
+        assert!(error.contains("with the banks exchanged"), "{error}");
+    }
+}
+
+/// What is said of banks and throws is of crankshafts that turn one way.
+#[test]
+fn an_order_that_fits_the_other_rotation_is_told_so() {
+    let text = |rotation: &str| {
+        format!(
+            "{rotation}cycle = 'two-stroke'\nfiring_order = '1-2-3'\n\
+             [[crankshaft]]\nname = 'a'\nsense = 'with'\n[[crankshaft]]\nname = 'b'\nsense = 'against'\noffset = 4\n\
+             [[cylinder]]\ncrankshaft = 'a'\nthrow = 0\nbank = 0\nposition = 0\n\
+             [[cylinder]]\ncrankshaft = 'a'\nthrow = 120\nbank = 0\nposition = 1\n\
+             [[cylinder]]\ncrankshaft = 'b'\nthrow = 120\nbank = 0\nposition = 1\n"
+        )
+    };
+    let error = parse("i3.toml", &text("")).expect_err("it fires 1-3-2").to_string();
+    assert!(error.contains("as drawn it fits a crank that turns with rotation = \"clockwise\""), "{error}");
+    assert!(!error.contains("banks exchanged") && !error.contains("other sign"), "{error}");
+    layout(&text(CLOCKWISE));
+}

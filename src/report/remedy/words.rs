@@ -37,7 +37,7 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     match on_a_crankshaft(remedy) {
         Some((crank, others)) => {
             lines.push(phrase!(
-                "The weight at 1× against the crank may stand on crankshaft {}, which turns against the reference, at the same position and \
+                "What has to turn at 1× against the crank may stand on crankshaft {}, which turns against the reference, at the same position and \
                  angle, and needs no shaft of its own: force and moment are the same wherever across the engine its axis stands, the \
                  roll moment is not.",
                 crank
@@ -195,7 +195,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
         0 => None,
         count if on_a_crankshaft.is_some() => Some(phrase!(
-            "With the weight at 1× on that crankshaft balancer shafts are needed still: {}. Fewer are not possible: each changes only \
+            "With that on this crankshaft, balancer shafts are needed still: {}. Fewer are not possible: each changes only \
              what turns at its own speed and in its own sense.",
             count
         )),
