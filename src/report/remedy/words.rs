@@ -195,7 +195,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
         0 => None,
         count if on_a_crankshaft.is_some() => Some(phrase!(
-            "With that on this crankshaft, balancer shafts are needed still: {}. Fewer are not possible: each changes only \
+            "With what turns at 1× on that crankshaft, balancer shafts are needed still: {}. Fewer are not possible: each changes only \
              what turns at its own speed and in its own sense.",
             count
         )),
