@@ -1,6 +1,6 @@
 //! Is the layout file that `remedy` writes the engine that was promised? Over random engines of every form, and by the trade's factor.
 
-use crankstar::engine::Engine;
+use crankstar::engine::{Engine, Mechanism};
 use crankstar::file::{Beside, catalogue, parse};
 use crankstar::order::{self, Masses};
 use crankstar::proof::{Quantity, Sense, check_document, check_remedy_document};
@@ -67,9 +67,19 @@ fn the_file_of_a_corrected_engine_keeps_what_remedy_promised() {
 
 #[test]
 fn the_catalogue_is_corrected_in_multiples_of_its_masses() {
+    let mut written = 0;
     for (_, engine) in catalogue().expect("the catalogue").into_iter().step_by(4) {
-        corrected(&found(&engine, &[1, 2]).expect("a remedy"));
+        let remedy = found(&engine, &[1, 2]).expect("a remedy");
+        // A shaft against links stands before a number that a layout file has no key for, and that is said.
+        if engine.mechanisms().iter().any(|mechanism| matches!(mechanism, Mechanism::Link(_))) {
+            let refused = corrected_file(&remedy, "corrected.toml", Beside::nothing()).err();
+            assert!(refused.is_none_or(|error| error.to_string().contains("links on a master rod")));
+            continue;
+        }
+        corrected(&remedy);
+        written += 1;
     }
+    assert!(written > 8, "{written} files");
 }
 
 const TWIN: &str = "\

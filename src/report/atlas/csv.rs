@@ -59,6 +59,7 @@ fn amount(left: &Left) -> [String; 3] {
     if left.shape == Shape::Balanced {
         return ["0".to_owned(), "0".to_owned(), shape];
     }
-    let exact = left.largest.exact.as_ref().map(ToString::to_string).unwrap_or_default();
-    [format!("{:.9}", left.largest.decimal), exact, shape]
+    let Some(largest) = &left.largest else { return [String::new(), String::new(), shape] };
+    let exact = largest.exact.as_ref().map(ToString::to_string).unwrap_or_default();
+    [format!("{:.9}", largest.decimal), exact, shape]
 }

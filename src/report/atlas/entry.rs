@@ -11,7 +11,7 @@ use crate::proof::Shape;
 use crate::remedy::{self, Wish};
 use crate::search::{Best, FoundStar};
 use crate::text::Untrusted;
-use crate::verdict::{self, Balance};
+use crate::verdict::{self, Balance, OrderBalance, OrderVerdict, WholeOrder};
 
 /// Where an engine comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,13 +53,17 @@ pub(super) struct Order {
 /// What is left of a force or a moment.
 pub(super) struct Left {
     pub shape: Shape,
-    /// The largest value through a revolution.
-    pub largest: Amount,
+    /// The largest value through a revolution; none of an order that several sums make up, before different numbers.
+    pub largest: Option<Amount>,
 }
 
 impl Left {
-    fn new(balance: &Balance) -> Self {
-        Left { shape: balance.shape, largest: residual::largest(balance) }
+    fn new(judged: &OrderVerdict, whole: &WholeOrder, balance: fn(&OrderBalance) -> &Balance) -> Self {
+        let largest = match judged.parts.as_slice() {
+            [only] => Some(residual::largest(balance(only))),
+            _ => None,
+        };
+        Left { shape: whole.shape, largest }
     }
 }
 
@@ -103,11 +107,10 @@ impl EngineRow {
             orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
                 .unwrap_or_else(|number| unreachable!("the atlas asks for orders: {number}"))
                 .iter()
-                .flat_map(|judged| &judged.parts)
                 .map(|judged| Order {
                     order: judged.order,
-                    force: Left::new(&judged.force),
-                    moment: Left::new(&judged.moment),
+                    force: Left::new(judged, &judged.force, |part| &part.force),
+                    moment: Left::new(judged, &judged.moment, |part| &part.moment),
                 })
                 .collect(),
             first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)),

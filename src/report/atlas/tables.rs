@@ -89,8 +89,9 @@ fn cell(engine: &EngineRow, order: &Order, quantity: Quantity) -> Text {
     if left.shape == Shape::Balanced {
         return Text::zero();
     }
-    let exact = left.largest.exact.clone().filter(|form| letters(form) <= LONGEST_IN_TABLE);
-    let amount = Amount { exact, ..left.largest };
+    let Some(largest) = &left.largest else { return phrase!("not 0, {}", shape_name(left.shape)) };
+    let exact = largest.exact.clone().filter(|form| letters(form) <= LONGEST_IN_TABLE);
+    let amount = Amount { exact, ..*largest };
     match engine.origin {
         Origin::Catalogue => phrase!("{}, {}", amount, shape_name(left.shape)),
         Origin::Found(_) => amount.into(),
@@ -118,13 +119,14 @@ pub(super) fn longer_forms(all: &[EngineRow]) -> Vec<Text> {
             for (words, left) in
                 [("{}, force of order {}: {}", &order.force), ("{}, moment of order {}: {}", &order.moment)]
             {
-                let is_long = left.largest.exact.as_ref().is_some_and(|form| letters(form) > LONGEST_IN_TABLE);
-                let is_shown = match left.largest.number() {
+                let Some(largest) = &left.largest else { continue };
+                let is_long = largest.exact.as_ref().is_some_and(|form| letters(form) > LONGEST_IN_TABLE);
+                let is_shown = match largest.number() {
                     Number::Closed(..) => true,
                     Number::Zero | Number::Exact(_) | Number::Decimal(_) => false,
                 };
                 if is_long && is_shown {
-                    lines.push(phrase!(words, name(engine), order.order, left.largest.clone()));
+                    lines.push(phrase!(words, name(engine), order.order, largest.clone()));
                 }
             }
         }
