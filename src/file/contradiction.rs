@@ -12,6 +12,7 @@ use super::firing_throws::{degrees, split_of, throws_of};
 use super::numbering::{Along, renumbered};
 use crate::engine::{Convention, Cycle, Cylinder, Engine, Firing, Linear, Rotation};
 use crate::exact::Turn;
+use crate::proof::Sense;
 
 /// A firing order that the throws cannot fire; `said` is what the engine says of it.
 pub(super) fn of_order(
@@ -25,7 +26,8 @@ pub(super) fn of_order(
     let (message, right) = said;
     let cylinders = engine.cylinders();
     let open: Vec<Cylinder<Linear, Linear>> = cylinders.iter().map(opened).collect();
-    let needed = split_of(&open, &throws_of(&open, &evenly(order, cycle))).filter(|split| *split != Linear::default());
+    let needed = split_of(&open, &throws_of(&open, &evenly(order, cycle)));
+    let needed = needed.filter(|split| *split != Linear::default() && turns_one_way(engine));
     let needed = needed.map(|split| format!("with these banks this order needs pins {}° apart", degrees(&split)));
     let right = match would_fit(engine, fits) {
         Some(words) => needed.into_iter().chain([words]).collect::<Vec<_>>().join("; "),
@@ -48,7 +50,21 @@ pub(super) fn of_angles(
 
 fn would_fit(engine: &Engine, fits: impl Fn(&[Cylinder]) -> Option<Firing>) -> Option<String> {
     let evenly = |cylinders: &[Cylinder]| fits(cylinders).map(|firing| firing.is_even());
-    what_would_fit(engine.cylinders(), engine.convention(), |angle: &Turn| -angle, evenly)
+    if turns_one_way(engine) {
+        return what_would_fit(engine.cylinders(), engine.convention(), |angle: &Turn| -angle, evenly);
+    }
+    // The throws of a crankshaft against the others are those of its mirror image: of what is drawn only the whole is as easily turned.
+    let negated = |cylinder: &Cylinder| Cylinder { throw: -&cylinder.throw, bank: -&cylinder.bank, ..cylinder.clone() };
+    let turned: Vec<Cylinder> = engine.cylinders().iter().map(negated).collect();
+    evenly(&turned).map(|_| drawn_otherwise(engine.convention()))
+}
+
+fn turns_one_way(engine: &Engine) -> bool {
+    engine.geared_cranks().iter().all(|crank| crank.sense == Sense::Direct)
+}
+
+fn drawn_otherwise(convention: Convention) -> String {
+    format!("as drawn it fits a crank that turns with {}", rotation_other_than(convention))
 }
 
 /// The angles from each top dead centre of the order to the next, which are all that this crankshaft has.
@@ -94,7 +110,7 @@ pub(super) fn what_would_fit<A: Clone + PartialEq, L: Clone>(
     };
     let exchanged = banks_exchanged(cylinders, &negated);
     let turned = other_throws(&exchanged);
-    let turns = format!("as drawn it fits a crank that turns with {}", rotation_other_than(convention));
+    let turns = drawn_otherwise(convention);
     let ways = [
         (Some(exchanged), BANKS),
         (Some(turned), &turns),

@@ -4,8 +4,9 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::error::LayoutError;
+use super::geared_keys::Geared;
 use super::quantities::misread;
-use super::written::{Text, place};
+use super::written::Text;
 use crate::engine::{Convention, Cylinder, Linear, Rotation, SeenFrom};
 
 /// The two keys; left out, the crank turns anticlockwise seen from the free end.
@@ -34,23 +35,12 @@ pub(super) fn read(rotation: Option<&Text>, seen_from: Option<&Text>) -> Result<
     Ok(convention)
 }
 
-/// Throws and banks of a drawing as angles in the sense of rotation.
-pub(super) fn turn(cylinders: &mut [Cylinder<Linear, Linear>], convention: Convention) {
+/// Throws and banks of a drawing as angles in the sense of rotation, and axes of several crankshafts where they stand so.
+pub(super) fn turn(cylinders: &mut [Cylinder<Linear, Linear>], geared: &mut [Geared], convention: Convention) {
     let sign = convention.in_the_sense_of_rotation(BigRational::one());
     for cylinder in cylinders.iter_mut().filter(|_| !sign.is_one()) {
         cylinder.throw = cylinder.throw.scaled(&sign);
         cylinder.bank = cylinder.bank.scaled(&sign);
     }
-}
-
-/// Several crankshafts each have a sense of their own, which is told as seen from the free end.
-pub(super) fn of_one_crankshaft(key: Option<&Text>) -> Result<(), LayoutError> {
-    match key {
-        None => Ok(()),
-        Some(text) => Err(LayoutError::new(
-            "one rotation for several crankshafts",
-            "leave rotation and seen_from out: angles count anticlockwise from the free end, and each crankshaft has its sense",
-            place(text),
-        )),
-    }
+    geared.iter_mut().for_each(|crank| crank.axis.turn(convention));
 }

@@ -7,6 +7,7 @@ use super::above::{Above, Throws};
 use super::contradiction;
 use super::error::LayoutError;
 use super::forms::Expanded;
+use super::geared_keys::{Geared, equivalent};
 use crate::engine::{Cylinder, Linear};
 
 /// Sets the throws that the file leaves out.
@@ -18,7 +19,7 @@ pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), L
         Throws::Listed => return Ok(()),
         Throws::Follow { splits_given } => splits_given,
     };
-    let cylinders = &mut expanded.cylinders;
+    let (cylinders, geared) = (&mut expanded.cylinders, &expanded.geared);
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.name.is_empty()) {
         cylinder.name = (index + 1).to_string();
     }
@@ -45,13 +46,14 @@ pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), L
     if !splits_given {
         let exchanged: Vec<Cylinder<Linear, Linear>> =
             contradiction::banks_exchanged(cylinders, |angle: &Linear| angle.scaled(&-BigRational::one()));
-        let other = throws_of(&exchanged, &fires);
-        if let (Some(here), Some(there)) = (spread(cylinders, &throws), spread(cylinders, &other))
-            && there < here
-            && let Some([one, two]) = first_apart(cylinders, &throws)
+        let here = pins(geared, cylinders, &throws);
+        let there = pins(geared, &exchanged, &throws_of(&exchanged, &fires));
+        if let (Some(now), Some(then)) = (spread(cylinders, &here), spread(cylinders, &there))
+            && then < now
+            && let Some([one, two]) = first_apart(cylinders, &here)
         {
-            let between = |throws: &[Linear]| degrees(&signed(throws[two].minus(&throws[one])));
-            let (now, then) = (between(&throws), between(&other));
+            let between = |pins: &[Linear]| degrees(&signed(pins[two].minus(&pins[one])));
+            let (now, then) = (between(&here), between(&there));
             return Err(LayoutError::new(
                 format!("with these banks this order needs pins {now}° apart"),
                 format!(
@@ -72,8 +74,20 @@ pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), L
 pub(super) fn throws_of(cylinders: &[Cylinder<Linear, Linear>], fires: &[Linear]) -> Vec<Linear> {
     let all: Vec<Linear> = cylinders.iter().zip(fires).map(|(cylinder, fires)| cylinder.bank.minus(fires)).collect();
     let first = all.first().cloned().unwrap_or_default();
-    let reduced = |throw: Linear| throw.minus(&Linear::constant(throw.known().floor()));
     all.iter().map(|throw| reduced(throw.minus(&first))).collect()
+}
+
+/// Where the pins stand: at the throws, and on a crankshaft against the reference at those of the cranks that they are equivalent to.
+fn pins(geared: &[Geared], cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Vec<Linear> {
+    let pin = |(cylinder, throw): (&Cylinder<Linear, Linear>, &Linear)| match geared.get(cylinder.crank) {
+        Some(crank) => reduced(equivalent(throw, &cylinder.bank, crank.sense)),
+        None => throw.clone(),
+    };
+    cylinders.iter().zip(throws).map(pin).collect()
+}
+
+fn reduced(throw: Linear) -> Linear {
+    throw.minus(&Linear::constant(throw.known().floor()))
 }
 
 /// Cylinders of one pin, the first with each of the others.

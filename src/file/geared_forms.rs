@@ -1,7 +1,8 @@
 //! How do people describe engines with several crankshafts? Opposed pistons, H, U, square four, delta: each becomes cylinders.
 //!
 //! A phase is how far the pistons of a crankshaft are ahead of those of the first one, each in the sense that it turns in; what
-//! stands in a [`Cylinder`] is the equivalent crank that turns with the reference (theory, section 14).
+//! stands in a [`Cylinder`] is the equivalent crank that turns with the reference (theory, section 14). Phases count with the crank, and are
+//! the same however the engine is drawn; what this file makes is still as drawn.
 
 use num_rational::BigRational;
 use serde::Deserialize;
@@ -12,7 +13,7 @@ use super::forms::{Expanded, pins};
 use super::geared_keys::{Axis, Distance, Geared, sense};
 use super::quantities::{List, angles, misread, optional_angle};
 use super::written::{Text, place};
-use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -83,8 +84,8 @@ impl Bank {
 }
 
 impl OpposedPiston {
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
-        let lead = optional_angle(&Some(self.lead.clone()))?;
+    pub fn expand(&self, convention: Convention) -> Result<Expanded, LayoutError> {
+        let lead = as_drawn(&optional_angle(&Some(self.lead.clone()))?, convention);
         let (of_lower, of_upper) = match self.leading.as_ref().map(|text| (text, text.get_ref().0.as_str())) {
             None | Some((_, "upper")) => (Linear::default(), lead),
             Some((_, "lower")) => (lead, Linear::default()),
@@ -107,14 +108,15 @@ impl OpposedPiston {
 }
 
 impl Pair {
-    pub fn side_by_side(&self) -> Result<Expanded, LayoutError> {
-        let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, optional_angle(&self.phase)?)];
+    pub fn side_by_side(&self, convention: Convention) -> Result<Expanded, LayoutError> {
+        let phase = as_drawn(&optional_angle(&self.phase)?, convention);
+        let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, phase)];
         let cranks = side_by_side(sense(&self.sense)?, &self.distance);
         expand(Form::U, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 
-    pub fn flat(&self) -> Result<Expanded, LayoutError> {
-        let phase = optional_angle(&self.phase)?;
+    pub fn flat(&self, convention: Convention) -> Result<Expanded, LayoutError> {
+        let phase = as_drawn(&optional_angle(&self.phase)?, convention);
         let banks = [
             Bank::new(0, 90, Linear::default()),
             Bank::new(0, -90, Linear::default()),
@@ -146,8 +148,9 @@ impl SquareFour {
 
 impl Delta {
     /// At a corner the cylinder of the exhaust piston points to the next corner, that of the inlet piston to the one before, 60° apart;
-    /// round the triangle the leads of the exhaust come to `60° (s_1 + s_2 + s_3)`, a third of it each.
-    pub fn expand(&self) -> Result<Expanded, LayoutError> {
+    /// round the triangle the leads of the exhaust come to `60° (s_1 + s_2 + s_3)`, a third of it each. The corners follow each other in the
+    /// sense of rotation, so that the exhaust leads however the engine is drawn.
+    pub fn expand(&self, convention: Convention) -> Result<Expanded, LayoutError> {
         const CORNERS: [(&str, i64); 3] = [("A", 180), ("B", 300), ("C", 60)];
         let mut senses = [Sense::Direct; 3];
         match &self.against {
@@ -179,16 +182,23 @@ impl Delta {
                 ahead += 60 * sign(corner) - lead;
             }
             let (exhaust, inlet) = (stands_at + 150, stands_at + 330);
-            banks.push(Bank { suffix: EXHAUST[corner], ..Bank::new(index, exhaust, degrees(ahead + exhaust)) });
-            let next = (index + 1) % 3;
-            banks.push(Bank { suffix: INLET[corner], ..Bank::new(next, inlet, degrees(ahead - lead + inlet)) });
+            let mut bank = |crank, axis, ahead, suffix| {
+                let ahead = as_drawn(&degrees(ahead + axis), convention);
+                banks.push(Bank { crank, axis: as_drawn(&degrees(axis), convention), ahead, suffix });
+            };
+            bank(index, exhaust, ahead, EXHAUST[corner]);
+            bank((index + 1) % 3, inlet, ahead - lead, INLET[corner]);
             cranks.push(Geared {
                 name: name.to_owned(),
                 sense: senses[corner],
-                axis: Axis::Towards(Distance::of(number(1), &self.circumradius), Turn::fraction(stands_at, 360)),
+                axis: Axis::Towards(
+                    Distance::of(number(1), &self.circumradius),
+                    convention.as_written(&Turn::fraction(stands_at, 360)),
+                ),
             });
         }
-        expand(Form::Delta, &self.rows, (&self.spacing, &self.positions), &banks, cranks)
+        let rows = angles(&self.rows)?.iter().map(|row| as_drawn(row, convention)).collect();
+        of_throws(Form::Delta, rows, self.rows.span(), (&self.spacing, &self.positions), &banks, cranks)
     }
 }
 
@@ -257,6 +267,11 @@ fn of_throws(
     let positions_given = pins.positions_given;
     let throws = Throws::Listed;
     Ok(Expanded { form, cylinders, length_unit, positions_given, throws, pin_offsets: None, geared })
+}
+
+/// An angle that counts with the crank, as one of the drawing.
+fn as_drawn(angle: &Linear, convention: Convention) -> Linear {
+    angle.scaled(&convention.in_the_sense_of_rotation(number(1)))
 }
 
 fn degrees(angle: i64) -> Linear {

@@ -11,7 +11,7 @@ use super::error::LayoutError;
 use super::quantities::{self, misread};
 use super::units;
 use super::written::{Table, Text, place};
-use crate::engine::{Cylinder, Dimensions, GearedCrank, Linear, Mechanism};
+use crate::engine::{Convention, Cylinder, Dimensions, GearedCrank, Linear, Mechanism};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -68,6 +68,22 @@ pub(super) enum Axis {
     Across(Distance, Distance),
     /// So far in this direction.
     Towards(Distance, Turn),
+}
+
+impl Axis {
+    /// Where it stands in a drawing, and then as angles in the sense of rotation say it: an offset to the left changes its sign.
+    pub fn turn(&mut self, convention: Convention) {
+        match self {
+            Axis::Across(_, offset) => match offset {
+                Distance::Times(factor, _) | Distance::Radii(factor) => {
+                    *factor = convention.in_the_sense_of_rotation(factor.clone());
+                }
+            },
+            Axis::Towards(_, angle) => {
+                *angle = Turn::new(convention.in_the_sense_of_rotation(angle.turns().clone()));
+            }
+        }
+    }
 }
 
 /// A length across the crankshaft: so many times what was written, or so many crank radii.
@@ -180,7 +196,7 @@ pub(super) fn sense(text: &Text) -> Result<Sense, LayoutError> {
         "with" => Ok(Sense::Direct),
         "against" => Ok(Sense::Reverse),
         other => {
-            let right = "\"with\" the reference, anticlockwise seen from the free end, or \"against\" it".to_owned();
+            let right = "\"with\" the first crankshaft, or \"against\" it".to_owned();
             Err(misread("sense of a crankshaft", other, right, text))
         }
     }

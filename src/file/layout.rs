@@ -150,7 +150,6 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     let above = Above { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
     let mut expanded = expand(&file, &above)?;
     if !expanded.geared.is_empty() {
-        convention_keys::of_one_crankshaft(file.rotation.as_ref().or(file.seen_from.as_ref()))?;
         let given = [
             ("gas", file.gas.as_ref().and_then(place)),
             ("main bearings", file.bearings.as_ref().and_then(place)),
@@ -164,7 +163,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     if expanded.form.has_two_pistons_in_a_cylinder() {
         firing_order::without_pistons_of_their_own(above.order, above.angles)?;
     }
-    convention_keys::turn(&mut expanded.cylinders, convention);
+    convention_keys::turn(&mut expanded.cylinders, &mut expanded.geared, convention);
     firing_throws::follow(&mut expanded, &above)?;
     let dimensions = dimensions(&file, &mut expanded)?;
     let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions, &mut expanded.cylinders)?;
@@ -300,11 +299,11 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above))));
-    forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.side_by_side())));
+    forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
+    forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.side_by_side(above.convention))));
     forms.extend(file.square_four.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
-    forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.flat())));
-    forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand())));
+    forms.extend(file.h.as_ref().map(|form| (form.span(), form.get_ref().0.flat(above.convention))));
+    forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
     match (forms.pop(), forms.pop()) {
         (Some((_, only)), None) => only,

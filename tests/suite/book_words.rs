@@ -344,11 +344,6 @@ fn a_contradiction_says_which_mirror_image_or_numbering_would_fit() {
 fn mistakes_in_the_words_of_books_are_told_with_their_place() {
     let head = "cycle = 'four-stroke'\n";
     assert_refused("rotation = 'left'\ninline.throws = [0]", 1, &["\"clockwise\" or \"anticlockwise\""]);
-    assert_refused(
-        "rotation = 'clockwise'\nu = { throws = [0], sense = 'with', distance = '0.2 m' }",
-        1,
-        &["several crankshafts"],
-    );
     assert_refused("seen_from = 'front'\ninline.throws = [0]", 1, &["\"free end\" or \"flywheel\""]);
     assert_refused(
         "[vee]\nbank_angle = 60\nthrows = [0, 120]\nnumbering = [1, 2, 3]",

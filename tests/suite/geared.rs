@@ -213,7 +213,7 @@ fn six_rows_of_a_delta_leave_an_elliptical_couple() {
 }
 
 /// A layout of cranks and cylinders as it happens, with rods, offsets and masses that turn.
-fn any_engine(dice: &mut Dice) -> String {
+pub(crate) fn any_engine(dice: &mut Dice) -> String {
     let part = |dice: &mut Dice, most: u64| dice.below(most) as i64 - (most / 2) as i64;
     let cranks = 2 + dice.below(2);
     let mut text = String::from("effects = ['torque']\n");

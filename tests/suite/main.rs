@@ -43,6 +43,7 @@ mod gas;
 mod gas_files;
 mod gas_in_every_form;
 mod geared;
+mod geared_drawings;
 mod german_figures;
 mod grigoryev;
 mod ground_truth;

@@ -34,13 +34,35 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     }
     lines.extend(remedy.left_out.iter().map(left_out));
     lines.push(proof(remedy));
-    if !remedy.shafts.is_empty() {
-        lines.push(
+    match on_a_crankshaft(remedy) {
+        Some((crank, others)) => {
+            lines.push(phrase!(
+                "What has to turn at 1× against the crank may stand on crankshaft {}, which turns against the reference, at the same position and \
+                 angle, and needs no shaft of its own: force and moment are the same wherever across the engine its axis stands, the \
+                 roll moment is not.",
+                crank
+            ));
+            if others > 0 {
+                lines.push(
+                    "No crankshaft can do what the other shafts do: its counterweights reach only order 1, in the sense in which it turns."
+                        .into(),
+                );
+            }
+        }
+        None if remedy.shafts.is_empty() => {}
+        None => lines.push(
             "No crankshaft can do what these shafts do: its counterweights reach only what turns with the crank at order 1."
                 .into(),
-        );
+        ),
     }
     lines
+}
+
+/// The first crankshaft that turns against the reference, where a shaft of the remedy turns as it does, and how many other shafts there are.
+fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
+    remedy.shafts.iter().find(|shaft| shaft.order == 1 && shaft.sense == Sense::Reverse)?;
+    let crank = remedy.subject.engine().geared_cranks().iter().find(|crank| crank.sense == Sense::Reverse)?;
+    Some((crank.name.clone().into(), remedy.shafts.len() - 1))
 }
 
 /// What is too little for a weight.
@@ -169,8 +191,14 @@ fn proof(remedy: &Remedy) -> Text {
 
 /// What is good to know besides: fewest shafts, heights of pairs, masses.
 pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
-    let fewest = match remedy.shafts.len() {
+    let on_a_crankshaft = on_a_crankshaft(remedy).map(|(_, others)| others);
+    let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
         0 => None,
+        count if on_a_crankshaft.is_some() => Some(phrase!(
+            "With what turns at 1× on that crankshaft, balancer shafts are needed still: {}. Fewer are not possible: each changes only \
+             what turns at its own speed and in its own sense.",
+            count
+        )),
         1 => Some(
             "One balancer shaft is the fewest possible: a shaft changes only what turns at its own speed and in its own sense."
                 .into(),
