@@ -106,7 +106,7 @@ fn draw_cylinders(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]
 
 fn draw_rod(figure: &mut Figure, labels: &mut Labels, linkage: &Linkage, half: f64) {
     let (ink, dash) = ROWS[linkage.row % ROWS.len()];
-    let Linkage { along, across, piston, pin, .. } = linkage;
+    let Linkage { along, across, piston, pin, joint, .. } = linkage;
     let side = across * (half - 0.45);
     let (low, high) = (piston - along * SKIRT, piston + along * CROWN);
     figure.polygon(
@@ -114,8 +114,14 @@ fn draw_rod(figure: &mut Figure, labels: &mut Labels, linkage: &Linkage, half: f
         Stroke::solid(Ink::Black, 0.25),
         Some(Ink::Light),
     );
-    figure.line(*pin, *piston, Stroke { ink, width: 0.45, dash });
-    labels.avoid_path(&[*pin, *piston]);
+    figure.line(*joint, *piston, Stroke { ink, width: 0.45, dash });
+    labels.avoid_path(&[*joint, *piston]);
+    if (joint - pin).norm() > 0.0 {
+        // The flange of the master rod, as far as this link needs it.
+        figure.line(*pin, *joint, Stroke::solid(ink, 0.9));
+        figure.circle(*joint, 0.5, Stroke::solid(ink, 0.3), Some(Ink::Shade(0)));
+        labels.avoid_path(&[*pin, *joint]);
+    }
     figure.circle(*piston, 0.6, Stroke::solid(ink, 0.3), Some(Ink::Shade(0)));
 }
 

@@ -8,7 +8,7 @@ use num_traits::{ToPrimitive, Zero};
 use super::super::figure::Point;
 use super::super::star::towards;
 use super::super::typeset;
-use crate::engine::{Cylinder, Engine, Form, GearedCrank, Mechanism};
+use crate::engine::{Cylinder, Engine, Form, GearedCrank, Link, Mechanism};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -28,6 +28,8 @@ pub(super) struct Linkage<'a> {
     pub across: Point,
     /// Where the crankpin stands.
     pub pin: Point,
+    /// Where the rod begins: at the crankpin, or that of a link at its knuckle pin on the master rod.
+    pub joint: Point,
     /// Where the piston pin stands.
     pub piston: Point,
     /// The point of the cylinder axis that is nearest to the shaft.
@@ -78,6 +80,40 @@ fn dimension(engine: &Engine, cylinder: &Cylinder) -> Option<String> {
     })
 }
 
+/// From the crankpin to the piston pin where both stand on the axis, against the crank radius.
+fn reach(cylinder: &Cylinder) -> f64 {
+    match cylinder.link() {
+        None => rod(cylinder).0,
+        Some(link) => length(&link.knuckle) * drawn(&link.master) + drawn(&link.ratio),
+    }
+}
+
+/// The length of a rod of this ratio against the crank radius, as it is drawn.
+fn drawn(ratio: &BigRational) -> f64 {
+    ratio.to_f64().unwrap_or(USUAL_RATIO).recip().clamp(1.0, LONGEST_ROD)
+}
+
+/// A link at its knuckle pin.
+struct Knuckle {
+    joint: Point,
+    length: f64,
+}
+
+/// Where the knuckle pin of a link stands, the master rod as it lies.
+fn knuckle(link: &Link, along: Point, pin: Point, radius: f64) -> Knuckle {
+    let ahead = Point::from_polar(1.0, length(link.angle.turns()) * std::f64::consts::TAU);
+    let (master, rod) = (along * ahead.conj(), drawn(&link.master) * radius);
+    let aside = (pin * master.conj()).im;
+    let towards_its_piston = master * Point::new(leg(rod, aside), -aside) / rod;
+    let joint = pin + towards_its_piston * ahead * (length(&link.knuckle) * rod);
+    Knuckle { joint, length: drawn(&link.ratio) * radius }
+}
+
+/// The other leg of a right triangle.
+fn leg(hypotenuse: f64, aside: f64) -> f64 {
+    (hypotenuse * hypotenuse - aside * aside).max(0.0).sqrt()
+}
+
 /// Whether some rod is too long to be drawn.
 pub(super) fn is_shortened(engine: &Engine) -> bool {
     engine.rods().any(|rod| rod.ratio.to_f64().is_none_or(|ratio| ratio * LONGEST_ROD < 1.0))
@@ -108,7 +144,7 @@ pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
         seen.entry(key).or_default().push(cylinder);
     }
     let radius = |cylinder: &Cylinder| cylinder.crank_radius.to_f64().unwrap_or(1.0).abs();
-    let reaches = seen.values().map(|cylinders| radius(cylinders[0]) * (1.0 + rod(cylinders[0]).0));
+    let reaches = seen.values().map(|cylinders| radius(cylinders[0]) * (1.0 + reach(cylinders[0])));
     let farthest = reaches.fold(0.0, f64::max);
     let scale = if farthest > 0.0 { REACH / farthest } else { 1.0 };
     let placed = seen.into_iter().map(|(([crank, row], bank, ..), cylinders)| {
@@ -122,9 +158,15 @@ pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
         let (length, offset) = (length * radius, offset * radius * side);
         let (along, pin) = (towards(bank), towards(&engine.pin_angle(cylinders[0])) * radius);
         let across = along * Point::i();
-        // The pin in the frame of the cylinder: along its axis, and across it on the side of ψ = 90°.
-        let turned = pin * along.conj();
-        let leg = |hypotenuse: f64, aside: f64| (hypotenuse * hypotenuse - aside * aside).max(0.0).sqrt();
+        let (joint, length, reach) = match cylinders[0].link() {
+            None => (pin, length, length),
+            Some(link) => {
+                let Knuckle { joint, length } = knuckle(link, along, pin, radius);
+                (joint, length, reach(cylinders[0]) * radius)
+            }
+        };
+        // The joint in the frame of the cylinder: along its axis, and across it on the side of ψ = 90°.
+        let turned = joint * along.conj();
         let height = turned.re + leg(length, turned.im - offset);
         let foot = across * offset;
         Linkage {
@@ -133,9 +175,10 @@ pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
             along,
             across,
             pin,
+            joint,
             piston: foot + along * height,
             foot,
-            stroke: (leg(length - radius, offset), leg(length + radius, offset)),
+            stroke: (leg(reach - radius, offset), leg(reach + radius, offset)),
             row,
             dimension: dimension(engine, cylinders[0]),
             crank,
