@@ -226,11 +226,14 @@ impl Figure {
     }
 }
 
-/// Length and half the width of the head of an arrow in millimetres; none on a line of no length.
+/// Heads are not drawn smaller than this, in millimetres: they would round to nothing.
+const SMALLEST_HEAD: f64 = 0.05;
+
+/// Length and half the width of the head of an arrow in millimetres; none on a line that is too short for one.
 pub(super) fn arrow_head(from: Point, to: Point, stroke: &Stroke) -> Option<(f64, f64)> {
     let length = (to - from).norm();
     let size = (1.2 + 1.6 * stroke.width).min(0.35 * length);
-    (length > 1e-6).then_some((1.6 * size, 0.5 * size))
+    (size > SMALLEST_HEAD).then_some((1.6 * size, 0.5 * size))
 }
 
 /// A coordinate as text: two places at most, no negative zero, and 0 for what is no number.

@@ -110,6 +110,9 @@ pub(super) fn components_tex(vectors: &[Term], along: &Turn) -> Option<String> {
     Some(signed(terms?))
 }
 
+/// A longer image than this, in letters of TeX, does not fit on a line with what it is said to be.
+const LONGEST_IMAGE: usize = 130;
+
 /// The image of a sum modulo a prime: `2\cdot 3^{0} - 3^{4}`; none where it is long.
 pub(super) fn image_tex(terms: &[Term], scale: &BigInt, conductor: &BigInt, root: &BigInt) -> Option<String> {
     let whole = |value: &BigRational, by: &BigInt| (value * BigRational::from_integer(by.clone())).to_integer();
@@ -118,5 +121,6 @@ pub(super) fn image_tex(terms: &[Term], scale: &BigInt, conductor: &BigInt, root
         let factor = if weight.abs().is_one() { String::new() } else { format!("{}\\cdot ", weight.abs()) };
         (weight.is_negative(), format!("{factor}{root}^{{{exponent}}}"))
     };
-    (terms.len() <= MOST_IN_FORMULA).then(|| signed(terms.iter().map(one)))
+    let image = (terms.len() <= MOST_IN_FORMULA).then(|| signed(terms.iter().map(one)));
+    image.filter(|tex| tex.len() <= LONGEST_IMAGE)
 }
