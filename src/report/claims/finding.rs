@@ -8,7 +8,7 @@ use super::super::typeset::{self, Amount};
 use super::orders::Asked;
 use super::{counterweights, forces, gas_torque};
 use crate::claim::{Absolute, Answer, Condition, Finding, Statement, Status, Subject};
-use crate::engine::{DOES_NOT_EXIST, WHY_NOT};
+use crate::engine::WHY_NOT;
 use crate::order::Masses;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::{Quantity, Sense, Shape};
@@ -100,7 +100,7 @@ fn about_torque(torque: &TorquePart) -> Text {
     let order = torque.verdict.order;
     match torque.exists {
         true => phrase!("Order {} of the torque is {}.", order, residual::torque_part(torque)),
-        false => phrase!("Order {} of the torque {}. {}", order, DOES_NOT_EXIST, WHY_NOT),
+        false => phrase!("Order {} of the torque does not exist. {}", order, WHY_NOT),
     }
 }
 
@@ -108,8 +108,10 @@ fn about_order(subject: Subject, order: &OrderBalance) -> Text {
     let is_force = subject.quantity == Quantity::Force;
     let k = subject.order;
     if !order.exists {
-        let name = if is_force { "force" } else { "moment" };
-        return phrase!("Order {} of the {} {}. {}", k, name, DOES_NOT_EXIST, WHY_NOT);
+        return match is_force {
+            true => phrase!("Order {} of the force does not exist. {}", k, WHY_NOT),
+            false => phrase!("Order {} of the moment does not exist. {}", k, WHY_NOT),
+        };
     }
     let balance: &Balance = if is_force { &order.force } else { &order.moment };
     let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {
