@@ -53,6 +53,10 @@ pub(super) fn expand(
     };
     let mut length_unit = LengthUnit::Spacing;
     let cranks = geared_keys::read(several)?;
+    if let (Throws::Follow { .. }, Some(text)) = (&throws, geared_keys::first_phase(several)) {
+        let right = "leave it out: throws that follow from the firing order have it in them";
+        return Err(LayoutError::new("the phase of a crankshaft whose throws are not written", right, place(text)));
+    }
     let cylinders = tables.iter().enumerate().map(|(index, spanned)| {
         let table = &spanned.get_ref().0;
         let pin = table.pin.as_ref().map_or(Ok(0), |pin| quantities::whole(pin, "number of the pin"))? as usize;

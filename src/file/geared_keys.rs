@@ -141,6 +141,11 @@ pub(super) fn several(tables: Option<&Spanned<Tables>>) -> &[Spanned<Table<Keys>
     }
 }
 
+/// The first phase that is written.
+pub(super) fn first_phase(tables: &[Spanned<Table<Keys>>]) -> Option<&Text> {
+    tables.iter().find_map(|table| table.get_ref().0.phase.as_ref())
+}
+
 /// Reads the tables of several crankshafts, and how far the throws of each are turned.
 pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRational)>, LayoutError> {
     let mut names: Vec<&str> = Vec::new();

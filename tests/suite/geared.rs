@@ -410,6 +410,12 @@ fn mistakes_about_crankshafts_get_a_message_at_their_place() {
         (two.replace("'with'", "'against'") + &cylinder("crankshaft = 'a'"), "the first crankshaft"),
         (two.replace("'with'", "'backwards'") + &cylinder("crankshaft = 'a'"), "against"),
         (two.replace("offset = 4", "offset = '40 mm'") + &cylinder("crankshaft = 'a'"), "crank radius is not known"),
+        (
+            "cycle = 'four-stroke'\nfiring_order = '1'\n".to_owned()
+                + &two.replace("offset = 4", "offset = 4\nphase = 30")
+                + "[[cylinder]]\ncrankshaft = 'a'\nbank = 0\nposition = 0\n",
+            "whose throws are not written",
+        ),
         (two.replace("offset = 4", "distance = 4") + &cylinder("crankshaft = 'a'"), "not told in one way"),
         (format!("{two}[inline]\nthrows = [0]"), "short form has its own"),
         (format!("bearings = [1, -1]\n{two}{}", cylinder("crankshaft = 'a'")), "main bearings"),
