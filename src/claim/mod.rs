@@ -44,24 +44,16 @@ pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use statement::{
     Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, Statement, Subject,
-    Tolerance, Unit, Value,
+    Tolerance, Topic, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
 pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
-    let of_orders = match statement {
-        Statement::Order { .. } | Statement::Vanish { .. } | Statement::NoFreeMoment => true,
-        Statement::Shafts { .. }
-        | Statement::CanBalance(_)
-        | Statement::CrankshaftMass(_)
-        | Statement::BearingLoad(_)
-        | Statement::WorstBearings(_)
-        | Statement::LargestLoad(..)
-        | Statement::Formula(_)
-        | Statement::GasTorque { .. }
-        | Statement::FiresEvenly { .. } => false,
+    let of_orders = match statement.topic() {
+        Topic::Orders | Topic::FreeMoment => true,
+        Topic::Forces | Topic::Other => false,
     };
     if of_orders && engine.mechanisms().len() > 1 {
         return classes::answer(engine, statement, numbers);

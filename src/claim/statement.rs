@@ -9,6 +9,37 @@ use crate::numbers::Form;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 
+/// What a statement is about, as far as answers and pages differ by it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Topic {
+    /// Orders of force, moment and torque.
+    Orders,
+    /// A moment that stays wherever the reference plane stands.
+    FreeMoment,
+    /// Forces of gas and masses through the cycle.
+    Forces,
+    /// Cures, masses, loads of the masses alone, firing.
+    Other,
+}
+
+impl Statement {
+    /// What it is about.
+    pub fn topic(&self) -> Topic {
+        match self {
+            Statement::Order { .. } | Statement::Vanish { .. } => Topic::Orders,
+            Statement::NoFreeMoment => Topic::FreeMoment,
+            Statement::Formula(_) | Statement::LargestLoad(..) => Topic::Forces,
+            Statement::Shafts { .. }
+            | Statement::CanBalance(_)
+            | Statement::CrankshaftMass(_)
+            | Statement::BearingLoad(_)
+            | Statement::WorstBearings(_)
+            | Statement::GasTorque { .. }
+            | Statement::FiresEvenly { .. } => Topic::Other,
+        }
+    }
+}
+
 /// A claim about an engine, as the grammar reads it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Statement {

@@ -71,11 +71,12 @@ impl Tails {
     }
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
-    /// its multiples of m r ω²; 0 only where there is none.
+    /// its multiples of m r ω²; 0 only where there is none. The roll moment has no bound here.
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(engine, quantity, &|parts| match quantity {
             Quantity::Force | Quantity::Moment => parts.sum(|tail| tail.force(order)),
-            Quantity::Torque | Quantity::Roll => parts.of_rod(|tail| tail.torque(order)),
+            Quantity::Torque => parts.of_rod(|tail| tail.torque(order)),
+            Quantity::Roll => f64::INFINITY,
         });
         let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
@@ -143,7 +144,8 @@ impl Tails {
             let shaking = 1.0 + parts.sum(|tail| tail.force(0));
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
-                Quantity::Torque | Quantity::Roll => shaking * shaking,
+                Quantity::Torque => shaking * shaking,
+                Quantity::Roll => f64::INFINITY,
             }
         })
     }
@@ -160,7 +162,11 @@ impl Tails {
                 Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius,
             };
             *weights.entry(mechanism.clone()).or_insert_with(BigRational::zero) += weight;
-            if let Some(link) = cylinder.link().filter(|_| quantity != Quantity::Torque) {
+            let is_along_axes = match quantity {
+                Quantity::Force | Quantity::Moment => true,
+                Quantity::Torque | Quantity::Roll => false,
+            };
+            if let Some(link) = cylinder.link().filter(|_| is_along_axes) {
                 // The mass at the knuckle pin moves as the master's piston does, in part.
                 let lever = order::lever(engine, quantity, &cylinder.position).abs();
                 let weight = &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle * lever;

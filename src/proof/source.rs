@@ -48,21 +48,19 @@ impl Document {
         let mut groups = Groups::default();
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
         for cylinder in cylinders {
-            let torque = Factor::of_torque(&cylinder.rod, order);
-            let has_force = match quantity {
-                Quantity::Force | Quantity::Moment => true,
-                Quantity::Roll => !roll::arms(cylinder).is_empty(),
-                Quantity::Torque => false,
+            let (has_force, has_torque) = match quantity {
+                Quantity::Force | Quantity::Moment => (true, false),
+                Quantity::Torque => (false, true),
+                Quantity::Roll => (!roll::arms(cylinder).is_empty(), true),
             };
-            let forces = Factor::of_force(&cylinder.rod, order).into_iter().filter(|_| has_force);
-            for force in forces {
-                groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.parts));
-            }
-            match quantity {
-                Quantity::Force | Quantity::Moment => {}
-                Quantity::Torque | Quantity::Roll => {
-                    groups.add(torque.coefficient, torque.is_zero, Source::Torque(cylinder));
+            if has_force {
+                for force in Factor::of_force(&cylinder.rod, order) {
+                    groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.parts));
                 }
+            }
+            if has_torque {
+                let torque = Factor::of_torque(&cylinder.rod, order);
+                groups.add(torque.coefficient, torque.is_zero, Source::Torque(cylinder));
             }
         }
         // The roll moment of an engine with links is not judged.

@@ -155,8 +155,7 @@ fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<Ve
     let claim = |verdict: &Verdict, class: &Option<Class>| verdict_claim(engine, verdict, class.is_some());
     match quantity {
         Quantity::Torque | Quantity::Roll => {
-            let asked = if quantity == Quantity::Torque { &order.torque } else { &order.roll };
-            let parts = asked.iter().flat_map(|torque| &torque.parts);
+            let parts = order.about_the_axis(quantity).into_iter().flat_map(|torque| &torque.parts);
             parts.map(|part| claim(&part.verdict, &part.class)).collect()
         }
         Quantity::Force | Quantity::Moment => {
@@ -207,8 +206,7 @@ fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
     let both = [Some(proof::Sense::Direct), Some(proof::Sense::Reverse)];
     match quantity {
         Quantity::Torque | Quantity::Roll => {
-            let asked = if quantity == Quantity::Torque { &order.torque } else { &order.roll };
-            let torque = asked.iter().filter(|torque| torque.parts.len() > 1);
+            let torque = order.about_the_axis(quantity).into_iter().filter(|torque| torque.parts.len() > 1);
             torque.map(|torque| claim((&None, &torque.outcome))).collect()
         }
         _ if order.parts.len() < 2 => Vec::new(),

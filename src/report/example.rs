@@ -9,7 +9,6 @@ use super::{table, typeset};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::Turn;
 use crate::numbers;
-use crate::order::Source;
 use crate::page::{Block, Number, Picture, Text, phrase};
 use crate::proof::Sense;
 use crate::verdict::OrderBalance;
@@ -39,17 +38,7 @@ const ALL_CYLINDERS: &str = "Every cylinder has two such vectors. Equation (2) a
 fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cylinder, &'a BigRational)> {
     let direct = &balance.force.direct;
     let terms = direct.sources.iter().zip(direct.sum.terms());
-    let pistons = terms.filter_map(|(source, term)| match source {
-        Source::Piston(index) => Some((engine.cylinders().get(*index)?, &term.weight)),
-        Source::BigEnd(_)
-        | Source::Knuckle(_)
-        | Source::KnuckleAtPin(_)
-        | Source::KnuckleOffPin(_)
-        | Source::Pin(_)
-        | Source::Webs(_)
-        | Source::Counterweight(_)
-        | Source::Balancer(_) => None,
-    });
+    let pistons = terms.filter_map(|(source, term)| Some((engine.cylinders().get(source.piston()?)?, &term.weight)));
     let is_plain = |angle: &Turn| *angle == Turn::zero();
     pistons
         .filter(|(_, weight)| weight.is_positive())

@@ -246,7 +246,7 @@ fn sources(order: &OrderBalance) -> Vec<Source> {
 }
 
 fn is_piston(source: &Source) -> bool {
-    matches!(source, Source::Piston(_))
+    source.piston().is_some()
 }
 
 fn angle_cell(verdict: &Verdict) -> Text {

@@ -125,7 +125,7 @@ pub struct Class {
 impl Class {
     pub(super) fn new(sources: &Sources, group: &Group) -> Self {
         let (pistons, others): (Vec<Source>, Vec<Source>) =
-            group.sources.iter().partition(|source| matches!(source, Source::Piston(_)));
+            group.sources.iter().partition(|source| source.piston().is_some());
         let names = |of: Vec<Source>| of.into_iter().map(|source| source.name(sources.engine())).collect();
         Class {
             factor: group.factor.clone(),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{OrderVerdict, classify};
 use crate::engine::{Engine, NotAnOrder};
-use crate::order::{self, Masses, NotComparable, Source};
+use crate::order::{self, Masses, NotComparable};
 use crate::proof::Quantity;
 
 /// The verdicts on an engine.
@@ -85,7 +85,7 @@ impl Judgement {
         let has_turning = |order: u32| {
             let parts = self.orders.iter().filter(|verdict| verdict.order == order).flat_map(|verdict| &verdict.parts);
             let verdicts = parts.flat_map(|part| part.force.verdicts());
-            verdicts.flat_map(|verdict| &verdict.sources).any(|source| !matches!(source, Source::Piston(_)))
+            verdicts.flat_map(|verdict| &verdict.sources).any(|source| source.piston().is_none())
         };
         self.pistons.iter().flatten().filter(move |verdict| has_turning(verdict.order))
     }

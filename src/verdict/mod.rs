@@ -81,6 +81,15 @@ impl OrderVerdict {
         self.parts.iter().any(|part| part.exists)
     }
 
+    /// The torque or the roll moment, where it was asked for; force and moment have two vectors.
+    pub fn about_the_axis(&self, quantity: Quantity) -> Option<&TorqueVerdict> {
+        match quantity {
+            Quantity::Force | Quantity::Moment => None,
+            Quantity::Torque => self.torque.as_ref(),
+            Quantity::Roll => self.roll.as_ref(),
+        }
+    }
+
     /// Whether the moment is the same about every plane: the force of this order vanishes.
     pub fn moment_is_couple(&self) -> bool {
         !self.exists() || self.force.is_balanced()

@@ -16,7 +16,7 @@ use crankstar::file::{self, Layout};
 use crankstar::page::{Format, Language};
 use crankstar::proof::{Sense, Vector, check_certificate, check_open_document};
 use crankstar::remedy::{Wish, remedy};
-use crankstar::report::{self, BuiltEngine, Contents};
+use crankstar::report::{self, BuiltEngine};
 
 use crate::reports::compare;
 use crate::support::{german, pages, time_domain};
@@ -206,20 +206,7 @@ fn the_angle_of_the_v5_is_the_arc_cosine_of_a_quarter_exactly() {
 
 fn report(layout: &str) -> BTreeMap<String, String> {
     let page = match file::parse_layout("engine.toml", layout).expect("it reads") {
-        Layout::Known(engine, open) => {
-            let open = open.map(|open| (family::classify(&open, engine.orders()).expect("orders"), open));
-            let judged = pages::judgement(&engine);
-            let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
-            let engine = &engine;
-            report::engine_page(Contents {
-                engine,
-                judged: &judged,
-                family,
-                needed: None,
-                in_motion: false,
-                accuracy: None,
-            })
-        }
+        Layout::Known(engine, open) => pages::document_of(&engine, open.as_deref()),
         Layout::Open(_) => panic!("an engine that was built has no open angle"),
     };
     pages::files(&page, Format::GITHUB).into_iter().map(|file| (file.name, file.text)).collect()

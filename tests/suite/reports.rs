@@ -10,7 +10,7 @@ use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::page::{Document, Format};
-use crankstar::report::{self, Contents};
+use crankstar::report;
 
 use crate::support::pages;
 
@@ -113,20 +113,7 @@ fn compare_layouts(below: &str) {
         let layout = fs::read_to_string(folder.join("layout.toml")).expect("a layout file");
         let mut files = BTreeMap::from([("layout.toml".to_owned(), layout.clone())]);
         let page = match file::parse_layout("layout.toml", &layout).expect("it reads") {
-            Layout::Known(engine, open) => {
-                let open = open.map(|open| (family::classify(&open, engine.orders()).expect("orders"), open));
-                let judged = pages::judgement(&engine);
-                let family = open.as_ref().map(|(verdicts, open)| (open.as_ref(), verdicts.as_slice()));
-                let engine = &engine;
-                report::engine_page(Contents {
-                    engine,
-                    judged: &judged,
-                    family,
-                    needed: None,
-                    in_motion: false,
-                    accuracy: None,
-                })
-            }
+            Layout::Known(engine, open) => pages::document_of(&engine, open.as_deref()),
             Layout::Open(open) => {
                 report::family_page(&open, &family::classify(&open, open.orders()).expect("orders"), false)
             }

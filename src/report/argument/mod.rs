@@ -47,16 +47,6 @@ pub(super) fn polygons_shown(star: JudgedStar<'_>) -> Vec<Polygon> {
 
 /// Whether it is the arms that leave nothing of a moment of pistons.
 fn stand_in_the_plane(engine: &Engine, star: JudgedStar<'_>) -> bool {
-    let arm = |source: &Source| match source {
-        Source::Piston(index) => Some(engine.arm(&engine.cylinders()[*index])),
-        Source::BigEnd(_)
-        | Source::Knuckle(_)
-        | Source::KnuckleAtPin(_)
-        | Source::KnuckleOffPin(_)
-        | Source::Pin(_)
-        | Source::Webs(_)
-        | Source::Counterweight(_)
-        | Source::Balancer(_) => None,
-    };
+    let arm = |source: &Source| Some(engine.arm(&engine.cylinders()[source.piston()?]));
     star.sources.iter().all(|source| arm(source).is_some_and(|arm| arm.is_zero()))
 }

@@ -1,7 +1,7 @@
 //! What is said of many orders at once? Which are left, the first of them, and over how many it is known.
 
 use super::super::residual;
-use crate::claim::Statement;
+use crate::claim::{Statement, Topic};
 use crate::page::{Text, phrase};
 use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
@@ -44,20 +44,7 @@ impl Asked<'_> {
     }
 
     fn nothing_left(&self, statement: &Statement) -> Text {
-        let of_free_moment = match statement {
-            Statement::NoFreeMoment => true,
-            Statement::Vanish { .. }
-            | Statement::Order { .. }
-            | Statement::Shafts { .. }
-            | Statement::CanBalance(_)
-            | Statement::CrankshaftMass(_)
-            | Statement::BearingLoad(_)
-            | Statement::WorstBearings(_)
-            | Statement::LargestLoad(..)
-            | Statement::Formula(_)
-            | Statement::GasTorque { .. }
-            | Statement::FiresEvenly { .. } => false,
-        };
+        let of_free_moment = statement.topic() == Topic::FreeMoment;
         match self.period {
             Some(period) if of_free_moment => phrase!(
                 "No order leaves one: its moment vanishes, or is that of its force in one plane; one period of {} orders shows it.",

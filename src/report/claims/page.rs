@@ -4,7 +4,7 @@
 use super::evidence::evidence;
 use super::finding::{claim_finding, claim_status};
 use super::student;
-use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement};
+use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement, Topic};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 use crate::text::Untrusted;
 
@@ -46,19 +46,7 @@ const HOW: &str = "Each answer is decided exactly and proved by the certificates
 
 /// How claims about forces of gas and masses are answered, where there are some.
 fn of_forces(claims: &Claims) -> Option<Block> {
-    let is_of_forces = |statement: &Statement| match statement {
-        Statement::Formula(_) | Statement::LargestLoad(..) => true,
-        Statement::Order { .. }
-        | Statement::Vanish { .. }
-        | Statement::NoFreeMoment
-        | Statement::Shafts { .. }
-        | Statement::CanBalance(_)
-        | Statement::CrankshaftMass(_)
-        | Statement::BearingLoad(_)
-        | Statement::WorstBearings(_)
-        | Statement::GasTorque { .. }
-        | Statement::FiresEvenly { .. } => false,
-    };
+    let is_of_forces = |statement: &Statement| statement.topic() == Topic::Forces;
     let mut all = claims.statements.iter().flat_map(|statement| &statement.claims);
     all.any(|claim| is_of_forces(&claim.statement)).then(|| Block::Paragraph(FORMULAS.into()))
 }

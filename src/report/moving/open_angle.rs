@@ -95,18 +95,8 @@ impl<'a> OpenAngle<'a> {
 
     /// How many times the angle enters the direction of a vector.
     pub fn enters_vector(&self, source: Source, verdict: &Verdict) -> BigRational {
-        let cylinder = match source {
-            Source::Piston(index) => self.family.cylinders().get(index),
-            // A family is judged without them.
-            Source::BigEnd(_)
-            | Source::Knuckle(_)
-            | Source::KnuckleAtPin(_)
-            | Source::KnuckleOffPin(_)
-            | Source::Pin(_)
-            | Source::Webs(_)
-            | Source::Counterweight(_)
-            | Source::Balancer(_) => None,
-        };
+        // A family is judged without masses that turn.
+        let cylinder = source.piston().and_then(|index| self.family.cylinders().get(index));
         let phase = cylinder.zip(verdict.sense).map(|(one, sense)| family::phase(one, verdict.order, sense));
         phase.map_or_else(BigRational::zero, |phase| phase.coefficient(self.unknown))
     }

@@ -106,7 +106,7 @@ const MOST_LABELLED: usize = 2;
 
 /// `1, 4–7`, `1, rod 1`, `1–4, +6`.
 fn label(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
-    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
+    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| source.piston().is_some());
     let labels = |sources: &[Source]| -> Vec<String> { sources.iter().map(|source| source.label(engine)).collect() };
     let pistons = labels(&pistons);
     let pistons = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());

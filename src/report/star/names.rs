@@ -25,7 +25,7 @@ fn listed(
     sources: impl Iterator<Item = Source>,
     turning: impl Fn(&[Source]) -> Vec<String>,
 ) -> String {
-    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| matches!(source, Source::Piston(_)));
+    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| source.piston().is_some());
     let pistons: Vec<String> = pistons.into_iter().map(|source| source.name(engine)).collect();
     let cylinders = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());
     (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning(&others)).collect::<Vec<_>>().join(", ")
@@ -44,7 +44,7 @@ impl Ray {
 
     /// Its members beside the pistons.
     pub fn turning(&self) -> impl Iterator<Item = Source> {
-        self.members.iter().map(|(source, _)| *source).filter(|source| !matches!(source, Source::Piston(_)))
+        self.members.iter().map(|(source, _)| *source).filter(|source| source.piston().is_none())
     }
 
     /// The same in little room, broken into lines in several ways, the widest first: `1, 5, rod 1`, `1, 5, +6 (8 ×)`.

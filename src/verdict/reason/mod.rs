@@ -8,7 +8,6 @@ use num_traits::{Signed, Zero};
 use super::JudgedStar;
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::order::Source;
 use crate::proof::{Certificate, Polygon, Quantity};
 pub use left::{Component, Size};
 pub use symmetry::{mirror_axis, mirror_partners, opposed_partners};
@@ -72,7 +71,7 @@ pub fn reason<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Reason {
 
 /// Whether a mirror plane of the cylinders is one of all that the sum is about.
 fn is_moment_of_pistons(star: JudgedStar<'_>) -> bool {
-    star.quantity == Quantity::Moment && star.sources.iter().all(|source| matches!(source, Source::Piston(_)))
+    star.quantity == Quantity::Moment && star.sources.iter().all(|source| source.piston().is_some())
 }
 
 /// Pairs are named where the certificate is pairs; else a symmetry comes before the polygons.

@@ -1,6 +1,7 @@
 //! The pages of an engine, as most tests want them.
 
-use crankstar::engine::Engine;
+use crankstar::engine::{Engine, Family};
+use crankstar::family;
 use crankstar::page::{self, Document, File, Format, Math, Options, Table};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Contents};
@@ -16,11 +17,17 @@ pub fn judgement(engine: &Engine) -> Judgement {
 
 /// The report of an engine.
 pub fn document(engine: &Engine) -> Document {
+    document_of(engine, None)
+}
+
+/// The report of a layout, with what is known of its family where it has one.
+pub fn document_of(engine: &Engine, family: Option<&Family>) -> Document {
+    let open = family.map(|open| (open, family::classify(open, engine.orders()).expect("orders")));
     let judged = judgement(engine);
     report::engine_page(Contents {
         engine,
         judged: &judged,
-        family: None,
+        family: open.as_ref().map(|(open, verdicts)| (*open, verdicts.as_slice())),
         needed: None,
         in_motion: false,
         accuracy: None,
