@@ -16,8 +16,8 @@ use crate::verdict::OrderBalance;
 /// What stands before equations (1) and (2): one cylinder of these sums, of order 1 or 2, put into them, with a picture.
 pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
     // Above order 2 a coefficient may be negative or imaginary, and the picture would need more words than it explains.
-    // A link's vector is made of several there.
-    let is_one = balance.order == 1 || !engine.has_links();
+    // A link's vector is made of several there, and that of a crank which turns faster is of its first order.
+    let is_one = balance.order == 1 || !(engine.has_links() || engine.faster_crank().is_some());
     let is_shown = balance.exists && balance.order <= 2 && is_one;
     let Some((cylinder, weight)) = chosen(engine, balance).filter(|_| is_shown) else { return Vec::new() };
     let mut blocks =

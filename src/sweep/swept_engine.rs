@@ -222,13 +222,13 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
         (false, false) => [Path::has_nothing_along(&direct, &reverse), Path::has_nothing_across(&direct, &reverse)],
         _ => [false, false],
     };
-    let mut coefficient = |factor: &Factor| match factor {
-        Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
-        Factor::Linkage(linkage) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
+    let mut coefficient = |factor: &Factor| match factor.own(order) {
+        (Factor::Motion(mechanism), order) => motions.coefficient(mechanism, order, highest),
+        (Factor::Linkage(linkage), order) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
         // Of rods that are not given, amplitudes are in multiples of c_k.
-        Factor::One | Factor::Open | Factor::OpenTorque => Complex::new(1.0, 0.0),
-        Factor::Torque(_) | Factor::Side(_) => {
-            unreachable!("shaking forces have no coefficient of torque or side force")
+        (Factor::One | Factor::Open | Factor::OpenTorque, _) => Complex::new(1.0, 0.0),
+        (Factor::Torque(_) | Factor::Side(_) | Factor::Geared(..), _) => {
+            unreachable!("shaking forces have no coefficient of torque or side force, nor a gear of gears")
         }
     };
     let mut value = |sum: &OrderSum| -> Complex<f64> {
