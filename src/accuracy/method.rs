@@ -87,6 +87,9 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }
+    if engine.faster_crank().is_some() {
+        return Err(Missing::FasterCrank("the accuracy of methods"));
+    }
     if engine.has_links() {
         return Err(Missing::ArticulatedRods("the accuracy of methods"));
     }

@@ -127,6 +127,10 @@ pub(super) fn judge_with(
 ) -> Result<SweptEngine, Missing> {
     order::comparable(engine)?;
     engine::are_orders(orders)?;
+    // Without rods amplitudes are in multiples of c_k, which is another number for each speed.
+    if engine.faster_crank().is_some() && engine.mechanisms().is_empty() {
+        return Err(Missing::Rods);
+    }
     let whole = IntegerEngine::new(engine);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {

@@ -127,6 +127,8 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
     ];
+    let faster = engine.faster_crank();
+    let speeds = faster.map(|_| row("crankshafts of several speeds", true, "given: each has the orders that its speed divides", ""));
     let effects = engine.effects();
     let asked = |name, asked: bool, given: bool| EffectRow {
         name,
@@ -144,7 +146,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         asked("gas", effects.gas, engine.gas().is_some()),
         asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some()),
     ];
-    masses.chain(others).chain(sections).collect()
+    masses.chain(others).chain(speeds).chain(sections).collect()
 }
 
 /// Where the numbers end.
