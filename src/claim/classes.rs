@@ -28,12 +28,10 @@ pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Nu
         | Statement::LargestLoad(..)
         | Statement::Formula(_)
         | Statement::GasTorque { .. }
-        | Statement::FiresEvenly { .. } => {
-            Answer::nothing(match engine.faster_crank() {
-                Some(_) => "a crankshaft turns faster than the reference, so that no order is a single sum",
-                None => "the rods of the engine differ, so that no order is a single sum",
-            })
-        }
+        | Statement::FiresEvenly { .. } => Answer::nothing(match engine.faster_crank() {
+            Some(_) => "a crankshaft turns faster than the reference, so that no order is a single sum",
+            None => "the rods of the engine differ, so that no order is a single sum",
+        }),
     }
 }
 

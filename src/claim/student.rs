@@ -95,7 +95,11 @@ struct Sums {
 pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError> {
     let layout = engine(&table.layout, find)?;
     if layout.faster_crank().is_some() {
-        return Err(misread("layout", &table.layout, "an engine whose crankshafts turn equally fast: the others have a star for each speed"));
+        return Err(misread(
+            "layout",
+            &table.layout,
+            "an engine whose crankshafts turn equally fast: the others have a star for each speed",
+        ));
     }
     let order = table.order.get_ref().0.parse().ok().filter(|order| (1..=crate::engine::HIGHEST_ORDER).contains(order));
     let order = order.ok_or_else(|| {

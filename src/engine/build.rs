@@ -259,7 +259,9 @@ impl Draft {
             if let Some(index) = shaft.coefficient_of {
                 let cylinder = engine.cylinders().get(index).ok_or(BuildError::NoSuchCylinder(index))?;
                 if engine.speed_of(cylinder) != 1 {
-                    return Err(BuildError::FasterCrank("a shaft with the coefficient of a cylinder on the faster one"));
+                    return Err(BuildError::FasterCrank(
+                        "a shaft with the coefficient of a cylinder on the faster one",
+                    ));
                 }
             }
         }

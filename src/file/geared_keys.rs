@@ -290,7 +290,8 @@ pub(super) fn placed(
     let crank = |crank: &Geared| {
         Ok(match &crank.axis {
             Axis::Across(height, offset) => {
-                GearedCrank::at(&crank.name, crank.sense, height.read(radius)?, offset.read(radius)?).turning(crank.speed)
+                GearedCrank::at(&crank.name, crank.sense, height.read(radius)?, offset.read(radius)?)
+                    .turning(crank.speed)
             }
             Axis::Towards(distance, angle) => {
                 let distance = distance.read(radius)?;

@@ -160,9 +160,8 @@ impl<'a> Sources<'a> {
     /// Those whose crank has part in an order, each with the order of its own motion that this is.
     pub(super) fn cylinders_with(&self, order: u32) -> impl Iterator<Item = (usize, &'a Cylinder, u32)> {
         let engine = self.engine;
-        self.cylinders().filter_map(move |(index, cylinder)| {
-            engine.own_order(cylinder, order).map(|own| (index, cylinder, own))
-        })
+        self.cylinders()
+            .filter_map(move |(index, cylinder)| engine.own_order(cylinder, order).map(|own| (index, cylinder, own)))
     }
 }
 

@@ -5,7 +5,9 @@ use num_traits::Zero;
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts, check_speed};
+use super::engine::{
+    Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts, check_speed,
+};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;

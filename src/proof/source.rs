@@ -55,7 +55,11 @@ impl Document {
             };
             if has_force {
                 for force in Factor::of_force(&cylinder.rod, own) {
-                    groups.add(force.coefficient.geared(cylinder.speed), force.is_zero, Source::Cylinder(cylinder, force.parts));
+                    groups.add(
+                        force.coefficient.geared(cylinder.speed),
+                        force.is_zero,
+                        Source::Cylinder(cylinder, force.parts),
+                    );
                 }
             }
             if has_torque {

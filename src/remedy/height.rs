@@ -40,7 +40,14 @@ pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
     let upright = first.bank.turns().is_zero();
     let same_rods = engine.rods().all(|other: &Rod| other == rod);
     let faster = engine.faster_crank().is_some();
-    if faster || !alike || !upright || !same_rods || !rod.offset.is_zero() || rod.ratio.is_zero() || order == 0 || order % 2 == 1
+    if faster
+        || !alike
+        || !upright
+        || !same_rods
+        || !rod.offset.is_zero()
+        || rod.ratio.is_zero()
+        || order == 0
+        || order % 2 == 1
     {
         return None;
     }

@@ -8,8 +8,9 @@ use crate::exact::Term;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
-    self, Coefficient, CrankClaim, Cylinder, Document, Format, LinkClaim, LinkageClaim, GearedClaim, OrderClaim, Quantity, RodClaim,
-    RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
+    self, Coefficient, CrankClaim, Cylinder, Document, Format, GearedClaim, LinkClaim, LinkageClaim, OrderClaim,
+    Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim,
+    WholeOutcome,
 };
 use crate::verdict::{self, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 

@@ -264,7 +264,9 @@ pub(super) fn why_not(masses: Masses) -> &'static str {
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
 pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     let parts = judged.orders.iter().flat_map(|order| &order.parts);
-    let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One && !class.turning.is_empty());
+    let is_apart = |part: &OrderBalance| {
+        part.class.as_ref().is_some_and(|class| class.factor == Factor::One && !class.turning.is_empty())
+    };
     let mut apart = parts.filter(|part| is_apart(part));
     apart.next().map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }

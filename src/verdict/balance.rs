@@ -124,11 +124,20 @@ pub struct Class {
 }
 
 impl Class {
-    /// That of a group among so many; none of the only one, but where crankshafts turn at different speeds: there it tells before which
-    /// number the sum stands.
-    pub(super) fn of(sources: &Sources, group: &Group, groups: usize) -> Option<Self> {
-        let is_told = groups > 1 || (sources.engine().faster_crank().is_some() && !group.sources.is_empty());
-        is_told.then(|| Class::new(sources, group))
+    /// That of a group of an order among so many; none of the only one, but where it is of a crankshaft that turns faster than the
+    /// reference: there it tells before which number the sum stands.
+    pub(super) fn of(sources: &Sources, group: &Group, groups: usize, order: u32) -> Option<Self> {
+        let is_of_faster = match &group.factor {
+            Factor::Geared(..) => true,
+            Factor::One => order > 1 && sources.engine().faster_crank().is_some() && !group.sources.is_empty(),
+            Factor::Motion(_)
+            | Factor::Torque(_)
+            | Factor::Side(_)
+            | Factor::Linkage(_)
+            | Factor::Open
+            | Factor::OpenTorque => false,
+        };
+        (groups > 1 || is_of_faster).then(|| Class::new(sources, group))
     }
 
     fn new(sources: &Sources, group: &Group) -> Self {

@@ -132,7 +132,7 @@ fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coef
     let about_the_axis = |quantity| quantities.contains(&quantity).then(|| one_vector(sources, quantity, order, known));
     let terms = sources.force_terms(order);
     let groups = terms.groups();
-    let class = |group: &Group| Class::of(sources, group, groups.len());
+    let class = |group: &Group| Class::of(sources, group, groups.len(), order);
     let part = |group: &Group| OrderBalance {
         order,
         exists: group.exists,
@@ -187,7 +187,7 @@ fn one_vector(sources: &Sources, quantity: Quantity, order: u32, known: &Coeffic
     let groups = terms.groups();
     let part = |group: &Group| TorquePart {
         exists: group.exists,
-        class: Class::of(sources, group, groups.len()),
+        class: Class::of(sources, group, groups.len(), order),
         verdict: Verdict::new(&terms, group, quantity, None),
     };
     let parts: Vec<TorquePart> = groups.iter().map(part).collect();

@@ -128,7 +128,8 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
     ];
     let faster = engine.faster_crank();
-    let speeds = faster.map(|_| row("crankshafts of several speeds", true, "given: each has the orders that its speed divides", ""));
+    let speeds = faster
+        .map(|_| row("crankshafts of several speeds", true, "given: each has the orders that its speed divides", ""));
     let effects = engine.effects();
     let asked = |name, asked: bool, given: bool| EffectRow {
         name,

@@ -176,7 +176,8 @@ fn beyond_counterweights(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
 
 /// The same where crankshafts turn at different speeds: each has counterweights for its own first order, in its own sense.
 fn beyond_several(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
-    let turns = |order: u32, sense| engine.geared_cranks().iter().any(|crank| (crank.speed, crank.sense) == (order, sense));
+    let turns =
+        |order: u32, sense| engine.geared_cranks().iter().any(|crank| (crank.speed, crank.sense) == (order, sense));
     let is_beyond = |order: &&&OrderVerdict| {
         let senses = [Sense::Direct, Sense::Reverse].into_iter().zip(left_vectors(order));
         senses.into_iter().any(|(sense, left)| left && !turns(order.order, sense))

@@ -49,14 +49,12 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     blocks
 }
 
-const TORQUE_AND_ROLL: &str =
-    "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
+const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
          what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
          turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
          torque that changes; with one flywheel at the reference crankshaft the frame feels the torque turned round in place of the sum of \
          those on the cranks.";
-const AT_SEVERAL_SPEEDS: &str =
-    "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is \
+const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is \
          what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
          turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
          torque that changes.";

@@ -12,7 +12,8 @@ const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j \\mp t_k\\, m_j 
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
 
 const TORQUE_SPEEDS: &str = "with k/ν for k and ν³ before the terms of a crankshaft that turns ν times while the reference turns once: ν² for the forces, ν for the gear.";
-const ROLL_SPEEDS: &str = "A crankshaft that turns ν times while the reference turns once has k/ν for k, and ν² before its terms.";
+const ROLL_SPEEDS: &str =
+    "A crankshaft that turns ν times while the reference turns once has k/ν for k, and ν² before its terms.";
 
 /// The verdicts: at the orders that it has numbers of, else at the first and those of force and moment; one per mechanism where
 /// they differ.

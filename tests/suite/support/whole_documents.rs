@@ -26,6 +26,7 @@ pub fn cylinder(name: &str, [throw, bank, position]: [&str; 3], rod: Option<[&st
         crank_radius: BigRational::one(),
         rod: rod.map_or(RodStatement::Unknown, known),
         knuckle_weight: BigRational::zero(),
+        speed: 1,
         crankshaft: None,
     }
 }
@@ -186,6 +187,7 @@ pub fn number(coefficient: &Coefficient, order: u32) -> Option<Complex<f64>> {
         Coefficient::Common | Coefficient::CommonTorque => None,
         Coefficient::Rod(rod) => Some(crank(rod).coefficient(order).to_complex()),
         Coefficient::Linkage(_) => panic!("documents by hand have no links"),
+        Coefficient::Geared(geared) => number(&geared.of, order / geared.speed),
         Coefficient::Torque(rod) => Some(crank(rod).torque_coefficient(order).to_complex()),
     }
 }
