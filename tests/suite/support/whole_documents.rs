@@ -5,8 +5,8 @@ use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::evaluate;
 use crankstar::proof::{
-    Coefficient, Cylinder, Document, Format, Masses, MirrorClaim, Quantity, RodClaim, RodStatement, Sense, Shape,
-    ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
+    Coefficient, Cylinder, Document, Format, GearedClaim, Masses, MirrorClaim, Quantity, RodClaim, RodStatement, Sense,
+    Shape, ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -125,10 +125,21 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
     if matches!(document.masses, Masses::Reciprocating | Masses::All) {
-        for cylinder in &document.cylinders {
-            let (coefficient, is_zero, sign) = before(&cylinder.rod, quantity, order);
+        // A crank that turns faster has the orders that its speed divides, each as the order of its own motion.
+        for cylinder in document.cylinders.iter().filter(|cylinder| order % cylinder.speed == 0) {
+            let (speed, own) = (cylinder.speed, order / cylinder.speed);
+            let (coefficient, is_zero, sign) = before(&cylinder.rod, quantity, own);
+            let coefficient = match (coefficient, speed) {
+                (Coefficient::One, _) => Coefficient::One,
+                (of, 1) => of,
+                (of, speed) => Coefficient::Geared(GearedClaim { speed, of: Box::new(of) }),
+            };
+            let (k, faster) = (i64::from(own), i64::from(speed));
             let radius = &cylinder.crank_radius;
-            let by = if quantity == Quantity::Torque { radius.clone() } else { arm(&cylinder.position) };
+            let by = match quantity {
+                Quantity::Torque => radius * whole(faster * faster * faster),
+                _ => arm(&cylinder.position) * whole(faster * faster),
+            };
             let weight = &cylinder.reciprocating_mass * radius * by * whole(sign);
             let (b, a) = (Turn::new(cylinder.throw.clone()), Turn::new(cylinder.bank.clone()));
             let term = |sense: Option<Sense>| {
