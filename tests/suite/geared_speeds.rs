@@ -118,7 +118,8 @@ fn remedies_of_engines_with_fast_cranks_hold() {
             Ok(file) => {
                 written += 1;
                 let corrected = layout(&file);
-                for order in judged(&corrected, &[1, 2, 3], Masses::All) {
+                let orders = judged(&corrected, &[1, 2, 3], Masses::All);
+                for order in orders.iter().filter(|order| order.exists()) {
                     assert!(order.force.is_balanced() && order.moment.is_balanced(), "{file}");
                 }
             }
@@ -131,9 +132,9 @@ fn remedies_of_engines_with_fast_cranks_hold() {
 #[test]
 fn random_engines_with_fast_cranks_feel_what_newtons_law_says_of_each_body() {
     let mut dice = Dice::new(19);
-    let orders: Vec<u32> = (1..=160).collect();
+    let orders: Vec<u32> = (1..=66).collect();
     let mut faster = 0;
-    for _ in 0..25 {
+    for _ in 0..16 {
         let text = any_engine_at(&mut dice, 3);
         let engine = layout(&text);
         faster += usize::from(engine.faster_crank().is_some());
@@ -149,7 +150,7 @@ fn random_engines_with_fast_cranks_feel_what_newtons_law_says_of_each_body() {
             assert!(near(roll.waveform.at(theta).re, frame), "roll\n{text}");
         }
     }
-    assert!(faster > 12, "{faster} of 25");
+    assert!(faster > 8, "{faster} of 16");
 }
 
 /// The orders that an accuracy needs keep the largest force of all orders within its bound, by the bodies.
