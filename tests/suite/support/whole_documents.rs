@@ -126,7 +126,7 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
     let mut parts = Vec::new();
     if matches!(document.masses, Masses::Reciprocating | Masses::All) {
         // A crank that turns faster has the orders that its speed divides, each as the order of its own motion.
-        for cylinder in document.cylinders.iter().filter(|cylinder| order % cylinder.speed == 0) {
+        for cylinder in document.cylinders.iter().filter(|cylinder| order.is_multiple_of(cylinder.speed)) {
             let (speed, own) = (cylinder.speed, order / cylinder.speed);
             let (coefficient, is_zero, sign) = before(&cylinder.rod, quantity, own);
             let coefficient = match (coefficient, speed) {
