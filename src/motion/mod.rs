@@ -20,7 +20,9 @@
 
 mod ball;
 mod centric;
+mod circle;
 mod closed;
+mod corrected;
 mod crank;
 mod enclosure;
 mod error;
@@ -33,6 +35,7 @@ mod small;
 mod tail;
 mod torque;
 
+pub use corrected::{Component, CorrectedLinkage, CorrectedTail};
 pub use crank::SliderCrank;
 pub use enclosure::{Coefficient, Enclosure};
 pub use error::NoFullTurn;

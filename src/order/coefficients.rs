@@ -19,7 +19,7 @@ pub struct Coefficients {
 
 impl Coefficients {
     /// The value of a factor in an order: computed once; none where nothing is known of the mechanism, and for what a link has no
-    /// number of: its motion is that of a [`Factor::Linkage`], and its torque is not judged.
+    /// number of: its motion is that of a [`Factor::Linkage`] or [`Factor::Corrected`], and its torque is not judged.
     pub fn of(&self, factor: &Factor, order: u32) -> Option<Coefficient> {
         let key = (factor.clone(), order);
         if let Some(known) = self.known.borrow().get(&key) {
@@ -32,6 +32,9 @@ impl Coefficients {
             Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
+            Factor::Corrected(corrected, component) => {
+                Coefficient { re: corrected.motion().component(order, *component), im: Enclosure::zero() }
+            }
         };
         self.known.borrow_mut().insert(key, coefficient.clone());
         Some(coefficient)

@@ -225,6 +225,9 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
     let mut coefficient = |factor: &Factor| match factor {
         Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
         Factor::Linkage(linkage) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
+        Factor::Corrected(linkage, component) => {
+            Complex::new(linkage.motion().component(order, *component).to_float(), 0.0)
+        }
         // Of rods that are not given, amplitudes are in multiples of c_k.
         Factor::One | Factor::Open | Factor::OpenTorque => Complex::new(1.0, 0.0),
         Factor::Torque(_) | Factor::Side(_) => {

@@ -5,6 +5,7 @@ use num_traits::{Signed, Zero};
 
 use super::super::{residual, typeset};
 use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
+use crate::exact::Turn;
 use crate::loads::{self, Loads};
 use crate::order;
 use crate::page::{Block, Number, Table, Text, phrase};
@@ -148,7 +149,7 @@ pub(super) fn hidden(engine: &Engine) -> Option<Text> {
 fn loads_with(engine: &Engine, ratio: &BigRational, knuckle: Option<&BigRational>) -> Result<Loads, String> {
     let rod = Mechanism::SliderCrank(Rod { ratio: ratio.clone(), offset: BigRational::zero() });
     let mut draft = Draft { cylinders: engine.cylinders().to_vec(), ..Draft::new("") };
-    let mut masters: Vec<(usize, crate::exact::Turn)> = Vec::new();
+    let mut masters: Vec<(usize, Turn)> = Vec::new();
     for cylinder in &mut draft.cylinders {
         cylinder.rotating_mass = BigRational::zero();
         cylinder.mechanism = Some(rod.clone());
@@ -160,6 +161,7 @@ fn loads_with(engine: &Engine, ratio: &BigRational, knuckle: Option<&BigRational
                     master: ratio.clone(),
                     knuckle: knuckle.clone(),
                     angle: &cylinder.bank - &bank,
+                    correction: Turn::zero(),
                     ratio: ratio / (one - knuckle),
                 }));
             }
