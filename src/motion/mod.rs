@@ -23,6 +23,7 @@ mod centric;
 mod circle;
 mod closed;
 mod corrected;
+mod corrected_tail;
 mod crank;
 mod enclosure;
 mod error;
@@ -35,7 +36,8 @@ mod small;
 mod tail;
 mod torque;
 
-pub use corrected::{Component, CorrectedLinkage, CorrectedTail};
+pub use corrected::{Component, CorrectedLinkage};
+pub use corrected_tail::CorrectedTail;
 pub use crank::SliderCrank;
 pub use enclosure::{Coefficient, Enclosure};
 pub use error::NoFullTurn;

@@ -5,15 +5,17 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
+use super::corrected::Corrected;
 use super::factor::Factor;
 use crate::engine::Mechanism;
-use crate::motion::{Coefficient, Enclosure, SliderCrank};
+use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, SliderCrank};
 use crate::proof::Sense;
 
 /// The values of factors that were asked for.
 #[derive(Debug, Default)]
 pub struct Coefficients {
     cranks: RefCell<BTreeMap<Mechanism, SliderCrank>>,
+    corrected: RefCell<BTreeMap<Corrected, CorrectedLinkage>>,
     known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
 }
 
@@ -33,7 +35,9 @@ impl Coefficients {
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
             Factor::Corrected(corrected, component) => {
-                Coefficient { re: corrected.motion().component(order, *component), im: Enclosure::zero() }
+                let mut corrected_ones = self.corrected.borrow_mut();
+                let motion = corrected_ones.entry(corrected.clone()).or_insert_with(|| corrected.motion());
+                Coefficient { re: motion.component(order, *component), im: Enclosure::zero() }
             }
         };
         self.known.borrow_mut().insert(key, coefficient.clone());
