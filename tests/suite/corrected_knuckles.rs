@@ -246,7 +246,7 @@ fn random_engine(dice: &mut Dice) -> (String, Vec<Body>) {
 #[test]
 fn random_corrected_engines_shake_as_the_momentum_of_every_body_changes() {
     let mut dice = Dice::new(1820);
-    for _ in 0..10 {
+    for _ in 0..6 {
         let (text, bodies) = random_engine(&mut dice);
         let engine = read(&text);
         let found = of_orders(&engine, &(1..=26).collect::<Vec<u32>>()).force;
@@ -409,7 +409,7 @@ fn a_link_in_line_with_its_master_has_real_even_and_imaginary_odd_harmonics() {
 #[test]
 fn no_orders_above_one_add_more_than_their_bound() {
     let mut dice = Dice::new(7);
-    for _ in 0..8 {
+    for _ in 0..4 {
         let (text, _) = random_engine(&mut dice);
         let engine = read(&text);
         let tails = Tails::new(&engine).expect("numbers");
