@@ -99,10 +99,7 @@ impl Link {
 
     /// The same where it is.
     pub fn corrected(&self) -> Option<CorrectedLinkage> {
-        CorrectedLinkage::new(
-            [&self.ratio, &self.knuckle, &self.master],
-            [self.angle.turns(), self.correction.turns()],
-        )
+        CorrectedLinkage::new([&self.ratio, &self.knuckle, &self.master], [self.angle.turns(), self.correction.turns()])
     }
 
     fn turns_round(&self) -> bool {

@@ -69,7 +69,10 @@ impl Tails {
     }
 
     fn with(motion: &Motion, tail: impl Fn(&SliderCrank) -> Tail) -> Self {
-        let rods = motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None }));
+        let rods = motion
+            .cranks
+            .iter()
+            .map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None }));
         let links = motion.links.iter().filter_map(|link| {
             let master = order::crank(&Mechanism::SliderCrank(link.master_rod()))?;
             let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];

@@ -88,10 +88,7 @@ struct Samples {
 impl CorrectedLinkage {
     /// From r/L, κ and λ, and Δ and ε in turns. None where the crank cannot turn round, or comes so near to that that the bounds do not tell;
     /// κ and λ are positive, and ε is less than a quarter turn.
-    pub fn new(
-        [ratio, knuckle, master]: [&BigRational; 3],
-        [angle, correction]: [&BigRational; 2],
-    ) -> Option<Self> {
+    pub fn new([ratio, knuckle, master]: [&BigRational; 3], [angle, correction]: [&BigRational; 2]) -> Option<Self> {
         let correction = correction - correction.round();
         let is_right = !ratio.is_negative() && knuckle.is_positive() && master.is_positive();
         if !is_right || correction.abs() >= BigRational::new(1.into(), 4.into()) {
@@ -176,8 +173,7 @@ impl CorrectedLinkage {
         let ball = |number: &BigRational| Ball::rational(number, bits);
         let [along, across] = [cosine(&self.correction, bits), sine(&self.correction, bits)];
         let [ahead, aside] = [cosine(&self.angle, bits), sine(&self.angle, bits)];
-        let (along, across) =
-            (ball(&self.knuckle).times(&along), ball(&(&self.knuckle / &self.master)).times(&across));
+        let (along, across) = (ball(&self.knuckle).times(&along), ball(&(&self.knuckle / &self.master)).times(&across));
         let (master, ratio, one) = (ball(&self.master), ball(&self.ratio), Ball::integer(1, bits));
         let points = circle(count, bits);
         let root = |[cos, sin]: &[Ball; 2]| {

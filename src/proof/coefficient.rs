@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
-use super::knuckle::{KnuckleClaim, Part};
 use super::engine::{RodClaim, RodStatement};
+use super::knuckle::{KnuckleClaim, Part};
 use super::link::{LinkClaim, LinkageClaim};
 use super::verdict::Vector;
 

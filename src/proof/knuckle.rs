@@ -93,9 +93,7 @@ impl LinkClaim {
     pub(super) fn swung_with_the_master(&self, order: u32) -> Vec<Vector> {
         let angle = &self.angle * BigRational::from_integer(order.into());
         let half = &self.knuckle / BigRational::from_integer(2.into());
-        [&angle + &self.correction, angle - &self.correction]
-            .map(|angle| Vector { angle, weight: half.clone() })
-            .into()
+        [&angle + &self.correction, angle - &self.correction].map(|angle| Vector { angle, weight: half.clone() }).into()
     }
 
     /// The same before a part of h_k: ±1, or ± a quarter turn.
@@ -205,8 +203,7 @@ impl KnuckleClaim {
             let (cos, sin) = circle.cos_sin(angle);
             [cos, sin].map(|middle| Ball { middle, doubt: 2.into() })
         };
-        let table: Vec<[Ball; 2]> =
-            (0..=half).map(|j| turned(&BigRational::new(j.into(), count.into()))).collect();
+        let table: Vec<[Ball; 2]> = (0..=half).map(|j| turned(&BigRational::new(j.into(), count.into()))).collect();
         let ([cos_correction, sin_correction], [ahead, aside]) = (turned(&self.correction), turned(&self.apart));
         let along = cos_correction.scaled(&self.knuckle);
         let across = sin_correction.scaled(&(&self.knuckle / &self.master));

@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, squared_words};
 use super::ball::Ball;
-use super::knuckle::Part;
 use super::enclosure::Circle;
 use super::engine::RodClaim;
 use super::fraction;
+use super::knuckle::Part;
 use super::refusal::Refusal;
 use super::verdict::Vector;
 

@@ -9,8 +9,9 @@ use crate::motion::Component;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
-    self, Coefficient, CrankClaim, Cylinder, Document, Format, KnuckleClaim, LinkClaim, LinkageClaim, OrderClaim, Quantity, RodClaim,
-    RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
+    self, Coefficient, CrankClaim, Cylinder, Document, Format, KnuckleClaim, LinkClaim, LinkageClaim, OrderClaim,
+    Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim,
+    WholeOutcome,
 };
 use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 

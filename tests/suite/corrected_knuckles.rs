@@ -7,9 +7,11 @@ use crankstar::engine::Engine;
 use crankstar::exact::Turn;
 use crankstar::file;
 use crankstar::loads::{self, Loads, OrderLoads, Tails};
-use crankstar::page::Format;
 use crankstar::motion::{Component, CorrectedLinkage};
-use crankstar::proof::{Coefficient, Document, Quantity, RodStatement, Shape, WholeOutcome, check_document, read_document};
+use crankstar::page::Format;
+use crankstar::proof::{
+    Coefficient, Document, Quantity, RodStatement, Shape, WholeOutcome, check_document, read_document,
+};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report;
 use crankstar::verdict::Outcome;
@@ -313,7 +315,10 @@ fn knuckle_angles_are_corrections_of_the_angles_of_their_cylinders() {
     };
     let angles = row("knuckle_angle = [75, 144, 216, 285]");
     assert_eq!(angles.cylinders(), row("knuckle_correction = [3, 0, 0, -3]").cylinders());
-    assert_eq!(angles.cylinders()[1].link().expect("a link").knuckle_angle(), Turn::from_degrees(&BigRational::from_integer(75.into())));
+    assert_eq!(
+        angles.cylinders()[1].link().expect("a link").knuckle_angle(),
+        Turn::from_degrees(&BigRational::from_integer(75.into()))
+    );
     // They count with the crank, whichever way it is drawn.
     let drawn = |rotation: &str, bank: i32| {
         read(&format!(

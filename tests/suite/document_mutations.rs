@@ -125,7 +125,9 @@ const FREE_TEXT: [&str; 3] = [".title", ".cylinders[].name", ".turning_masses[].
 
 /// A whole turn more, or none less, is the same direction.
 fn is_same_direction(path: &str, before: &Value, after: &Value) -> bool {
-    let is_angle = ["angle", "correction", "throw", "bank", "rotation", "turn"].iter().any(|key| path.ends_with(&format!(".{key}")));
+    let is_angle = ["angle", "correction", "throw", "bank", "rotation", "turn"]
+        .iter()
+        .any(|key| path.ends_with(&format!(".{key}")));
     let is_known_part = path.ends_with(".throw.1") || path.ends_with(".bank.1");
     let parsed = |value: &Value| value.as_str().and_then(|text| text.parse::<num_rational::BigRational>().ok());
     let (Some(before), Some(after)) = (parsed(before), parsed(after)) else { return false };

@@ -48,15 +48,18 @@ const LARGEST: &str =
 const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
                      taken about the reference plane.";
 
-const LINKS: &str =
-    "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
 
 const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k.";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {
     if engine.has_links() {
-        return Text::from(ARTICULATED).and(" ").and(if engine.is_centric() { CENTRIC_ORDERS } else { ORDERS_OF_CORRECTED });
+        return Text::from(ARTICULATED).and(" ").and(if engine.is_centric() {
+            CENTRIC_ORDERS
+        } else {
+            ORDERS_OF_CORRECTED
+        });
     }
     let unequal = engine.mechanisms().len() > 1;
     match (unequal, engine.has_offset()) {
