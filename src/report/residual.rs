@@ -263,10 +263,11 @@ pub(super) fn why_not(masses: Masses) -> &'static str {
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
 pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
-    let parts = judged.orders.iter().flat_map(|order| &order.parts);
-    let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
-    let mut apart = parts.filter(|part| is_apart(part));
-    apart.next().map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
+    let classes = || judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
+    // Links with a corrected knuckle angle have a part of their order 1 there, and their own words for it.
+    let has_corrected = classes().any(|class| class.factor.may_be_zero());
+    let is_apart = |class: &&Class| class.factor == Factor::One && !(has_corrected && class.turning.is_empty());
+    classes().find(is_apart).map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }
 
 /// In words with places for size and shape; without them in both alone.

@@ -50,7 +50,7 @@ const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decim
 
 const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
 
-const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k.";
+const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {
