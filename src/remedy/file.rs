@@ -84,7 +84,7 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result
 
 fn is_of_link(factor: &Factor) -> bool {
     match factor {
-        Factor::Linkage(_) => true,
+        Factor::Linkage(_) | Factor::Corrected(..) => true,
         Factor::One
         | Factor::Motion(_)
         | Factor::Torque(_)
@@ -104,7 +104,8 @@ fn is_of_faster_crank(factor: &Factor) -> bool {
         | Factor::Side(_)
         | Factor::Open
         | Factor::OpenTorque
-        | Factor::Linkage(_) => false,
+        | Factor::Linkage(_)
+        | Factor::Corrected(..) => false,
     }
 }
 
@@ -214,7 +215,7 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
     let one = BigRational::from_integer(1.into());
     match factor {
         // Of a link, or a faster crank, no file is written.
-        Factor::One | Factor::Linkage(_) | Factor::Geared(..) => (None, one),
+        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
             let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));

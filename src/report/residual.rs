@@ -7,6 +7,7 @@ pub(super) use super::residual_words::{sentence, whole_sentence};
 use super::typeset::{self, Amount, Bearing, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
+use crate::motion::Component;
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
 use crate::page::{Text, phrase};
@@ -81,6 +82,15 @@ fn class_words(class: &Class, order: u32) -> String {
             Mechanism::Link(link) => format!(", r/L {}", equals(&link.ratio)),
         },
         Factor::Linkage(linkage) => format!(", Δ = ±{}", typeset::degrees(&linkage.apart.degrees())),
+        Factor::Corrected(linkage, component) => {
+            let [apart, correction] =
+                [&linkage.apart, &linkage.correction].map(|angle| typeset::degrees(&angle.degrees()));
+            let part = match component {
+                Component::Real => "Re",
+                Component::Imaginary => "Im",
+            };
+            format!(", Δ = ±{apart}, ε = ±{correction}, {part}")
+        }
         Factor::One | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
     };
     let own = if own_order == order { String::new() } else { format!(", order {own_order} of its own crankshaft") };
@@ -182,7 +192,8 @@ fn is_of_torque(factor: &Factor) -> bool {
     match factor {
         Factor::Geared(_, own) => is_of_torque(own),
         Factor::Torque(_) | Factor::OpenTorque => true,
-        Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Linkage(_) | Factor::Open => false,
+        Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open => false,
+        Factor::Linkage(_) | Factor::Corrected(..) => false,
     }
 }
 
@@ -263,12 +274,10 @@ pub(super) fn why_not(masses: Masses) -> &'static str {
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
 pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
-    let parts = judged.orders.iter().flat_map(|order| &order.parts);
-    let is_apart = |part: &OrderBalance| {
-        part.class.as_ref().is_some_and(|class| class.factor == Factor::One && !class.turning.is_empty())
-    };
-    let mut apart = parts.filter(|part| is_apart(part));
-    apart.next().map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
+    let mut classes = judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
+    // Links with a corrected knuckle angle, and crankshafts of several speeds, have a part of pistons there, and their own words for it.
+    let is_apart = |class: &&Class| class.factor == Factor::One && !class.turning.is_empty();
+    classes.find(is_apart).map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }
 
 /// In words with places for size and shape; without them in both alone.

@@ -134,6 +134,7 @@ impl Class {
             | Factor::Torque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
+            | Factor::Corrected(..)
             | Factor::Open
             | Factor::OpenTorque => false,
         };

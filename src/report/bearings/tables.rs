@@ -107,7 +107,7 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
 /// The rod whose motion a sum stands before.
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
-        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) => None,
+        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) | Factor::Corrected(..) => None,
         Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => mechanism.rod(),
         Factor::Geared(_, own) => rod(own),
     }
@@ -123,6 +123,7 @@ fn number(factor: &Factor) -> Option<char> {
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),
         Factor::Geared(_, own) => number(own),
+        Factor::Corrected(..) => Some('h'),
     }
 }
 

@@ -90,6 +90,8 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     Table { rows, ..Table::new(["Symbol", "Meaning", "Unit"]) }
 }
 
+const CORRECTED: &str = "corrected knuckle angles";
+
 /// A row of the table of effects.
 pub(super) struct EffectRow {
     /// What it is about.
@@ -122,7 +124,12 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
     };
     let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses();
     let others = [
-        row("pin offset", engine.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
+        row(
+            "pin offset",
+            engine.has_offset(),
+            "given: odd orders appear",
+            if engine.is_centric() { "none: no odd orders but 1" } else { "none" },
+        ),
         row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
@@ -130,6 +137,8 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
     let faster = engine.faster_crank();
     let speeds = faster
         .map(|_| row("crankshafts of several speeds", true, "given: each has the orders that its speed divides", ""));
+    let corrected = engine.has_corrected_links();
+    let others = others.into_iter().chain(corrected.then(|| row(CORRECTED, true, "given: odd orders appear", "none")));
     let effects = engine.effects();
     let asked = |name, asked: bool, given: bool| EffectRow {
         name,

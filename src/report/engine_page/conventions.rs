@@ -2,7 +2,7 @@
 
 use super::super::convention::{differs, seen};
 use super::super::{residual, table};
-use crate::engine::{Engine, LengthUnit};
+use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::page::{Block, Text, phrase};
 
 /// The conventions of a report.
@@ -33,11 +33,15 @@ pub(super) fn units(engine: &Engine) -> Text {
         LengthUnit::Spacing => "moments in that times a, the unit of the positions (the cylinder spacing).".into(),
     };
     let signs = forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS);
-    match (engine.has_links(), engine.faster_crank()) {
-        (true, _) => signs.and(" ").and(LINKS),
-        (false, Some(_)) => signs.and(" ").and(residual::SPEED_LEGEND),
-        (false, None) => signs,
-    }
+    let speeds = engine.faster_crank().map(|_| residual::SPEED_LEGEND);
+    links(engine).into_iter().chain(speeds).fold(signs, |signs, words| signs.and(" ").and(words))
+}
+
+/// What the rows of links count in, for those that the engine has.
+pub(super) fn links(engine: &Engine) -> Vec<&'static str> {
+    let of_engine = || engine.cylinders().iter().filter_map(Cylinder::link);
+    let plain = of_engine().any(|link| !link.is_corrected()).then_some(LINKS);
+    plain.into_iter().chain(engine.has_corrected_links().then_some(CORRECTED)).collect()
 }
 
 const LARGEST: &str =
@@ -45,14 +49,18 @@ const LARGEST: &str =
 const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
                      taken about the reference plane.";
 
-/// What the rows of links count in.
-pub(super) const LINKS: &str =
-    "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+
+const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {
     if engine.has_links() {
-        return Text::from(ARTICULATED).and(" ").and(CENTRIC_ORDERS);
+        return Text::from(ARTICULATED).and(" ").and(if engine.is_centric() {
+            CENTRIC_ORDERS
+        } else {
+            ORDERS_OF_CORRECTED
+        });
     }
     let unequal = engine.mechanisms().len() > 1;
     match (unequal, engine.has_offset()) {
@@ -76,6 +84,7 @@ const EVERY_OWN_ORDER: &str =
     "The cylinder axes miss the crankshaft, so that every order of each crankshaft exists, multiplied by its speed.";
 const CENTRIC_OWN_ORDERS: &str =
     "Orders of centric cranks are 1 and the even ones, multiplied by the speed of their crankshaft.";
+const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every order may exist.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
 const CENTRES: &str =
