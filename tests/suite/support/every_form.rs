@@ -13,6 +13,7 @@ pub fn known(dice: &mut Dice) -> String {
         5 => geared(dice),
         6 => two_pistons(dice),
         7 => narrow(dice),
+        8 => several(dice),
         _ => general(dice),
     };
     format!("{}\n{}\n{}", form, mechanism(dice, cylinders), crankshaft(dice, throws))
@@ -116,6 +117,27 @@ fn geared(dice: &mut Dice) -> Layout {
         throws(dice, count)
     );
     (text, banks * count, 0)
+}
+
+/// Crankshafts by name, some of them faster than the first.
+fn several(dice: &mut Dice) -> Layout {
+    let cranks = 2 + dice.below(2) as usize;
+    let crank = |dice: &mut Dice, index: usize| {
+        let sense = if index == 0 { "with" } else { ["with", "against"][dice.below(2) as usize] };
+        let speed = if index == 0 { 1 } else { 1 + dice.below(3) };
+        format!(
+            "[[crankshaft]]\nname = 'c{index}'\nsense = '{sense}'\nspeed = {speed}\noffset = '{}/2'\n",
+            dice.below(9)
+        )
+    };
+    let count = 2 + dice.below(4) as usize;
+    let cylinder = |dice: &mut Dice| {
+        let (crank, throw, bank) = (dice.below(cranks as u64), angle(dice), angle(dice));
+        let position = dice.below(9);
+        format!("[[cylinder]]\ncrankshaft = 'c{crank}'\nthrow = {throw}\nbank = {bank}\nposition = '{position}/3'\n")
+    };
+    let cranks: String = (0..cranks).map(|index| crank(dice, index)).collect();
+    (cranks + &(0..count).map(|_| cylinder(dice)).collect::<String>(), count, 0)
 }
 
 fn two_pistons(dice: &mut Dice) -> Layout {
