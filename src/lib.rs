@@ -27,7 +27,7 @@
 //! # The rooms
 //!
 //! ```text
-//! cli
+//! cli  web
 //! report
 //! page
 //! claim  optimise
@@ -53,6 +53,7 @@
 //!
 //! - `report`: the rooms `page` and `report`, pages and documents.
 //! - `optimise`: the room `optimise`, with its solver for convex problems.
+//! - `web`: the room `web`, what the page in a browser asks for; it takes `report` along.
 //! - `cli`: the program; it takes `report` along.
 //!
 //! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
@@ -113,6 +114,9 @@ pub mod sweep;
 pub mod torque;
 #[allow(clippy::disallowed_types)]
 pub mod torsion;
+#[cfg(feature = "web")]
+#[allow(clippy::disallowed_types)]
+pub mod web;
 
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};

@@ -32,6 +32,7 @@ mod narrow;
 mod number;
 mod numbering;
 mod quantities;
+mod replaced;
 mod rewritten;
 mod template;
 mod title_block_keys;
@@ -45,6 +46,7 @@ pub use error::LayoutError;
 pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};
+pub use replaced::with_value;
 pub use rewritten::{
     balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_counterweights,
 };

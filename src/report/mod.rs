@@ -54,13 +54,15 @@ pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
-pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use claims::{claim_evidence, claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use document::document;
-pub use engine_page::{Contents, engine_answer, engine_page};
+pub use engine_page::{Contents, engine_answer, engine_page, engine_proofs, engine_summary};
 pub use engines::{BuiltEngine, engines_page};
 pub use example::worked as worked_example;
-pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
+pub use family_page::{
+    amplitudes, amplitudes_caption, family_answer, family_page, family_proofs, family_summary, open_document,
+};
 pub use figures::{NamedPicture, figures, sweep_figures};
 pub use firing::{
     FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,

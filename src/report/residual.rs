@@ -23,7 +23,7 @@ pub(super) fn modulus<'a>(judged: impl Into<JudgedStar<'a>>) -> Amount {
 
 /// `|S|` of a sum that is not zero.
 pub(super) fn modulus_of(sum: &PhasorSum) -> Amount {
-    Amount { exact: numbers::modulus(sum), decimal: numbers::evaluate(sum).norm() }
+    Amount { exact: numbers::modulus(sum), decimal: numbers::length(numbers::evaluate(sum)) }
 }
 
 /// The direction of a sum that is not zero.

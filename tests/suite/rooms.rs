@@ -21,7 +21,7 @@ const STOREYS: [&[&str]; 14] = [
     &["claim", "optimise"],
     &["page"],
     &["report"],
-    &["cli"],
+    &["cli", "web"],
 ];
 
 fn root() -> &'static Path {

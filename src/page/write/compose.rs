@@ -81,7 +81,8 @@ impl<'a> Composer<'a> {
         self.fill("document", &whole)
     }
 
-    fn blocks(&mut self, blocks: &[Block]) -> String {
+    /// Some blocks, one after the other.
+    pub fn blocks(&mut self, blocks: &[Block]) -> String {
         let set = |block| {
             let set = self.block(block);
             self.labels.lead(matches!(block, Block::Paragraph(_)).then_some(&set));

@@ -9,6 +9,7 @@ mod orders;
 mod page;
 mod student;
 
+pub use evidence::evidence as claim_evidence;
 pub(super) use finding::needs;
 pub use finding::{claim_finding, claim_status};
 pub use page::{claims_answer, claims_page};

@@ -121,6 +121,19 @@ pub fn engine_page(subject: Contents) -> Document {
     page
 }
 
+/// The box that a report opens with, by itself.
+pub fn engine_summary(engine: &Engine, judged: &Judgement) -> Block {
+    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+    let numbers = calculation::numbers_of(engine, &orders, None).and_then(Result::ok);
+    let theorem = theorem_of(engine, judged);
+    Block::Answer(answer::lines(engine, judged, numbers.as_ref().map(|numbers| &numbers.loads), theorem.as_ref().ok()))
+}
+
+/// The proofs of a report by themselves, order by order, under no heading of their own.
+pub fn engine_proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    orders::section(engine, &orders::stars(judged)).into_iter().skip(1).collect()
+}
+
 /// Number, revision, author and what else the file says of itself, with the objective.
 fn title_block(engine: &Engine) -> Vec<Block> {
     let block = engine.title_block();

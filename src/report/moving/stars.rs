@@ -53,7 +53,7 @@ fn sense(engine: &Engine, verdict: &Verdict, exists: bool, open: Option<&OpenAng
         words,
         zero: verdict.vanishes(),
         rays: rays(engine, verdict, open),
-        length: sum.norm(),
+        length: numbers::length(sum),
         degrees: numbers::degrees(sum),
         zeros: open.filter(|_| exists).and_then(|open| open.zeros_of(verdict)),
     }
