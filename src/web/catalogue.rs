@@ -28,7 +28,7 @@ const STARTERS: [(&str, &str, &str); 4] = [
     (
         "v-twin",
         "V-twin with counterweights",
-        "title = \"V-twin, 90°, half of the reciprocating masses balanced\"\n\n[vee]\nbank_angle = 90\nthrows = [0]\n\n[mechanism]\nrod_ratio = 0.25\n\n[crankshaft]\ncounterweights = { rotating = 1, reciprocating = 0.5 }\n",
+        "title = \"V-twin, 90°, half of the reciprocating masses balanced\"\n\n[vee]\nbank_angle = 90\nthrows = [0]\n\n[mechanism]\nstroke = \"80 mm\"\nrod_ratio = 0.25\nreciprocating_mass = \"0.5 kg\"\nrotating_mass = \"0.4 kg\"\n\n[crankshaft]\ncounterweights = { rotating = 1, reciprocating = 0.5 }\ncounterweight_radius = \"40 mm\"\n",
     ),
 ];
 

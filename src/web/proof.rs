@@ -23,8 +23,8 @@ pub(super) fn proof(judged: &Judged) -> Result<Value, Mistake> {
             (report::family_proofs(family, orders), printed(&report::open_document(family, orders))?)
         }
     };
-    let checked = checked(&json)?;
-    Ok(json!({ "html": html(&blocks), "json": json, "checked": checked }))
+    let [checked, by] = checked(&json)?;
+    Ok(json!({ "html": html(&blocks), "json": json, "checked": checked, "by": by }))
 }
 
 /// The document as the program prints it.
@@ -33,14 +33,18 @@ fn printed(document: &impl Serialize) -> Result<String, Mistake> {
     Ok(text::json(&json) + "\n")
 }
 
-/// What the checker says of it, which knows nothing of how the verdicts were found.
-fn checked(json: &str) -> Result<String, Mistake> {
+/// What the checker says of it, which knows nothing of how the verdicts were found: that it holds, and by which evidence.
+fn checked(json: &str) -> Result<[String; 2], Mistake> {
     let fault = |why: String| Mistake::plain("the checker does not accept the proof, so it is not shown", &why);
     let document = read_document(json.as_bytes()).map_err(|error| fault(error.to_string()))?;
     let checked = document.check().map_err(|error| fault(error.to_string()))?;
     let Counts { polygons, residues, splittings, .. } = checked.counts;
-    Ok(format!(
-        "All {} certificates hold: {polygons} by polygons (zero), {residues} by a residue and {splittings} by a splitting (not zero).",
-        checked.counts.certificates()
-    ))
+    let kinds = [
+        (polygons, "by polygons (zero)"),
+        (residues, "by a residue (not zero)"),
+        (splittings, "by a splitting (not zero)"),
+    ];
+    let kinds = kinds.iter().filter(|(count, _)| *count > 0).map(|(count, by)| format!("{count} {by}"));
+    let by = format!("{}.", kinds.collect::<Vec<_>>().join(", "));
+    Ok([format!("All {} certificates hold.", checked.counts.certificates()), by])
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, ToPrimitive};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -46,7 +46,7 @@ struct Slider {
     at: usize,
     marks: Vec<Mark>,
     /// What is to be known of the marks.
-    note: &'static str,
+    note: String,
 }
 
 /// A value: as a layout file has it, and as a person reads it.
@@ -122,25 +122,33 @@ fn of_angle(template: &Template, engine: &Engine, angle: &Angle) -> Option<Slide
     }
     let [low, high] = angle.range.map(integer);
     // An angle beyond the usual ones takes the range to both sides.
-    let (low, high) = if now < low || now > high { (integer(-359), integer(359)) } else { (low, high) };
-    let values = readable(template, angle.key, &low, &high)?;
-    let range = format!("{}={}..{}:1", angle.key, values[0], values[1]);
+    let wanted = if now < low || now > high { [-359, 359] } else { angle.range };
+    let ends = readable(template, angle.key, &now, wanted)?;
+    let held = ends[0] > integer(wanted[0]) + integer(1) || ends[1] < integer(wanted[1]) - integer(1);
+    let by_firing = template.has("firing_order") || template.has("firing_angles");
+    let range = format!("{}={}..{}:1", angle.key, ends[0], ends[1]);
     let orders = loads::usual_orders(engine);
     let parameter = Parameter::parse(&range).ok()?;
     let zeros = sweep::zeros(template, &parameter, &orders).unwrap_or_default();
     let shown = |value: &BigRational| number::degrees(value);
-    Some(slider(angle.key, angle.label, [&values[0], &values[1], &BigRational::one()], &now, &zeros, &shown))
+    let slider = slider(angle.key, angle.label, [&ends[0], &ends[1], &BigRational::one()], &now, &zeros, &shown);
+    let note = match held && by_firing {
+        true => format!("{} Beyond the ends the firing that the file names is not possible.", slider.note),
+        false => slider.note,
+    };
+    Some(Slider { note, ..slider })
 }
 
-/// The ends of a range, moved in by a step where the file cannot be read at them.
-fn readable(template: &Template, key: &str, low: &BigRational, high: &BigRational) -> Option<[BigRational; 2]> {
+/// What of a range can be read without a gap about the value that stands there, in whole degrees.
+///
+/// A firing order, which holds for some values alone, narrows it.
+fn readable(template: &Template, key: &str, now: &BigRational, [low, high]: [i64; 2]) -> Option<[BigRational; 2]> {
     let key = file::Key::parse(key).ok()?;
-    let is_read = |value: &BigRational| template.layout(&[(&key, &value.to_string())]).is_ok();
-    let inwards = |end: &BigRational, step: i64| {
-        let next = end + integer(step);
-        [end.clone(), next].into_iter().find(is_read)
-    };
-    Some([inwards(low, 1)?, inwards(high, -1)?])
+    let is_read = |value: i64| template.layout(&[(&key, &value.to_string())]).is_ok();
+    let below = now.floor().to_integer().to_i64()?;
+    let downwards = (low..=below).rev().take_while(|value| is_read(*value)).last();
+    let upwards = (below + 1..=high).take_while(|value| is_read(*value)).last();
+    Some([downwards, upwards].map(|end| end.map_or_else(|| now.clone(), integer)))
 }
 
 /// The rod ratio, where all rods have one: it changes sizes, and no verdict.
@@ -204,7 +212,7 @@ fn slider(
         at: place(now),
         marks: marks.into_iter().map(|(value, (what, whole))| Mark { stop: place(value), what, whole }).collect(),
         stops: values.iter().map(|value| Stop { value: exact_number(value), shown: shown(value) }).collect(),
-        note,
+        note: note.to_owned(),
     }
 }
 

@@ -24,7 +24,7 @@ const sliders = (() => {
     output.textContent = slider.stops[stop].shown;
     const mark = parts.marks.get(stop);
     here.textContent = mark ? `0 here: ${mark.what.join(", ")}` : "";
-    for (const button of jumps.children) button.setAttribute("aria-pressed", `${button.value === `${stop}`}`);
+    for (const button of jumps.querySelectorAll("button")) button.setAttribute("aria-pressed", `${button.value === `${stop}`}`);
   };
   const move = (parts, stop) => {
     show(parts, stop);
@@ -48,12 +48,18 @@ const sliders = (() => {
     const jumps = make("div", { className: "jumps" });
     jumps.setAttribute("role", "group");
     jumps.setAttribute("aria-label", `${slider.label}: exact zeros`);
+    const others = make("div", { className: "others" });
+    range.disabled = slider.stops.length === 1;
     const parts = { slider, range, output, here, jumps, marks: new Map(slider.marks.map((mark) => [mark.stop, mark])) };
     for (const { stop, whole, what } of slider.marks) {
       const name = make("small", { textContent: what.join(", ") });
       const button = make("button", { type: "button", value: `${stop}`, className: whole ? "whole" : "" }, slider.stops[stop].shown, " ", name);
       button.addEventListener("click", () => move(parts, stop));
-      jumps.append(button);
+      (whole ? jumps : others).append(button);
+    }
+    if (others.children.length > 0) {
+      const count = others.children.length === 1 ? "1 value at which one vector vanishes" : `${others.children.length} values at which one vector vanishes`;
+      jumps.append(make("details", {}, make("summary", { textContent: count }), others));
     }
     range.addEventListener("input", () => move(parts, Number(range.value)));
     const label = make("label", { htmlFor: id, textContent: slider.label });

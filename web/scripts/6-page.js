@@ -98,7 +98,7 @@ const page = async () => {
     if (!answer || isOld()) return;
     const words = answer.ok?.checked ?? `${answer.mistake.message}: ${answer.mistake.right}`;
     $("checked").textContent = words;
-    $("proof-checked").textContent = `${words} The checker knows nothing of how the verdicts were found.`;
+    $("proof-checked").textContent = `${words} ${answer.ok?.by ?? ""} The checker knows nothing of how the verdicts were found.`;
     $("proofs").innerHTML = answer.ok?.html ?? "";
     $("json").textContent = answer.ok?.json ?? "";
   };

@@ -50,7 +50,7 @@ try {
   const paper = page.frameLocator("#paper");
   await paper.getByRole("heading", { level: 1, name: /cross-plane/ }).waitFor();
   const order = await page.$$eval("main > section", (nodes) => nodes.map((node) => node.id));
-  assert.deepEqual(order, ["verdict", "engine", "stars", "claims", "proof", "report"]);
+  assert.deepEqual(order, ["verdict", "engine", "words", "stars", "claims", "proof", "report"]);
 
   // Read: every control has a role and a name, in the tree that screen readers get.
   const session = await page.context().newCDPSession(page);
