@@ -8,6 +8,7 @@ use super::{Judged, Written};
 use crate::page::{self, Block, Document, Format, Language, Options, Table, text_in};
 use crate::report::{self, moving};
 use crate::text;
+use crate::verdict::{Judgement, OrderBalance};
 
 /// The verdicts and the scenes; with the text of the layout where a value was set in it.
 pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake> {
@@ -32,6 +33,10 @@ pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake>
             (family.title(), summary, report::family_answer(family, orders), scenes)
         }
     };
+    let glance = match &judged {
+        Judged::Known { judged, .. } => stars(judged),
+        Judged::Open { .. } => Vec::new(),
+    };
     let fragment = |(index, scene): (usize, &moving::Scene)| {
         moving::moving_fragment(scene, &format!("scene-{}", index + 1), Language::En)
     };
@@ -43,7 +48,18 @@ pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake>
         "verdicts": html(&answer.blocks),
         "spoken": spoken(&answer),
         "scenes": scenes,
+        "stars": glance,
     }))
+}
+
+/// The star of each sum in the size of a stamp, in the order in which a scene has them.
+fn stars(judged: &Judgement) -> Vec<Value> {
+    let parts = judged.orders.iter().flat_map(|order| &order.parts);
+    let star = |part: &OrderBalance| {
+        let name = format!("Order {}", report::order_name(part));
+        json!({ "svg": page::svg(&report::small_star(part, None), &name), "name": name })
+    };
+    parts.map(star).collect()
 }
 
 /// Blocks as parts of the page.

@@ -88,6 +88,8 @@ mod thesis;
 mod torque;
 mod torsion;
 mod views;
+#[cfg(feature = "web")]
+mod web;
 mod whole_cheats;
 
 mod support {

@@ -39,6 +39,17 @@ const stars = (() => {
     if (state.has && state.focus) part(figure, state.focus)?.focus();
   };
 
+  const stamp = (figure, { svg, name }, at) => {
+    const button = make("button", { type: "button", innerHTML: svg });
+    button.append(make("span", { textContent: name }));
+    button.addEventListener("click", () => {
+      const order = part(figure, "order");
+      order.selectedIndex = at;
+      change(order, "change");
+    });
+    return button;
+  };
+
   home.addEventListener("click", ({ target }) => {
     if (target.dataset?.part === "play") target.dataset.plays = target.dataset.plays === "true" ? "false" : "true";
   });
@@ -52,13 +63,23 @@ const stars = (() => {
       $("moving-style").textContent = moving.style;
       script = moving.script;
     },
-    put: (scenes) => {
+    /** Scenes, and the star of each of their sums in the size of a stamp. */
+    put: (scenes, small) => {
       const before = [...home.querySelectorAll("[data-moving]")].map(chosen);
       home.innerHTML = scenes.join("") || "<p class=\"note\">Engines of several crankshafts stand still: their stars are among the proofs.</p>";
       const run = make("script", { textContent: script });
       document.body.append(run);
       run.remove();
       [...home.querySelectorAll("[data-moving]")].forEach((figure, at) => before[at] && choose(figure, before[at]));
+      const first = home.querySelector("[data-moving]");
+      const stamps = first ? small.map((star, at) => stamp(first, star, at)) : [];
+      $("glance").replaceChildren(...stamps);
+      if (first) {
+        const order = part(first, "order");
+        const show = () => stamps.forEach((one, at) => one.setAttribute("aria-pressed", `${order.selectedIndex === at}`));
+        order.addEventListener("change", show);
+        show();
+      }
     },
   };
 })();

@@ -30,13 +30,13 @@ const page = async () => {
     }, SPEAKS);
   };
 
-  const show = ({ title, verdicts, summary, spoken, scenes }, took) => {
+  const show = ({ title, verdicts, summary, spoken, scenes, stars: small }, took) => {
     $("title").innerHTML = title;
     document.title = `${$("title").textContent} · crankstar`;
     $("verdicts").innerHTML = verdicts;
     $("summary").innerHTML = summary;
     $("state").textContent = `Judged in ${took < 10 ? took.toFixed(1) : Math.round(took)} ms.`;
-    stars.put(scenes);
+    stars.put(scenes, small);
     speak(`${$("title").textContent}. ${spoken}`);
   };
 

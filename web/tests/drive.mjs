@@ -82,7 +82,7 @@ try {
     await page.locator("#layout").pressSequentially("title = \"Typed\"\n[inline]\nthrows = [0, 120, 240]\n");
   });
   await page.getByRole("heading", { level: 1, name: "Typed" }).waitFor();
-  assert.match(await text(page, "verdicts"), /√3/);
+  assert.match(await text(page, "verdicts"), /couple 3\s≈\s1\.732, planar/);
   assert.equal(await page.$eval("#mistake", (node) => node.textContent), "");
 
   // A mistake is shown at its place, and what was known stays.
@@ -98,7 +98,7 @@ try {
   assert.equal(await page.evaluate(() => String(getSelection())), "\"60x\"");
 
   // Picked, then dragged.
-  await after(page, () => page.getByRole("combobox", { name: "Engine" }).selectOption("V6-60-shared"));
+  await after(page, () => page.getByRole("combobox", { name: "Engine", exact: true }).selectOption("V6-60-shared"));
   assert.equal(await text(page, "mistake"), "");
   const slider = page.getByRole("slider", { name: "Bank angle φ" });
   const { x, y, width, height } = await slider.boundingBox();
@@ -130,9 +130,9 @@ try {
   assert.match(await slider.getAttribute("aria-valuetext"), /, where order .* is 0$/);
   await after(page, async () => {
     await slider.focus();
-    await page.keyboard.press("End");
+    await page.keyboard.press("Home");
   });
-  assert.match(await layout(page), /^bank_angle = 180$/m);
+  assert.match(await layout(page), /^bank_angle = [01]$/m);
   assert.equal(await page.evaluate(() => document.activeElement.id), "slider-vee-bank_angle");
   const split = page.getByRole("slider", { name: "Pin split" });
   await after(page, () => split.press("ArrowRight"));
@@ -152,7 +152,7 @@ try {
     await page.waitForTimeout(600);
     return text(page, "claim-answer");
   };
-  await after(page, () => page.getByRole("combobox", { name: "Engine" }).selectOption("I4"));
+  await after(page, () => page.getByRole("combobox", { name: "Engine", exact: true }).selectOption("I4"));
   assert.match(await says("the second-order force vanishes"), /^✕ false/);
   assert.match(await says("first-order force vanishes"), /^✓ true/);
   assert.match(await says("it runs smoothly"), /[^✓✕]/);
@@ -221,7 +221,7 @@ try {
     for (const colorScheme of ["light", "dark"]) {
       const one = await open({ viewport, deviceScaleFactor: scale, colorScheme, isMobile: name === "phone", hasTouch: name === "phone" });
       for (const engine of ["V8-crossplane", "open-v8", "open-v6", "i4-numbers", "radial-9"]) {
-        await after(one, () => one.getByRole("combobox", { name: "Engine" }).selectOption(engine));
+        await after(one, () => one.getByRole("combobox", { name: "Engine", exact: true }).selectOption(engine));
         const [inside, outside] = await one.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
         assert.ok(inside <= outside, `${engine}: ${inside} px wide on ${outside}`);
         if (engine === "V8-crossplane" || engine === "open-v8") {
