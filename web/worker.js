@@ -33,7 +33,7 @@ const fault = (error) => {
   }
 };
 
-self.onmessage = async ({ data }) => {
+const answer = async (data) => {
   if (data.program) {
     program = data.program;
     await begin();
@@ -43,11 +43,15 @@ self.onmessage = async ({ data }) => {
   const { id, question } = data;
   const from = performance.now();
   try {
-    const answer = ask(question);
-    self.postMessage({ id, answer, took: performance.now() - from });
+    const said = ask(question);
+    self.postMessage({ id, answer: said, took: performance.now() - from });
   } catch (error) {
     const told = fault(error);
     await begin();
     self.postMessage({ id, fault: told });
   }
 };
+
+// One after the other, also while the module is started again.
+let last = Promise.resolve();
+self.onmessage = ({ data }) => (last = last.then(() => answer(data)));

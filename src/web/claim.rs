@@ -12,6 +12,9 @@ use crate::report;
 
 /// The answer of the room of claims, with what is the case and the certificates that it rests on.
 pub(super) fn claim(layout: &Written, says: &str) -> Result<Value, Mistake> {
+    let says = says.trim();
+    // Among sentences a claim begins as a sentence does.
+    let says = ["The ", "the "].iter().find_map(|article| says.strip_prefix(article)).unwrap_or(says);
     let statement = claim::parse_statement(says).map_err(|error| Mistake::plain(&error.message, &error.right))?;
     let engine = match layout.read()? {
         Layout::Known(engine, _) => engine,

@@ -4,18 +4,19 @@ const SPEAKS = 900; // ms before a changed verdict is read out
 const OWN = "layout.toml"; // what messages call a layout that no name has
 
 const page = async () => {
-  const ask = await asker();
-  const state = { name: OWN, turn: 0, looking: false, next: null, settling: 0, speaking: 0, said: "", link: "", values: new Map() };
+  const { ask, current, giveUp } = await asker();
+  const state = { name: OWN, turn: 0, looking: false, next: null, settling: 0, speaking: 0, said: "", link: "", isFaulty: false, values: new Map() };
   const banner = (words) => {
     $("banner").hidden = !words;
     $("banner").textContent = words;
   };
   const about = (more = {}) => ({ name: state.name, text: editor.area.value, ...more });
   /** The answer's content; a mistake or a fault is shown. Nothing where there is none. */
-  const answered = async (question) => {
-    const answer = await ask(question);
+  const answered = async (question, isUrgent) => {
+    const answer = await ask(question, isUrgent);
     if (!answer) return undefined;
     if (answer.fault !== undefined) {
+      state.isFaulty = true;
       banner(`The program met a fault of its own and was started again; the layout is kept. It said: ${answer.fault}`);
       return undefined;
     }
@@ -53,15 +54,20 @@ const page = async () => {
   /** The verdicts of what is written, after a value was set in it. One question at a time; of those that come meanwhile the last. */
   const look = async (set) => {
     state.next = { set };
-    if (state.looking) return;
+    if (state.looking) {
+      const before = current();
+      setTimeout(() => state.next && giveUp(before), TOO_LONG);
+      return;
+    }
     state.looking = true;
     while (state.next) {
       const { set: value } = state.next;
       state.next = null;
       state.turn += 1;
-      const answer = await answered({ ask: "look", ...about(value && { set: value }) });
+      const answer = await answered({ ask: "look", ...about(value && { set: value }) }, true);
       if (answer?.ok) {
-        banner("");
+        if (state.isFaulty) banner("");
+        state.isFaulty = false;
         if (answer.ok.text !== null) changed(value, answer.ok.text);
         editor.show(null);
         show(answer.ok, answer.took);
@@ -191,7 +197,10 @@ const page = async () => {
     editor.put(texts.get(name));
     return look();
   };
-  $("pick").addEventListener("change", () => texts.has($("pick").value) && pick($("pick").value));
+  $("pick").addEventListener("change", () => {
+    banner("");
+    if (texts.has($("pick").value)) pick($("pick").value);
+  });
   editor.area.addEventListener("input", () => {
     editor.draw();
     if (editor.area.value !== texts.get(state.name)) {
