@@ -129,12 +129,16 @@ fn of_angle(template: &Template, engine: &Engine, angle: &Angle) -> Option<Slide
     let range = format!("{}={}..{}:1", angle.key, ends[0], ends[1]);
     let orders = loads::usual_orders(engine);
     let parameter = Parameter::parse(&range).ok()?;
-    let zeros = sweep::zeros(template, &parameter, &orders).unwrap_or_default();
+    let found = sweep::zeros(template, &parameter, &orders);
+    let zeros = found.as_deref().unwrap_or_default();
     let shown = |value: &BigRational| number::degrees(value);
-    let slider = slider(angle.key, angle.label, [&ends[0], &ends[1], &BigRational::one()], &now, &zeros, &shown);
+    let slider = slider(angle.key, angle.label, [&ends[0], &ends[1], &BigRational::one()], &now, zeros, &shown);
+    // Where another value is a symbol of the file, its zeros are not solved for this one.
+    let note =
+        if found.is_some() { slider.note } else { "Where something vanishes on its way is not known here.".to_owned() };
     let note = match held && by_firing {
-        true => format!("{} Beyond the ends the firing that the file names is not possible.", slider.note),
-        false => slider.note,
+        true => format!("{note} Beyond the ends the firing that the file names is not possible."),
+        false => note,
     };
     Some(Slider { note, ..slider })
 }
