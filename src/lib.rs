@@ -100,6 +100,9 @@ pub mod optimise;
 #[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod page;
+#[cfg(feature = "python")]
+#[allow(clippy::disallowed_types)]
+mod python;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
 #[cfg(feature = "report")]

@@ -1,0 +1,87 @@
+//! What is the answer to `classify` in Python? A sequence of verdicts, and its document with the certificates.
+
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+
+use super::verdict::{self, Verdict};
+use super::{documents, notebook, pages};
+use crate::page::{Document, Format, Options};
+use crate::proof;
+use crate::verdict::Judgement;
+
+/// The verdicts on an engine, order by order: a sequence.
+#[pyclass(frozen, sequence, module = "crankstar")]
+pub(super) struct Verdicts {
+    pub(super) verdicts: Vec<Verdict>,
+    pistons: Option<Vec<Verdict>>,
+    json: String,
+    answer: Document,
+}
+
+impl Verdicts {
+    pub(super) fn new(judged: &Judgement, document: &proof::Document, answer: Document) -> PyResult<Self> {
+        let all = |orders: &[crate::verdict::OrderVerdict]| orders.iter().flat_map(verdict::of_order).collect();
+        Ok(Verdicts {
+            verdicts: all(&judged.orders),
+            pistons: judged.pistons.as_deref().map(all),
+            json: documents::json(document)?,
+            answer,
+        })
+    }
+}
+
+#[pymethods]
+impl Verdicts {
+    fn __len__(&self) -> usize {
+        self.verdicts.len()
+    }
+
+    fn __getitem__(&self, index: isize) -> PyResult<Verdict> {
+        let count = self.verdicts.len() as isize;
+        let place = if index < 0 { index + count } else { index };
+        let verdict = usize::try_from(place).ok().and_then(|place| self.verdicts.get(place));
+        verdict.cloned().ok_or_else(|| PyIndexError::new_err(format!("verdict {index} of {count}")))
+    }
+
+    /// The verdict on one quantity, "force", "moment", "torque" or "roll", of one order.
+    ///
+    /// Raises KeyError where it was not judged.
+    fn of(&self, quantity: &str, order: u32) -> PyResult<Verdict> {
+        let found = self.verdicts.iter().find(|verdict| verdict.quantity == quantity && verdict.order == order);
+        let told = || pyo3::exceptions::PyKeyError::new_err(format!("no verdict on the {quantity} of order {order}"));
+        found.cloned().ok_or_else(told)
+    }
+
+    /// The verdicts on the pistons alone, where the engine as it is built has masses that turn; else None.
+    #[getter]
+    fn pistons(&self) -> Option<Vec<Verdict>> {
+        self.pistons.clone()
+    }
+
+    /// What `crankstar classify --json` prints, as a str: `verify` takes it.
+    #[getter]
+    fn json(&self) -> &str {
+        &self.json
+    }
+
+    /// The same as dicts and lists, with every certificate.
+    fn document<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        documents::as_python(py, &self.json)
+    }
+
+    fn __str__(&self) -> String {
+        pages::text(&self.answer, Format::PLAIN, &Options::default())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Verdicts: {} of {}>", self.verdicts.len(), self.answer.title.plain())
+    }
+
+    fn _repr_html_(&self, py: Python<'_>) -> String {
+        py.detach(|| notebook::html(&self.answer))
+    }
+
+    fn _repr_latex_(&self) -> String {
+        notebook::latex(&self.verdicts)
+    }
+}
