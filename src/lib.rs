@@ -30,7 +30,7 @@
 //! cli
 //! report
 //! page
-//! claim  optimise
+//! claim  data  optimise
 //! journal
 //! accuracy  remedy  sweep  search  torque  torsion
 //! loads  family
@@ -39,7 +39,7 @@
 //! order  numbers  gas
 //! file
 //! engine
-//! exact
+//! exact  table
 //! proof  motion  beam  text
 //! ```
 //!
@@ -83,6 +83,8 @@ pub mod accuracy;
 #[allow(clippy::disallowed_types)]
 pub mod claim;
 #[allow(clippy::disallowed_types)]
+pub mod data;
+#[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]
 pub mod gas;
@@ -112,6 +114,8 @@ pub mod report;
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+#[allow(clippy::disallowed_types)]
+pub mod table;
 #[allow(clippy::disallowed_types)]
 pub mod torque;
 #[allow(clippy::disallowed_types)]
