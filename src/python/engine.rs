@@ -5,18 +5,17 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::error::{self, told};
+use super::answer::Answer;
+use super::error::told;
+use super::questions::{self, Ranges, Remedy, Wanted};
 use super::reading::Source;
 use super::verdicts::Verdicts;
-use super::{keys, notebook, pages};
+use super::{asked, keys, notebook, pages};
 use crate::engine::{self, Family};
-use crate::family;
-use crate::file;
 use crate::loads;
-use crate::order::Masses;
-use crate::page::{Document, Format};
-use crate::report::{self, Contents};
-use crate::verdict::{self, Judgement};
+use crate::page::Format;
+use crate::report;
+use crate::verdict;
 
 /// An engine: its cylinders with exact angles and positions, and what else its layout says.
 ///
@@ -33,7 +32,7 @@ use crate::verdict::{self, Judgement};
 #[pyclass(frozen, module = "crankstar")]
 pub(super) struct Engine {
     pub(super) engine: engine::Engine,
-    family: Option<Family>,
+    pub(super) family: Option<Family>,
     pub(super) source: Source,
 }
 
@@ -46,34 +45,6 @@ impl Engine {
     /// The orders that were asked for, rising, each once; else the usual ones.
     pub(super) fn orders(&self, asked: Option<Vec<u32>>) -> Vec<u32> {
         rising(asked.unwrap_or_else(|| loads::usual_orders(&self.engine)))
-    }
-
-    fn judged(&self, orders: &[u32], masses: Option<Masses>, torque: bool) -> PyResult<Judgement> {
-        if torque && self.engine.has_links() {
-            return Err(told(loads::Missing::ArticulatedRods("the inertia torque")));
-        }
-        let quantities = verdict::quantities(&self.engine, torque);
-        match masses {
-            None => Judgement::new(&self.engine, orders, &quantities).map_err(told),
-            Some(masses) => Judgement::of(&self.engine, orders, masses, &quantities).map_err(told),
-        }
-    }
-
-    /// The report as a document of blocks.
-    fn page(&self, orders: &[u32], in_motion: bool) -> PyResult<Document> {
-        let judged = self.judged(orders, None, false)?;
-        let family = self.family.as_ref().filter(|family| family::comparable(family).is_ok());
-        let open = family.map(|family| family::classify(family, orders).map(|judged| (family, judged)));
-        let open = open.transpose().map_err(told)?;
-        let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
-        let (engine, judged) = (&self.engine, &judged);
-        Ok(report::engine_page(Contents { engine, judged, family, needed: None, in_motion, accuracy: None }))
-    }
-
-    /// The engine with its first star and the short answer.
-    fn glance(&self) -> PyResult<Document> {
-        let judged = self.judged(&self.orders(None), None, false)?;
-        Ok(report::engine_at_a_glance(&self.engine, &judged))
     }
 }
 
@@ -175,7 +146,7 @@ impl Engine {
         torque: bool,
         all_orders: bool,
     ) -> PyResult<Verdicts> {
-        let masses = masses.map(masses_of).transpose()?;
+        let masses = masses.map(asked::masses).transpose()?;
         py.detach(|| {
             let judged = self.judged(&self.orders(orders), masses, torque)?;
             let theorem = all_orders.then(|| verdict::theorem(&self.engine, judged.masses));
@@ -187,19 +158,109 @@ impl Engine {
         })
     }
 
+    /// Forces, moments and torques, in newtons where the layout gives masses, a crank radius and a speed; else in multiples.
+    ///
+    /// Tables: the orders, and the course over the crank angle. Amplitudes are zero to peak.
+    #[pyo3(signature = (orders=None))]
+    fn loads(&self, py: Python<'_>, orders: Option<Vec<u32>>) -> PyResult<Answer> {
+        py.detach(|| questions::loads(&self.engine, &self.orders(orders)))
+    }
+
+    /// What the main bearings feel, whose positions the layout gives; with the gas where it has `effects = ["gas"]`.
+    #[pyo3(signature = (orders=None))]
+    fn bearings(&self, py: Python<'_>, orders: Option<Vec<u32>>) -> PyResult<Answer> {
+        let usual = || loads::usual_bearing_orders(&self.engine);
+        py.detach(|| questions::bearings(&self.engine, &rising(orders.unwrap_or_else(usual))))
+    }
+
+    /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
+    ///
+    /// planes: two positions for counterweights and couples; the outermost throws where left out.
+    /// balance_factor, skew: counterweights on each throw with this factor, turned on by so many degrees; one for all, or a list.
+    #[pyo3(signature = (orders=None, *, planes=None, balance_factor=None, skew=None))]
+    fn remedy<'py>(
+        &self,
+        py: Python<'py>,
+        orders: Option<Vec<u32>>,
+        planes: Option<&Bound<'_, PyAny>>,
+        balance_factor: Option<&Bound<'_, PyAny>>,
+        skew: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, Remedy>> {
+        let wanted = Wanted {
+            orders: self.orders(orders),
+            planes: planes.map(asked::planes).transpose()?,
+            factors: asked::factors(balance_factor)?,
+            skews: asked::skews(skew)?,
+        };
+        let (answer, remedy) = py.detach(|| questions::remedy(&self.engine, &self.source, &wanted))?;
+        Bound::new(py, PyClassInitializer::from(answer).add_subclass(remedy))
+    }
+
+    /// The firing stars: which orders of the gas torque vanish, whatever the pressure is. The document has the certificates.
+    ///
+    /// orders: such as [0.5, 1, "3/2"]. mode_shape: deflections of the throws in a mode of torsional vibration, one per cylinder.
+    #[pyo3(signature = (orders=None, *, mode_shape=None))]
+    fn firing(
+        &self,
+        py: Python<'_>,
+        orders: Option<&Bound<'_, PyAny>>,
+        mode_shape: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let (orders, weights) = (asked::cycle_orders(orders)?, asked::weights(mode_shape)?);
+        py.detach(|| questions::firing(&self.engine, &orders, weights))
+    }
+
+    /// The torque of gas and inertia, power and flywheel; needs `[gas]` in the layout.
+    fn torque(&self, py: Python<'_>) -> PyResult<Answer> {
+        py.detach(|| questions::torque(&self.engine))
+    }
+
+    /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.
+    ///
+    /// A range is "0..180:10", "80..120:5 mm", or a tuple (from, to, step). `ranges` takes any keys of the layout:
+    /// {"vee.bank_offset": "0..20:1 mm"}. firing_orders: judge the firing stars of these orders too.
+    #[pyo3(signature = (ranges=None, *, bank_angle=None, pin_split=None, spacing=None, rod_ratio=None, balance_factor=None, speed=None,
+                        orders=None, firing_orders=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
+    fn sweep(
+        &self,
+        py: Python<'_>,
+        ranges: Option<&Bound<'_, PyDict>>,
+        bank_angle: Option<&Bound<'_, PyAny>>,
+        pin_split: Option<&Bound<'_, PyAny>>,
+        spacing: Option<&Bound<'_, PyAny>>,
+        rod_ratio: Option<&Bound<'_, PyAny>>,
+        balance_factor: Option<&Bound<'_, PyAny>>,
+        speed: Option<&Bound<'_, PyAny>>,
+        orders: Option<Vec<u32>>,
+        firing_orders: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let flags = [
+            ("bank-angle", bank_angle),
+            ("pin-split", pin_split),
+            ("spacing", spacing),
+            ("rod-ratio", rod_ratio),
+            ("balance-factor", balance_factor),
+            ("speed", speed),
+        ];
+        let flags = flags.into_iter().filter_map(|(flag, range)| Some((flag, range?)));
+        let flags = flags.map(|(flag, range)| Ok((flag, keys::range(flag, range)?)));
+        let keys = ranges.into_iter().flat_map(|ranges| ranges.iter()).map(|(key, range)| {
+            let key: String = key.extract()?;
+            Ok((key.clone(), keys::range(&key, &range)?))
+        });
+        let ranges = Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? };
+        let firing = asked::cycle_orders(firing_orders)?;
+        py.detach(|| questions::sweep(&self.source, &ranges, &rising(orders.unwrap_or_default()), &firing))
+    }
+
     /// The report as one text.
     ///
     /// format: "markdown", "html", "latex", "typst" or "text". HTML and LaTeX hold their pictures; of Markdown and Typst the pictures are
     /// files beside it, which `report_files` gives too.
     /// language: "en" or "de".
     #[pyo3(signature = (format="markdown", *, orders=None, language="en"))]
-    fn report(
-        &self,
-        py: Python<'_>,
-        format: &str,
-        orders: Option<Vec<u32>>,
-        language: &str,
-    ) -> PyResult<String> {
+    fn report(&self, py: Python<'_>, format: &str, orders: Option<Vec<u32>>, language: &str) -> PyResult<String> {
         let mut files = self.report_files(py, format, orders, language)?;
         Ok(files.remove(0).1)
     }
@@ -237,21 +298,4 @@ impl Engine {
     fn _repr_latex_(&self, py: Python<'_>) -> PyResult<String> {
         Ok(notebook::latex(&self.classify(py, None, None, false, false)?.verdicts))
     }
-}
-
-fn masses_of(name: &str) -> PyResult<Masses> {
-    match name {
-        "reciprocating" => Ok(Masses::Reciprocating),
-        "rotating" => Ok(Masses::Rotating),
-        "counterweights" => Ok(Masses::Counterweights),
-        "all" => Ok(Masses::All),
-        other => Err(told(format!("masses `{other}`; reciprocating, rotating, counterweights or all are judged"))),
-    }
-}
-
-/// The names of the engines that are known, as `Engine.named` takes them.
-#[pyfunction]
-pub(super) fn catalogue() -> PyResult<Vec<&'static str>> {
-    let engines = file::catalogue().map_err(|error| error::layout(&error))?;
-    Ok(engines.iter().map(|(entry, _)| entry.name).collect())
 }

@@ -151,6 +151,31 @@ fn written(value: &Bound<'_, PyAny>) -> PyResult<String> {
     }
 }
 
+/// A number as it is written: a str stands as it is, with its unit.
+pub(super) fn number(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    match value.cast::<PyString>() {
+        Ok(text) => Ok(text.to_str()?.to_owned()),
+        Err(_) => Ok(written(value)?.trim_matches('"').to_owned()),
+    }
+}
+
+/// One value, or a list of them, as they are written.
+pub(super) fn numbers(value: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    match items(value).filter(|_| !value.hasattr("item").unwrap_or(false) || value.len().is_ok()) {
+        Some(items) => items.iter().map(number).collect(),
+        None => Ok(vec![number(value)?]),
+    }
+}
+
+/// The range of a sweep: "0..180:10", or from, to and step.
+pub(super) fn range(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
+    match (value.is_instance_of::<PyString>(), numbers(value)?.as_slice()) {
+        (true, [text]) => Ok(text.clone()),
+        (false, [from, to, step]) => Ok(format!("{from}..{to}:{step}")),
+        _ => Err(told(format!("the range of `{name}`; write \"0..180:10\", or (0, 180, 10): from, to, step"))),
+    }
+}
+
 /// The values of a list, a tuple, a range or an array; none of anything else.
 fn items<'py>(value: &Bound<'py, PyAny>) -> Option<Vec<Bound<'py, PyAny>>> {
     if value.is_instance_of::<PyString>() || value.cast::<PyMapping>().is_ok() {

@@ -2,12 +2,18 @@
 //!
 //! `keywords, text, file, name → layout → Engine → answers: objects, columns, documents, pages`
 
+mod answer;
+mod asked;
+mod columns;
 mod documents;
 mod engine;
 mod error;
+mod functions;
+mod judged;
 mod keys;
 mod notebook;
 mod pages;
+mod questions;
 mod reading;
 mod star;
 mod verdict;
@@ -17,7 +23,7 @@ use pyo3::prelude::*;
 
 /// Decides exactly how a reciprocating engine balances, and writes the proof.
 #[pymodule]
-fn crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
+fn _crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("CrankstarError", py.get_type::<error::CrankstarError>())?;
@@ -27,5 +33,10 @@ fn crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<star::Star>()?;
     module.add_class::<verdict::Verdict>()?;
     module.add_class::<verdicts::Verdicts>()?;
-    module.add_function(wrap_pyfunction!(engine::catalogue, module)?)
+    module.add_class::<answer::Answer>()?;
+    module.add_class::<questions::Remedy>()?;
+    module.add_class::<questions::Checked>()?;
+    module.add_function(wrap_pyfunction!(functions::catalogue, module)?)?;
+    module.add_function(wrap_pyfunction!(functions::search, module)?)?;
+    module.add_function(wrap_pyfunction!(functions::verify, module)?)
 }

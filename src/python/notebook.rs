@@ -13,7 +13,8 @@ pub(super) fn html(page: &Document) -> String {
 pub(super) fn tex(text: &Text) -> String {
     match text.is_zero() {
         true => "\\mathbf{0}".to_owned(),
-        false => format!("\\text{{{}}}", text_in(text, Format::Latex)),
+        // MathJax would show a tie as it is.
+        false => format!("\\text{{{}}}", text_in(text, Format::Latex).replace('~', " ")),
     }
 }
 

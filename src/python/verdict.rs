@@ -94,7 +94,8 @@ impl Verdict {
 
     /// With the largest value; nothing is there of an order that does not exist.
     fn sized(self, vanishes: Option<bool>, size: impl Into<Size>) -> Self {
-        let (vanishes, size) = if self.exists { (vanishes, size.into()) } else { (Some(true), Size::from(Amount::zero())) };
+        let (vanishes, size) =
+            if self.exists { (vanishes, size.into()) } else { (Some(true), Size::from(Amount::zero())) };
         Verdict { vanishes, exact: size.exact, value: size.value, ..self }
     }
 }

@@ -72,7 +72,10 @@ fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<Theorem, NoTheorem>
 pub fn engine_at_a_glance(engine: &Engine, judged: &Judgement) -> Document {
     let pictures = Block::Pictures(engine::first_pictures(engine, &orders::stars(judged)));
     let answer = engine_answer(engine, judged);
-    Document { blocks: [pictures].into_iter().chain(answer.blocks).collect(), ..Document::new("glance", engine.title()) }
+    Document {
+        blocks: [pictures].into_iter().chain(answer.blocks).collect(),
+        ..Document::new("glance", engine.title())
+    }
 }
 
 /// The report of an engine.
