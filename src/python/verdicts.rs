@@ -1,7 +1,8 @@
 //! What is the answer to `classify` in Python? A sequence of verdicts, and its document with the certificates.
 
-use pyo3::exceptions::PyIndexError;
+use pyo3::exceptions::{PyIndexError, PyKeyError};
 use pyo3::prelude::*;
+use pyo3::types::{PyIterator, PyList};
 
 use super::verdict::{self, Verdict};
 use super::{documents, notebook, pages};
@@ -43,12 +44,20 @@ impl Verdicts {
         verdict.cloned().ok_or_else(|| PyIndexError::new_err(format!("verdict {index} of {count}")))
     }
 
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        PyList::new(
+            py,
+            self.verdicts.iter().cloned().map(|verdict| Py::new(py, verdict)).collect::<PyResult<Vec<_>>>()?,
+        )?
+        .try_iter()
+    }
+
     /// The verdict on one quantity, "force", "moment", "torque" or "roll", of one order.
     ///
     /// Raises KeyError where it was not judged.
     fn of(&self, quantity: &str, order: u32) -> PyResult<Verdict> {
         let found = self.verdicts.iter().find(|verdict| verdict.quantity == quantity && verdict.order == order);
-        let told = || pyo3::exceptions::PyKeyError::new_err(format!("no verdict on the {quantity} of order {order}"));
+        let told = || PyKeyError::new_err(format!("no verdict on the {quantity} of order {order}"));
         found.cloned().ok_or_else(told)
     }
 
