@@ -2,6 +2,7 @@
 
 import json
 import math
+from functools import cache
 
 import pytest
 
@@ -11,9 +12,16 @@ from crankstar import Engine
 NAMES = crankstar.catalogue()
 
 
+@cache
+def verdicts_on(name: str) -> crankstar.Verdicts:
+    """With the torque, which is not to be had of links on a master rod."""
+    engine = Engine.named(name)
+    return engine.classify(torque="[articulated]" not in engine.layout)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_a_proved_zero_is_exactly_zero_and_nothing_else_is(name):
-    for verdict in Engine.named(name).classify(torque=True):
+    for verdict in verdicts_on(name):
         if verdict.vanishes:
             assert verdict.value == 0.0 and verdict.exact == "0"
         elif verdict.vanishes is False and not verdict.parts:
@@ -24,7 +32,7 @@ def test_a_proved_zero_is_exactly_zero_and_nothing_else_is(name):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_star_is_the_sum_of_its_terms(name):
-    for verdict in Engine.named(name).classify():
+    for verdict in verdicts_on(name):
         for star in verdict.stars:
             terms = [(2 * math.pi * float(angle), float(weight)) for angle, weight in star.terms]
             x = math.fsum(weight * math.cos(angle) for angle, weight in terms)
@@ -34,7 +42,7 @@ def test_every_star_is_the_sum_of_its_terms(name):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_certificate_of_the_catalogue_holds(name):
-    verdicts = Engine.named(name).classify(torque=True)
+    verdicts = verdicts_on(name)
     checked = crankstar.verify(verdicts.json)
     assert checked.certificates >= len(verdicts.document()["verdicts"]) > 0
 
@@ -44,7 +52,7 @@ def test_closed_forms_are_exact_texts():
     moment = verdicts.of("moment", 1)
     assert (moment.exact, moment.shape, moment.is_couple, moment.vanishes) == ("√10", "rotating", True, False)
     assert moment.value == pytest.approx(math.sqrt(10), rel=1e-15)
-    assert moment.text == "couple √10 ≈\u00a03.162, rotating"
+    assert moment.text == "couple √10 ≈ 3.162, rotating"
     force = verdicts.of("force", 4)
     assert (force.exact, force.shape, force.is_couple) == ("4√2", "planar", None)
 
