@@ -30,7 +30,7 @@
 //! cli
 //! report
 //! page
-//! claim  data  optimise
+//! claim  optimise
 //! journal
 //! accuracy  remedy  sweep  search  torque  torsion
 //! loads  family
@@ -83,8 +83,6 @@ pub mod accuracy;
 #[allow(clippy::disallowed_types)]
 pub mod claim;
 #[allow(clippy::disallowed_types)]
-pub mod data;
-#[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]
 pub mod gas;
@@ -128,6 +126,8 @@ pub use order::Masses;
 pub use proof::{
     AnyDocument, Certificate, Checked, Fault, Quantity, Refusal, Sense, Unreadable, check_certificate, read_document,
 };
+#[cfg(feature = "report")]
+pub use report::data;
 pub use verdict::classify;
 
 /// The numbers of an engine: positions, masses, ratios.

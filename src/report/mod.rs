@@ -11,6 +11,7 @@ mod catalogue;
 mod claims;
 mod compare;
 mod convention;
+pub mod data;
 mod document;
 mod engine_cells;
 mod engine_page;

@@ -32,6 +32,12 @@ impl Unit {
     pub const CRANK_RADIUS: Unit = Unit { suffix: "r", shown: "r" };
     /// Mass times crank radius.
     pub const MASS_RADIUS: Unit = Unit { suffix: "m_r", shown: "m r" };
+    /// That times an arm in metres.
+    pub const MASS_RADIUS_METRE: Unit = Unit { suffix: "m_r_m", shown: "m r · 1 m" };
+    /// That times an arm in spacings.
+    pub const MASS_RADIUS_SPACING: Unit = Unit { suffix: "m_r_a", shown: "m r a" };
+    /// Mass times the square of the crank radius.
+    pub const MASS_RADIUS_SQUARED: Unit = Unit { suffix: "m_r2", shown: "m r²" };
     /// Forces without a scale.
     pub const MULTIPLE: Unit = Unit { suffix: "mrw2", shown: "m r ω²" };
     /// Their moments, with arms in spacings.

@@ -18,7 +18,7 @@ const STOREYS: [&[&str]; 14] = [
     &["loads", "family"],
     &["accuracy", "remedy", "sweep", "search", "torque", "torsion"],
     &["journal"],
-    &["claim", "data", "optimise"],
+    &["claim", "optimise"],
     &["page"],
     &["report"],
     &["cli"],

@@ -1,6 +1,6 @@
 //! What does the table of a sweep hold as a file? The points, a row each.
 
-use crate::data;
+use super::super::data;
 use crate::page::File;
 use crate::sweep::Sweep;
 use crate::table::csv;

@@ -1,6 +1,6 @@
 //! How are the numbers of a sweep written, and what are its amplitudes called?
 
-pub(super) use crate::data::exact_number as exact;
+pub(super) use super::super::data::exact_number as exact;
 use crate::loads::Arm;
 use crate::proof::Quantity;
 use crate::sweep::{Amplitudes, Parameter, Sweep, SweptOrder, Zeros};

@@ -3,10 +3,21 @@
 //! A question has one table or several, the main one first. `docs/data.md` lists every column of every table, which a test holds it to.
 //! Amplitudes are zero to peak. Where a number is proved to be 0 it is 0, and the column beside it that ends in `vanishes` is true.
 
+mod bearings;
 mod cells;
+mod classify;
+mod compare;
+mod filling;
+mod gas_loads;
+mod loads;
 mod search;
 mod sweep;
+mod verdicts;
 
+pub use bearings::bearings;
 pub use cells::exact_number;
+pub use classify::classify;
+pub use compare::compare;
+pub use loads::loads;
 pub use search::search;
 pub use sweep::{points as sweep_points, sweep};
