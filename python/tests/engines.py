@@ -4,8 +4,9 @@ import crankstar
 
 #: A V6 with masses and a speed, so that its loads are newtons.
 V6 = dict(
-    vee={"bank_angle": 60, "throws": [0, 240, 120], "pin_split": -60, "spacing": "0.108"},
+    vee={"bank_angle": 60, "throws": [0, 120, 240], "pin_split": -60, "spacing": "0.108"},
     cycle="four-stroke",
+    firing_order="1-4-2-5-3-6",
     speed="6000 rpm",
     effects=["torque"],
     bearings=["0.162", "0.054", "-0.054", "-0.162"],

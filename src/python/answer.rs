@@ -2,7 +2,6 @@
 
 use std::sync::OnceLock;
 
-use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -24,7 +23,7 @@ pub(super) trait Question: Send + Sync {
     fn page(&self) -> Document;
 }
 
-/// An answer: the columns of its tables by `answer["orders"]`, its document, its page.
+/// An answer: its columns, its document, its page.
 #[pyclass(frozen, subclass, module = "crankstar")]
 pub(super) struct Answer {
     question: Box<dyn Question>,
@@ -47,24 +46,13 @@ impl Answer {
     /// polars.DataFrame take.
     #[getter]
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.made(py).first().map_or_else(|| Ok(PyDict::new(py)), |table| columns::columns(py, table))
+        columns::main(py, self.made(py))
     }
 
-    /// The names of the tables, the main one first.
+    /// The columns of all tables by their names, the main one first: `{table: columns}`.
     #[getter]
-    fn tables(&self, py: Python<'_>) -> Vec<&'static str> {
-        self.made(py).iter().map(Table::name).collect()
-    }
-
-    /// The columns of the table of this name.
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyDict>> {
-        let tables = self.made(py);
-        let names = || tables.iter().map(Table::name).collect::<Vec<_>>().join(", ");
-        let found = tables.iter().find(|table| table.name() == name);
-        columns::columns(
-            py,
-            found.ok_or_else(|| PyKeyError::new_err(format!("no table `{name}`; there are {}", names())))?,
-        )
+    fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        columns::all(py, self.made(py))
     }
 
     /// What each column is counted in and means: `{table: {column: (unit, meaning)}}`.

@@ -17,6 +17,20 @@ pub(super) fn columns<'py>(py: Python<'py>, table: &Table) -> PyResult<Bound<'py
     Ok(dict)
 }
 
+/// The columns of the first table.
+pub(super) fn main<'py>(py: Python<'py>, tables: &[Table]) -> PyResult<Bound<'py, PyDict>> {
+    tables.first().map_or_else(|| Ok(PyDict::new(py)), |table| columns(py, table))
+}
+
+/// The columns of all tables by their names.
+pub(super) fn all<'py>(py: Python<'py>, tables: &[Table]) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for table in tables {
+        dict.set_item(table.name(), columns(py, table)?)?;
+    }
+    Ok(dict)
+}
+
 /// What each column of each table is counted in and means: `{table: {column: (unit, meaning)}}`.
 pub(super) fn about<'py>(py: Python<'py>, tables: &[Table]) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);

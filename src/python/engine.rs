@@ -153,8 +153,7 @@ impl Engine {
             let theorem = theorem.transpose().map_err(told)?;
             let quantities = verdict::quantities(&self.engine, torque);
             let document = report::document(&self.engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
-            let answer = report::engine_answer(&self.engine, &judged);
-            Verdicts::new(&judged, &document, answer)
+            Verdicts::new(&self.engine, &judged, &document)
         })
     }
 

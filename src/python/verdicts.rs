@@ -2,12 +2,15 @@
 
 use pyo3::exceptions::{PyIndexError, PyKeyError};
 use pyo3::prelude::*;
-use pyo3::types::{PyIterator, PyList};
+use pyo3::types::{PyDict, PyIterator, PyList};
 
 use super::verdict::{self, Verdict};
-use super::{documents, notebook, pages};
+use super::{columns, documents, notebook, pages};
+use crate::engine::Engine;
 use crate::page::{Document, Format, Options};
 use crate::proof;
+use crate::report::{self, data};
+use crate::table::Table;
 use crate::verdict::Judgement;
 
 /// The verdicts on an engine, order by order: a sequence.
@@ -15,18 +18,20 @@ use crate::verdict::Judgement;
 pub(super) struct Verdicts {
     pub(super) verdicts: Vec<Verdict>,
     pistons: Option<Vec<Verdict>>,
+    tables: Vec<Table>,
     json: String,
     answer: Document,
 }
 
 impl Verdicts {
-    pub(super) fn new(judged: &Judgement, document: &proof::Document, answer: Document) -> PyResult<Self> {
+    pub(super) fn new(engine: &Engine, judged: &Judgement, document: &proof::Document) -> PyResult<Self> {
         let all = |orders: &[crate::verdict::OrderVerdict]| orders.iter().flat_map(verdict::of_order).collect();
         Ok(Verdicts {
             verdicts: all(&judged.orders),
             pistons: judged.pistons.as_deref().map(all),
+            tables: data::classify(engine, judged, document),
             json: documents::json(document)?,
-            answer,
+            answer: report::engine_answer(engine, judged),
         })
     }
 }
@@ -65,6 +70,24 @@ impl Verdicts {
     #[getter]
     fn pistons(&self) -> Option<Vec<Verdict>> {
         self.pistons.clone()
+    }
+
+    /// A row an order: a dict of NumPy arrays and lists, by the names of the CSV file, that pandas.DataFrame and polars.DataFrame take.
+    #[getter]
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        columns::main(py, &self.tables)
+    }
+
+    /// The columns of all tables by their names: `orders`, `sums`, and `torque` and `roll` where they were judged.
+    #[getter]
+    fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        columns::all(py, &self.tables)
+    }
+
+    /// What each column is counted in and means: `{table: {column: (unit, meaning)}}`.
+    #[getter]
+    fn about<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        columns::about(py, &self.tables)
     }
 
     /// What `crankstar classify --json` prints, as a str: `verify` takes it.

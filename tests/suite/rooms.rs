@@ -21,7 +21,7 @@ const STOREYS: [&[&str]; 14] = [
     &["claim", "optimise"],
     &["page"],
     &["report"],
-    &["cli"],
+    &["cli", "python"],
 ];
 
 fn root() -> &'static Path {

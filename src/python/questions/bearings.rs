@@ -9,7 +9,7 @@ use crate::page::Document;
 use crate::python::answer::{Answer, Question};
 use crate::python::documents;
 use crate::python::error::told;
-use crate::report;
+use crate::report::{self, BearingsDocument, data};
 use crate::table::Table;
 
 struct Bearings {
@@ -27,21 +27,28 @@ pub(in crate::python) fn bearings(engine: &Engine, orders: &[u32]) -> PyResult<A
     Ok(Answer::new(Bearings { engine: engine.clone(), continuous, determinate, complete }))
 }
 
+impl Bearings {
+    fn written(&self) -> BearingsDocument {
+        let document = report::bearings_document(&self.engine, &self.continuous, &self.determinate);
+        match &self.complete {
+            Some(Ok(loads)) => document.with_gas(report::CycleLoadsDocument::new(&self.engine, loads)),
+            Some(Err(_)) | None => document,
+        }
+    }
+}
+
 impl Question for Bearings {
     fn command(&self) -> &'static str {
         "bearings"
     }
 
     fn tables(&self) -> Vec<Table> {
-        Vec::new()
+        let complete = self.complete.as_ref().and_then(|loads| loads.as_ref().ok());
+        data::bearings(&self.engine, [&self.continuous, &self.determinate], &self.written(), complete)
     }
 
     fn json(&self) -> PyResult<String> {
-        let document = report::bearings_document(&self.engine, &self.continuous, &self.determinate);
-        documents::json(&match &self.complete {
-            Some(Ok(loads)) => document.with_gas(report::CycleLoadsDocument::new(&self.engine, loads)),
-            Some(Err(_)) | None => document,
-        })
+        documents::json(&self.written())
     }
 
     fn answer(&self) -> Document {

@@ -7,7 +7,7 @@ use crate::page::Document;
 use crate::python::answer::{Answer, Question};
 use crate::python::documents;
 use crate::python::error::told;
-use crate::report::{self, Numbers};
+use crate::report::{self, Numbers, data};
 use crate::table::Table;
 
 struct Loads {
@@ -27,7 +27,7 @@ impl Question for Loads {
     }
 
     fn tables(&self) -> Vec<Table> {
-        Vec::new()
+        data::loads(&self.engine, &self.numbers, &report::loads_document(&self.engine, &self.numbers, None))
     }
 
     fn json(&self) -> PyResult<String> {

@@ -7,12 +7,12 @@ use std::sync::{Mutex, PoisonError};
 use num_rational::BigRational;
 use pyo3::prelude::*;
 
-use crate::data;
 use crate::page::Document;
 use crate::python::answer::{Answer, Question};
 use crate::python::documents;
 use crate::python::error::told;
 use crate::report;
+use crate::report::data;
 use crate::search::{self, Front, Options, Problem, SearchError, Torsion};
 use crate::table::Table;
 

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use pyo3::prelude::*;
 
-use crate::data;
 use crate::engine::CycleOrder;
 use crate::file::{Beside, Template};
 use crate::page::Document;
@@ -13,6 +12,7 @@ use crate::python::documents;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
 use crate::report;
+use crate::report::data;
 use crate::sweep::{self, Geometry, Parameter, Sweep};
 use crate::table::Table;
 
