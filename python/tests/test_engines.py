@@ -116,7 +116,7 @@ def test_lists_that_do_not_fit_are_refused(keys, words):
 
 def test_what_is_no_value_of_a_layout_is_a_type_error():
     with pytest.raises(TypeError, match="object"):
-        Engine("x", speed=object(), throws=[0])
+        Engine("x", speed=object(), throws=[0])  # type: ignore[arg-type]
 
 
 def test_a_file_that_is_not_there_is_an_os_error(tmp_path):

@@ -46,12 +46,12 @@ def test_pictures_stand_beside_markdown():
 def test_a_report_speaks_german():
     assert "Ordnung" in Engine.named("I4").report("markdown", language="de")
     with pytest.raises(crankstar.CrankstarError, match="en or de"):
-        Engine.named("I4").report("markdown", language="fr")
+        Engine.named("I4").report("markdown", language="fr")  # type: ignore[arg-type]
 
 
 def test_a_format_that_is_none_is_refused():
     with pytest.raises(crankstar.CrankstarError, match="markdown, html"):
-        Engine.named("I4").report("docx")
+        Engine.named("I4").report("docx")  # type: ignore[arg-type]
 
 
 def test_drawings_are_asked_for_by_name():

@@ -8,6 +8,7 @@ from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import disjoint_base
 
 __all__ = [
     "Answer",
@@ -128,7 +129,10 @@ class Verdicts:
     @property
     def json(self) -> str: ...
     def document(self) -> dict[str, Any]: ...
+    def _repr_html_(self) -> str: ...
+    def _repr_latex_(self) -> str: ...
 
+@disjoint_base
 class Answer:
     """An answer: its columns, its document, its page."""
 
@@ -143,6 +147,7 @@ class Answer:
     def document(self) -> dict[str, Any]: ...
     def report(self, format: _Format = "markdown", *, language: _Language = "en") -> str: ...
     def figure(self, name: str) -> str: ...
+    def _repr_html_(self) -> str: ...
 
 @final
 class Remedy(Answer):
@@ -221,9 +226,12 @@ class Engine:
         masses: Literal["reciprocating", "rotating", "counterweights", "all"] | None = None,
         torque: bool = False,
         all_orders: bool = False,
-    ) -> Verdicts: ...
-    def loads(self, orders: Sequence[int] | None = None) -> Answer: ...
-    def bearings(self, orders: Sequence[int] | None = None) -> Answer: ...
+    ) -> Verdicts:
+        """Does force or moment vanish, order by order, and what is left? Orders from 1 to 1000; the usual ones where left out."""
+    def loads(self, orders: Sequence[int] | None = None) -> Answer:
+        """Forces in N, moments and torques in N m where the layout gives masses, a crank radius and a speed; amplitudes zero to peak."""
+    def bearings(self, orders: Sequence[int] | None = None) -> Answer:
+        """What the main bearings feel, in N where the layout gives masses, a crank radius and a speed."""
     def remedy(
         self,
         orders: Sequence[int] | None = None,
@@ -238,7 +246,8 @@ class Engine:
         *,
         mode_shape: _Numbers | None = None,
     ) -> Answer: ...
-    def torque(self) -> Answer: ...
+    def torque(self) -> Answer:
+        """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
     def sweep(
         self,
         ranges: dict[str, _Range] | None = None,
@@ -267,6 +276,8 @@ class Engine:
         language: _Language = "en",
     ) -> list[tuple[str, str]]: ...
     def figure(self, name: str) -> str: ...
+    def _repr_html_(self) -> str: ...
+    def _repr_latex_(self) -> str: ...
 
 def catalogue() -> list[str]: ...
 def search(
