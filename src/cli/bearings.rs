@@ -6,8 +6,8 @@ use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::report;
 
-use super::failure::Failure;
 use super::answer::Answer;
+use super::failure::Failure;
 use super::{EngineAndOrders, json};
 
 /// Arguments of `bearings`.

@@ -9,10 +9,10 @@ use crankstar::loads::usual_orders;
 use crankstar::report::{self, CompareDocument, Compared};
 use crankstar::text::Untrusted;
 
-use super::failure::Failure;
 use super::answer::Answer;
-use super::verify::proved_or_without;
+use super::failure::Failure;
 use super::layouts;
+use super::verify::proved_or_without;
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]

@@ -1,6 +1,6 @@
 //! `figure`: how does one drawing get into a document of one's own?
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 
@@ -8,7 +8,7 @@ use crankstar::engine::{Engine, Family};
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads::{Method, bearing_loads, bearing_orders};
-use crankstar::page::{Alone, File};
+use crankstar::page::Alone;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Contents, NamedPicture};
 use crankstar::text::harmless;

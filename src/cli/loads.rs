@@ -8,10 +8,10 @@ use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
 use crankstar::report::{self, LoadsDocument, Numbers};
 
-use super::failure::Failure;
-use super::answer::Answer;
-use super::verify::proved_or_without;
 use super::EngineAndOrders;
+use super::answer::Answer;
+use super::failure::Failure;
+use super::verify::proved_or_without;
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";

@@ -13,9 +13,9 @@ use crankstar::page::Document;
 use crankstar::report;
 use crankstar::search::{self, Options, Problem, Progress};
 
+use super::answer::Answer;
 use super::failure::Failure;
 use super::firing::ModeShape;
-use super::answer::Answer;
 use super::{json, progress};
 
 /// Arguments of `search`.

@@ -10,8 +10,8 @@ use crankstar::page::File;
 use crankstar::report;
 use crankstar::sweep::{self, Geometry, Parameter};
 
-use super::failure::Failure;
 use super::answer::Answer;
+use super::failure::Failure;
 use super::{json, layouts, progress};
 
 /// Arguments of `sweep`.

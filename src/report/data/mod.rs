@@ -26,10 +26,7 @@ pub use sweep::{points as sweep_points, sweep};
 pub const TABLES: [(&str, &[&str]); 6] = [
     ("classify", &["orders", "sums", "torque", "roll"]),
     ("loads", &["orders", "torque", "roll", "theta", "largest"]),
-    (
-        "bearings",
-        &["bearings", "orders", "theta", "pins", "gas_bearings", "gas_cylinders", "gas_orders", "gas_theta"],
-    ),
+    ("bearings", &["bearings", "orders", "theta", "pins", "gas_bearings", "gas_cylinders", "gas_orders", "gas_theta"]),
     ("compare", &["orders", "engines"]),
     ("search", &["stars", "question", "firing_orders"]),
     ("sweep", &["points", "zeros", "firing_zeros"]),

@@ -66,11 +66,7 @@ pub fn compare(engine: &Engine, orders: &[u32]) -> Answered {
 pub fn loads(engine: &Engine, orders: &[u32]) -> Option<Answered> {
     let numbers = Numbers::new(engine, orders, None).ok()?;
     let document = report::loads_document(engine, &numbers, None);
-    Some(Answered {
-        question: "loads",
-        tables: data::loads(engine, &numbers, &document),
-        document: json(&document),
-    })
+    Some(Answered { question: "loads", tables: data::loads(engine, &numbers, &document), document: json(&document) })
 }
 
 /// None where the layout lacks bearings.
