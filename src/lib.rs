@@ -48,13 +48,14 @@
 //!
 //! # Features
 //!
-//! All but the last are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
+//! The first three are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
 //! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
 //!
 //! - `report`: the rooms `page` and `report`, pages and documents.
 //! - `optimise`: the room `optimise`, with its solver for convex problems.
 //! - `cli`: the program; it takes `report` along.
-//! - `python`, off by default: the room `python`, the module that `pip install .` builds; it takes `report` along.
+//! - `xlsx`, `parquet`: tables of data ([`table`]) as workbooks and as Parquet, besides CSV.
+//! - `python`: the room `python`, the module that `pip install .` builds; it takes `report` along.
 //!
 //! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 

@@ -144,9 +144,9 @@ impl Look {
         Ok(shown_with(answer, &Options { stamp: None, ..self.reader.options()? }))
     }
 
-    /// Whether a folder is named.
-    pub fn has_folder(&self) -> bool {
-        self.output.is_some()
+    /// Whether a page is to be in other units than those of the SI.
+    pub fn is_in_inches(&self) -> bool {
+        self.reader.units == System::Inch
     }
 
     /// The folder that is named.

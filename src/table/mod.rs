@@ -4,11 +4,17 @@
 
 mod column;
 mod csv;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod unit;
+mod write;
+#[cfg(feature = "xlsx")]
+mod xlsx;
 
 pub use column::{Column, Kind, Values, filled};
 pub use csv::csv;
 pub use unit::Unit;
+pub use write::{DataFile, Format, Unwritable};
 
 /// A table: columns of equal length.
 #[derive(Clone, Debug, PartialEq)]

@@ -23,6 +23,7 @@ mod command_line;
 mod compare;
 mod corrected_files;
 mod crankshaft;
+mod data;
 mod decision_laws;
 mod document_limits;
 mod document_mutations;
@@ -107,6 +108,7 @@ mod support {
     pub mod program;
     pub mod side;
     pub mod stiffness;
+    pub mod tables;
     pub mod time_domain;
     pub mod verdicts;
     pub mod whole_degrees;

@@ -140,11 +140,13 @@ fn orders(solutions: &[(&'static str, &Solution)]) -> Table {
         Some(order.order.clone())
     });
     table.truth(
-        "vanishes",
+        "force_vanishes",
         "whether it is proved to be 0, for every pressure that the cylinders of a class share",
         |(.., order)| Some(order.vanishes),
     );
-    table.decimal("force_zero_to_peak_{unit}", Unit::NEWTON, "largest length", |(.., order)| Some(order.largest));
+    table.decimal("force_zero_to_peak_{unit}", Unit::NEWTON, "largest length", |(.., order)| {
+        Some(if order.vanishes { 0.0 } else { order.largest })
+    });
     table.done()
 }
 

@@ -21,3 +21,13 @@ pub use compare::compare;
 pub use loads::loads;
 pub use search::search;
 pub use sweep::{points as sweep_points, sweep};
+
+/// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
+pub const TABLES: [(&str, &[&str]); 6] = [
+    ("classify", &["orders", "sums", "torque", "roll"]),
+    ("loads", &["orders", "torque", "roll", "theta", "largest"]),
+    ("bearings", &["bearings", "orders", "theta", "pins", "gas_bearings", "gas_cylinders", "gas_orders", "gas_theta"]),
+    ("compare", &["orders", "engines"]),
+    ("search", &["stars", "question", "firing_orders"]),
+    ("sweep", &["points", "zeros", "firing_zeros"]),
+];
