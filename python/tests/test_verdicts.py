@@ -4,6 +4,7 @@ import json
 import math
 from functools import cache
 
+import numpy as np
 import pytest
 
 import crankstar
@@ -87,9 +88,16 @@ def test_masses_are_chosen_by_name():
 
 
 def test_orders_that_are_none_are_refused():
-    for orders in ([0], [1001]):
-        with pytest.raises(crankstar.CrankstarError):
-            Engine.named("I4").classify(orders)
+    for orders in ([0], [1001], [-1], [1.5], ["x"]):
+        with pytest.raises(crankstar.CrankstarError, match="1 to 1000"):
+            Engine.named("I4").classify(orders)  # type: ignore[arg-type]
+
+
+def test_orders_are_a_number_a_list_a_range_or_an_array():
+    engine = Engine.named("I4")
+    assert [verdict.order for verdict in engine.classify(2)] == [2, 2]
+    wanted = engine.classify([1, 2, 3]).json
+    assert engine.classify(range(1, 4)).json == engine.classify(np.array([3, 2, 1])).json == wanted
 
 
 def test_different_rods_make_parts():

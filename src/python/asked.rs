@@ -6,11 +6,21 @@ use pyo3::prelude::*;
 
 use super::error::told;
 use super::keys;
-use crate::engine::{Cycle, CycleOrder};
+use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
 use crate::file::{parse_angle, parse_number};
 use crate::firing::Weights;
 use crate::order::Masses;
+
+/// Orders of force and moment: whole numbers, in a list or an array; none where they are left out.
+pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u32>>> {
+    let Some(value) = value else { return Ok(None) };
+    let read = |text: &String| {
+        let order = text.parse().ok().filter(|order| ORDERS.contains(order));
+        order.ok_or_else(|| told(format!("order `{text}`; whole numbers from 1 to {} are judged", ORDERS.end())))
+    };
+    keys::numbers(value)?.iter().map(read).collect::<PyResult<_>>().map(Some)
+}
 
 /// Whose masses are judged.
 pub(super) fn masses(name: &str) -> PyResult<Masses> {

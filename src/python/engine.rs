@@ -141,12 +141,12 @@ impl Engine {
     fn classify(
         &self,
         py: Python<'_>,
-        orders: Option<Vec<u32>>,
+        orders: Option<&Bound<'_, PyAny>>,
         masses: Option<&str>,
         torque: bool,
         all_orders: bool,
     ) -> PyResult<Verdicts> {
-        let masses = masses.map(asked::masses).transpose()?;
+        let (orders, masses) = (asked::orders(orders)?, masses.map(asked::masses).transpose()?);
         py.detach(|| {
             let judged = self.judged(&self.orders(orders), masses, torque)?;
             let theorem = all_orders.then(|| verdict::theorem(&self.engine, judged.masses));
@@ -161,13 +161,15 @@ impl Engine {
     ///
     /// Tables: the orders, and the course over the crank angle. Amplitudes are zero to peak.
     #[pyo3(signature = (orders=None))]
-    fn loads(&self, py: Python<'_>, orders: Option<Vec<u32>>) -> PyResult<Answer> {
+    fn loads(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
+        let orders = asked::orders(orders)?;
         py.detach(|| questions::loads(&self.engine, &self.orders(orders)))
     }
 
     /// What the main bearings feel, whose positions the layout gives; with the gas where it has `effects = ["gas"]`.
     #[pyo3(signature = (orders=None))]
-    fn bearings(&self, py: Python<'_>, orders: Option<Vec<u32>>) -> PyResult<Answer> {
+    fn bearings(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
+        let orders = asked::orders(orders)?;
         let usual = || loads::usual_bearing_orders(&self.engine);
         py.detach(|| questions::bearings(&self.engine, &rising(orders.unwrap_or_else(usual))))
     }
@@ -180,13 +182,13 @@ impl Engine {
     fn remedy<'py>(
         &self,
         py: Python<'py>,
-        orders: Option<Vec<u32>>,
+        orders: Option<&Bound<'_, PyAny>>,
         planes: Option<&Bound<'_, PyAny>>,
         balance_factor: Option<&Bound<'_, PyAny>>,
         skew: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, Remedy>> {
         let wanted = Wanted {
-            orders: self.orders(orders),
+            orders: self.orders(asked::orders(orders)?),
             planes: planes.map(asked::planes).transpose()?,
             factors: asked::factors(balance_factor)?,
             skews: asked::skews(skew)?,
@@ -231,7 +233,7 @@ impl Engine {
         rod_ratio: Option<&Bound<'_, PyAny>>,
         balance_factor: Option<&Bound<'_, PyAny>>,
         speed: Option<&Bound<'_, PyAny>>,
-        orders: Option<Vec<u32>>,
+        orders: Option<&Bound<'_, PyAny>>,
         firing_orders: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
         let flags = [
@@ -249,7 +251,7 @@ impl Engine {
             Ok((key.clone(), keys::range(&key, &range)?))
         });
         let ranges = Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? };
-        let firing = asked::cycle_orders(firing_orders)?;
+        let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
         py.detach(|| questions::sweep(&self.source, &ranges, &rising(orders.unwrap_or_default()), &firing))
     }
 
@@ -259,7 +261,13 @@ impl Engine {
     /// files beside it, which `report_files` gives too.
     /// language: "en" or "de".
     #[pyo3(signature = (format="markdown", *, orders=None, language="en"))]
-    fn report(&self, py: Python<'_>, format: &str, orders: Option<Vec<u32>>, language: &str) -> PyResult<String> {
+    fn report(
+        &self,
+        py: Python<'_>,
+        format: &str,
+        orders: Option<&Bound<'_, PyAny>>,
+        language: &str,
+    ) -> PyResult<String> {
         let mut files = self.report_files(py, format, orders, language)?;
         Ok(files.remove(0).1)
     }
@@ -270,10 +278,11 @@ impl Engine {
         &self,
         py: Python<'_>,
         format: &str,
-        orders: Option<Vec<u32>>,
+        orders: Option<&Bound<'_, PyAny>>,
         language: &str,
     ) -> PyResult<Vec<(String, String)>> {
         let (format, options) = (pages::format(format)?, pages::options(language)?);
+        let orders = asked::orders(orders)?;
         py.detach(|| {
             let page = self.page(&self.orders(orders), format == Format::Html)?;
             Ok(pages::files(&page, format, &options))

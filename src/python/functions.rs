@@ -39,20 +39,20 @@ pub(super) fn verify(py: Python<'_>, document: &Bound<'_, PyAny>) -> PyResult<Ch
 
 /// The crank stars that balance best: the exact front of all of them, up to their symmetries.
 ///
-/// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared.
+/// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where left out.
 /// bank_angle: a V of so many degrees on shared pins, with so many directions of its pins; an engine in line where left out.
 /// grid: throws at any multiples of 1/grid turn. neighbours: count neighbours that fire in succession.
 /// torsion: judge the firing orders of each star in a mode of torsional vibration, `mode_shape` or one that falls evenly.
 /// resume: a file that keeps finished pieces. threads: one per core where left out. An interrupt from the keyboard stops it.
 #[pyfunction]
-#[pyo3(signature = (cylinders, cycle, *, orders=vec![1, 2], bank_angle=None, directions=None, grid=None, neighbours=false, torsion=false,
+#[pyo3(signature = (cylinders, cycle, *, orders=None, bank_angle=None, directions=None, grid=None, neighbours=false, torsion=false,
                     mode_shape=None, resume=None, threads=None))]
 #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
 pub(super) fn search(
     py: Python<'_>,
     cylinders: u32,
     cycle: &str,
-    orders: Vec<u32>,
+    orders: Option<&Bound<'_, PyAny>>,
     bank_angle: Option<&Bound<'_, PyAny>>,
     directions: Option<u32>,
     grid: Option<u32>,
@@ -68,6 +68,7 @@ pub(super) fn search(
         return Err(error::told("mode_shape weighs the firing stars of firing orders; give torsion=True"));
     }
     let cycle = asked::cycle(cycle)?;
-    let problem = Problem { cylinders, cycle, bank_angle, directions, grid, orders: rising(orders), neighbours };
+    let orders = rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
+    let problem = Problem { cylinders, cycle, bank_angle, directions, grid, orders, neighbours };
     py.detach(|| questions::search(&problem, torsion.then_some(shape), resume, threads))
 }

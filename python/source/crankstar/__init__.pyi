@@ -1,6 +1,6 @@
 """Decides exactly how a reciprocating engine balances, and writes the proof."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from os import PathLike
@@ -32,6 +32,7 @@ __version__: str
 # A number, taken exactly as Python shows it; a str may have a unit: "22.5 deg", "3/2", "90 mm".
 _Number: TypeAlias = int | float | str | Fraction | Decimal | np.number[Any]
 _Numbers: TypeAlias = Iterable[_Number] | NDArray[Any]
+_Orders: TypeAlias = int | Iterable[int] | NDArray[Any]
 # "0..180:10", "80..120:5 mm", or from, to and step.
 _Range: TypeAlias = str | tuple[_Number, _Number, _Number]
 _Key: TypeAlias = _Number | bool | None | Iterable[Any] | Mapping[str, Any]
@@ -221,20 +222,20 @@ class Engine:
     def __len__(self) -> int: ...
     def classify(
         self,
-        orders: Sequence[int] | None = None,
+        orders: _Orders | None = None,
         *,
         masses: Literal["reciprocating", "rotating", "counterweights", "all"] | None = None,
         torque: bool = False,
         all_orders: bool = False,
     ) -> Verdicts:
         """Does force or moment vanish, order by order, and what is left? Orders from 1 to 1000; the usual ones where left out."""
-    def loads(self, orders: Sequence[int] | None = None) -> Answer:
+    def loads(self, orders: _Orders | None = None) -> Answer:
         """Forces in N, moments and torques in N m where the layout gives masses, a crank radius and a speed; amplitudes zero to peak."""
-    def bearings(self, orders: Sequence[int] | None = None) -> Answer:
+    def bearings(self, orders: _Orders | None = None) -> Answer:
         """What the main bearings feel, in N where the layout gives masses, a crank radius and a speed."""
     def remedy(
         self,
-        orders: Sequence[int] | None = None,
+        orders: _Orders | None = None,
         *,
         planes: _Numbers | None = None,
         balance_factor: _Number | _Numbers | None = None,
@@ -258,21 +259,21 @@ class Engine:
         rod_ratio: _Range | None = None,
         balance_factor: _Range | None = None,
         speed: _Range | None = None,
-        orders: Sequence[int] | None = None,
+        orders: _Orders | None = None,
         firing_orders: _Number | _Numbers | None = None,
     ) -> Answer: ...
     def report(
         self,
         format: _Format = "markdown",
         *,
-        orders: Sequence[int] | None = None,
+        orders: _Orders | None = None,
         language: _Language = "en",
     ) -> str: ...
     def report_files(
         self,
         format: _Format = "markdown",
         *,
-        orders: Sequence[int] | None = None,
+        orders: _Orders | None = None,
         language: _Language = "en",
     ) -> list[tuple[str, str]]: ...
     def figure(self, name: str) -> str: ...
@@ -284,7 +285,7 @@ def search(
     cylinders: int,
     cycle: Literal["two-stroke", "four-stroke"],
     *,
-    orders: Sequence[int] = ...,
+    orders: _Orders | None = None,
     bank_angle: _Number | None = None,
     directions: int | None = None,
     grid: int | None = None,
