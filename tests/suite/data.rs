@@ -25,7 +25,8 @@ const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const TWO_RODS: &str = include_str!("../../reports/examples/i6-two-rods/layout.toml");
 const V6: &str =
-    "cycle = \"four-stroke\"\nfiring_order = \"1-4-2-5-3-6\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
+    "cycle = 'four-stroke'\nfiring_order = '1-4-3-6-2-5'\nvee = { bank_angle = 60, throws = [0, 240, 120] }";
+const SILENT_V6: &str = "vee = { bank_angle = 60, throws = [0, 240, 120] }";
 const GEARED: &str = "speed = 3000\neffects = ['torque']\n[u]\nsense = 'against'\nphase = 0\ndistance = '200 mm'\nthrows = [0, 180]\nspacing = '100 mm'\n\
     [mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n";
 
@@ -178,7 +179,8 @@ fn a_decimal_has_all_its_digits_and_what_is_none_is_empty() {
 }
 
 fn same(found: Option<f64>, told: &Value, what: &str) {
-    assert_eq!(found.map(f64::to_bits), told.as_f64().map(f64::to_bits), "{what}: {found:?} and {told}");
+    // −0 is 0 in a table.
+    assert!(found == told.as_f64(), "{what}: {found:?} and {told}");
 }
 
 #[test]
@@ -306,7 +308,7 @@ fn the_tables_of_a_sweep_are_the_document() {
 
 #[test]
 fn a_map_has_both_parameters_even_of_one_list() {
-    let (_, answer) = tables::swept(V6, &["vee.throws.2=0..120:60", "vee.throws.3=0..240:120"], &[1], &[]);
+    let (_, answer) = tables::swept(SILENT_V6, &["vee.throws.2=0..120:60", "vee.throws.3=0..240:120"], &[1], &[]);
     let points = answer.table("points");
     assert_eq!(points.rows(), 9);
     let two = decimals(points, "vee_throws_2");
@@ -318,6 +320,7 @@ fn a_map_has_both_parameters_even_of_one_list() {
 fn the_tables_of_a_search_are_the_document() {
     let (_, answer) = tables::searched(&Problem::inline(5, Cycle::TwoStroke, &[1, 2]), false);
     let stars = answer.table("stars");
+    let mut closed = 0;
     for (row, star) in answer.document["stars"].as_array().expect("stars").iter().enumerate() {
         assert_eq!(texts(stars, "firing_order")[row].as_deref(), star["firing_order"].as_str());
         for (moment, order) in star["moments"].as_array().expect("moments").iter().zip([1, 2]) {
@@ -325,11 +328,13 @@ fn the_tables_of_a_search_are_the_document() {
             same(decimals(stars, &value)[row], &moment["decimal"], &value);
             let exact = texts(stars, &exact)[row].clone();
             assert_eq!(exact.as_deref(), moment["exact"].as_str());
-            let form = exact.map(|exact| Form::parse(&exact).expect("a form").to_float()).expect("a closed form");
-            assert!((form - moment["decimal"].as_f64().expect("a number")).abs() < 1e-9);
+            let Some(exact) = exact else { continue };
+            let form = Form::parse(&exact).expect("a form").to_float();
+            assert!((form - moment["decimal"].as_f64().expect("a number")).abs() < 1e-9, "{exact}");
+            closed += 1;
         }
     }
-    assert!(stars.rows() > 1);
+    assert!(stars.rows() > 1 && closed > 1, "{closed} of {}", stars.rows());
     let question = answer.table("question");
     assert_eq!(texts(question, "all_stars")[0].as_deref(), answer.document["all_stars"].as_str());
     let (_, answer) = tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true);
@@ -368,7 +373,7 @@ fn the_tables_of_verdicts_are_the_documents() {
         let entries = answer.document["engines"].as_array().expect("engines").iter();
         let entries: Vec<&Value> = entries.flat_map(|entry| entry["orders"].as_array().expect("orders")).collect();
         assert_eq!(entries.len(), orders.rows());
-        for (row, entry) in entries.into_iter().enumerate() {
+        for (row, entry) in entries.into_iter().enumerate().filter(|(_, entry)| entry["exists"] == true) {
             same(decimals(orders, "force_zero_to_peak_mrw2_ck")[row], &entry["force"]["largest"], "force");
             assert_eq!(texts(orders, "moment_exact")[row].as_deref(), entry["moment"]["exact"].as_str());
         }
@@ -442,9 +447,8 @@ fn reference() -> String {
                 "\n### {question}: {table}\n\nA row: {about}.\n\n| Column | Unit | Type | Meaning |\n| --- | --- | --- | --- |\n"
             );
             for [pattern, unit, kind, about] in rows {
-                text += &format!("| `{pattern}` | {unit} | {kind} | {about} |\n")
-                    .replace("½|P⁺|", "½\\|P⁺\\|")
-                    .replace("½|P⁻|", "½\\|P⁻\\|");
+                let about = about.replace('|', "\\|");
+                text += &format!("| `{pattern}` | {unit} | {kind} | {about} |\n");
             }
         }
     }

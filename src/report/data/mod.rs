@@ -13,6 +13,7 @@ mod loads;
 mod search;
 mod sweep;
 mod verdicts;
+mod zeros;
 
 pub use bearings::bearings;
 pub use cells::exact_number;

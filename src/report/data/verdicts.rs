@@ -25,16 +25,18 @@ pub(super) fn of_orders<R>(
 ) {
     table.whole("order", "the order k", |row| order(row).order as usize);
     table.truth("exists", "whether some mass has the order at all", |row| Some(order(row).exists));
-    amount(table, "force", |row| &order(row).force);
-    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, LARGEST, |row| order(row).force.largest);
-    table.exact(("{quantity}_exact", "force"), Unit::NONE, EXACT, |row| order(row).force.exact.clone());
-    amount(table, "moment", |row| &order(row).moment);
+    let force = |row: &R| known(order(row), |order| &order.force);
+    let moment = |row: &R| known(order(row), |order| &order.moment);
+    amount(table, "force", force);
+    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, LARGEST, |row| force(row).largest);
+    table.exact(("{quantity}_exact", "force"), Unit::NONE, EXACT, |row| force(row).exact);
+    amount(table, "moment", moment);
     for unit in moment_units {
         table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), *unit, LARGEST, |row| {
-            order(row).moment.largest.filter(|_| moment_unit(row) == *unit)
+            moment(row).largest.filter(|_| moment_unit(row) == *unit)
         });
     }
-    table.exact(("{quantity}_exact", "moment"), Unit::NONE, EXACT, |row| order(row).moment.exact.clone());
+    table.exact(("{quantity}_exact", "moment"), Unit::NONE, EXACT, |row| moment(row).exact);
     table.truth(
         "moment_is_couple",
         "whether the moment is the same about every plane: the force of this order vanishes",
@@ -42,10 +44,18 @@ pub(super) fn of_orders<R>(
     );
 }
 
-const LARGEST: &str = "largest length in a revolution, ½(|P⁺| + |P⁻|); empty where several sums with coefficients of their own make up the order, or it depends on the rods";
+/// What is left of an order: nothing of one that does not exist, whatever its sums are.
+fn known(order: &Order, amount: fn(&Order) -> &Amount) -> Amount {
+    match order.exists {
+        true => amount(order).clone(),
+        false => Amount { shape: Shape::Balanced, largest: Some(0.0), exact: Some("0".to_owned()) },
+    }
+}
+
+const LARGEST: &str = "largest length in a revolution, ½(|P⁺| + |P⁻|), for masses that turn and have a row of their own without c_k; empty where several sums with coefficients of their own make up the order, or it depends on the rods";
 const EXACT: &str = "the same in closed form, where one is short enough to read";
 
-fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> &Amount) {
+fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> Amount) {
     table.truth(
         ("{quantity}_vanishes", quantity),
         "whether it is proved to be 0; empty where that is not decided",
