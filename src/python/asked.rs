@@ -3,9 +3,11 @@
 use num_rational::BigRational;
 use num_traits::Signed;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use super::error::told;
 use super::keys;
+use super::questions::Ranges;
 use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
 use crate::file::{parse_angle, parse_number};
@@ -20,6 +22,27 @@ pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u3
         order.ok_or_else(|| told(format!("order `{text}`; whole numbers from 1 to {} are judged", ORDERS.end())))
     };
     keys::numbers(value)?.iter().map(read).collect::<PyResult<_>>().map(Some)
+}
+
+/// The ranges of a sweep: those of the flags that are given, and those of keys of the layout.
+pub(super) fn ranges(
+    flags: [(&'static str, Option<&Bound<'_, PyAny>>); 6],
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Ranges> {
+    let flags = flags.into_iter().filter_map(|(flag, range)| Some((flag, range?)));
+    let flags = flags.map(|(flag, range)| Ok((flag, keys::range(flag, range)?)));
+    let keys = keys.into_iter().flat_map(|keys| keys.iter()).map(|(key, range)| {
+        let key: String = key.extract()?;
+        Ok((key.clone(), keys::range(&key, &range)?))
+    });
+    Ok(Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? })
+}
+
+/// Rising, each once.
+pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
+    orders.sort_unstable();
+    orders.dedup();
+    orders
 }
 
 /// Whose masses are judged.

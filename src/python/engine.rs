@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 
 use super::answer::Answer;
 use super::error::told;
-use super::questions::{self, Ranges, Remedy, Wanted};
+use super::questions::{self, Remedy, Wanted};
 use super::reading::Source;
 use super::verdicts::Verdicts;
 use super::{asked, keys, notebook, pages};
@@ -44,15 +44,8 @@ impl Engine {
 
     /// The orders that were asked for, rising, each once; else the usual ones.
     pub(super) fn orders(&self, asked: Option<Vec<u32>>) -> Vec<u32> {
-        rising(asked.unwrap_or_else(|| loads::usual_orders(&self.engine)))
+        asked::rising(asked.unwrap_or_else(|| loads::usual_orders(&self.engine)))
     }
-}
-
-/// Rising, each once.
-pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
-    orders.sort_unstable();
-    orders.dedup();
-    orders
 }
 
 #[pymethods]
@@ -171,7 +164,7 @@ impl Engine {
     fn bearings(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let orders = asked::orders(orders)?;
         let usual = || loads::usual_bearing_orders(&self.engine);
-        py.detach(|| questions::bearings(&self.engine, &rising(orders.unwrap_or_else(usual))))
+        py.detach(|| questions::bearings(&self.engine, &asked::rising(orders.unwrap_or_else(usual))))
     }
 
     /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
@@ -244,15 +237,9 @@ impl Engine {
             ("balance-factor", balance_factor),
             ("speed", speed),
         ];
-        let flags = flags.into_iter().filter_map(|(flag, range)| Some((flag, range?)));
-        let flags = flags.map(|(flag, range)| Ok((flag, keys::range(flag, range)?)));
-        let keys = ranges.into_iter().flat_map(|ranges| ranges.iter()).map(|(key, range)| {
-            let key: String = key.extract()?;
-            Ok((key.clone(), keys::range(&key, &range)?))
-        });
-        let ranges = Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? };
+        let ranges = asked::ranges(flags, ranges)?;
         let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
-        py.detach(|| questions::sweep(&self.source, &ranges, &rising(orders.unwrap_or_default()), &firing))
+        py.detach(|| questions::sweep(&self.source, &ranges, &asked::rising(orders.unwrap_or_default()), &firing))
     }
 
     /// The report as one text.
@@ -295,7 +282,7 @@ impl Engine {
             let mut orders = self.orders(None);
             let named = name.strip_prefix("star:").and_then(|star| star.split(':').next());
             orders.extend(named.and_then(|order| order.parse::<u32>().ok()));
-            pages::figure(&self.page(&rising(orders), false)?, name)
+            pages::figure(&self.page(&asked::rising(orders), false)?, name)
         })
     }
 

@@ -6,7 +6,6 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString};
 
 use super::answer::Answer;
-use super::engine::rising;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
@@ -68,7 +67,7 @@ pub(super) fn search(
         return Err(error::told("mode_shape weighs the firing stars of firing orders; give torsion=True"));
     }
     let cycle = asked::cycle(cycle)?;
-    let orders = rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
+    let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
     let problem = Problem { cylinders, cycle, bank_angle, directions, grid, orders, neighbours };
     py.detach(|| questions::search(&problem, torsion.then_some(shape), resume, threads))
 }

@@ -28,7 +28,7 @@ pub(in crate::python) fn bearings(engine: &Engine, orders: &[u32]) -> PyResult<A
 }
 
 impl Bearings {
-    fn written(&self) -> BearingsDocument {
+    fn document(&self) -> BearingsDocument {
         let document = report::bearings_document(&self.engine, &self.continuous, &self.determinate);
         match &self.complete {
             Some(Ok(loads)) => document.with_gas(report::CycleLoadsDocument::new(&self.engine, loads)),
@@ -44,11 +44,11 @@ impl Question for Bearings {
 
     fn tables(&self) -> Vec<Table> {
         let complete = self.complete.as_ref().and_then(|loads| loads.as_ref().ok());
-        data::bearings(&self.engine, [&self.continuous, &self.determinate], &self.written(), complete)
+        data::bearings(&self.engine, [&self.continuous, &self.determinate], &self.document(), complete)
     }
 
     fn json(&self) -> PyResult<String> {
-        documents::json(&self.written())
+        documents::json(&self.document())
     }
 
     fn answer(&self) -> Document {

@@ -202,6 +202,7 @@ fn letter(factor: &Factor) -> Option<char> {
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),
+        Factor::Corrected(..) => Some('h'),
     }
 }
 
