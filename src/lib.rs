@@ -27,7 +27,7 @@
 //! # The rooms
 //!
 //! ```text
-//! cli  web
+//! cli  web  python
 //! report
 //! page
 //! claim  optimise
@@ -39,7 +39,7 @@
 //! order  numbers  gas
 //! file
 //! engine
-//! exact
+//! exact  table
 //! proof  motion  beam  text
 //! ```
 //!
@@ -48,13 +48,15 @@
 //!
 //! # Features
 //!
-//! All are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
+//! The first three are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
 //! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
 //!
 //! - `report`: the rooms `page` and `report`, pages and documents.
 //! - `optimise`: the room `optimise`, with its solver for convex problems.
 //! - `web`: the room `web`, what the page in a browser asks for; it takes `report` along.
 //! - `cli`: the program; it takes `report` along.
+//! - `xlsx`, `parquet`: tables of data ([`table`]) as workbooks and as Parquet, besides CSV.
+//! - `python`: the room `python`, the module that `pip install .` builds; it takes `report` along.
 //!
 //! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 
@@ -101,6 +103,9 @@ pub mod optimise;
 #[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod page;
+#[cfg(feature = "python")]
+#[allow(clippy::disallowed_types)]
+mod python;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
 #[cfg(feature = "report")]
@@ -110,6 +115,8 @@ pub mod report;
 pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
+#[allow(clippy::disallowed_types)]
+pub mod table;
 #[allow(clippy::disallowed_types)]
 pub mod torque;
 #[allow(clippy::disallowed_types)]
@@ -125,6 +132,8 @@ pub use order::Masses;
 pub use proof::{
     AnyDocument, Certificate, Checked, Fault, Quantity, Refusal, Sense, Unreadable, check_certificate, read_document,
 };
+#[cfg(feature = "report")]
+pub use report::data;
 pub use verdict::classify;
 
 /// The numbers of an engine: positions, masses, ratios.

@@ -1,6 +1,7 @@
 //! What can be asked on the command line?
 
 mod accuracy;
+mod answer;
 mod atlas;
 mod bearings;
 mod check;
@@ -24,6 +25,7 @@ mod report;
 mod search;
 mod spoken;
 mod sweep;
+mod tables;
 mod torque;
 mod torsion;
 mod verify;

@@ -29,7 +29,7 @@ pub struct Look {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX or Typst without a preamble, as a piece of a document that is there; LaTeX with captions and labels
+    /// Write LaTeX, Typst or HTML without what stands around it, as a piece of a document that is there; LaTeX with captions and labels
     #[arg(long)]
     fragment: bool,
     /// What the labels of the fragment begin with [default: the title]
@@ -144,9 +144,9 @@ impl Look {
         Ok(shown_with(answer, &Options { stamp: None, ..self.reader.options()? }))
     }
 
-    /// Whether a folder is named.
-    pub fn has_folder(&self) -> bool {
-        self.output.is_some()
+    /// Whether a page is to be in other units than those of the SI.
+    pub fn is_in_inches(&self) -> bool {
+        self.reader.units == System::Inch
     }
 
     /// The folder that is named.

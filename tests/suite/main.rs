@@ -24,6 +24,7 @@ mod compare;
 mod corrected_files;
 mod corrected_knuckles;
 mod crankshaft;
+mod data;
 mod decision_laws;
 mod document_limits;
 mod document_mutations;
@@ -110,6 +111,7 @@ mod support {
     pub mod program;
     pub mod side;
     pub mod stiffness;
+    pub mod tables;
     pub mod time_domain;
     pub mod verdicts;
     pub mod whole_degrees;

@@ -9,7 +9,7 @@ use crate::support::imports;
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
 const STOREYS: [&[&str]; 14] = [
     &["proof", "motion", "beam", "text"],
-    &["exact"],
+    &["exact", "table"],
     &["engine"],
     &["file"],
     &["order", "numbers", "gas"],
@@ -21,7 +21,7 @@ const STOREYS: [&[&str]; 14] = [
     &["claim", "optimise"],
     &["page"],
     &["report"],
-    &["cli", "web"],
+    &["cli", "web", "python"],
 ];
 
 fn root() -> &'static Path {

@@ -1,7 +1,7 @@
 //! What do the main bearings feel, as a person reads it? Tables, plots, a page, a JSON document.
 
 mod amounts;
-mod document;
+pub(super) mod document;
 mod page;
 mod plots;
 mod tables;

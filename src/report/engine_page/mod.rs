@@ -69,6 +69,16 @@ fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<Theorem, NoTheorem>
     }
 }
 
+/// The engine with its first star, and the short answer: what a notebook shows of it.
+pub fn engine_at_a_glance(engine: &Engine, judged: &Judgement) -> Document {
+    let pictures = Block::Pictures(engine::first_pictures(engine, &orders::stars(judged)));
+    let answer = engine_answer(engine, judged);
+    Document {
+        blocks: [pictures].into_iter().chain(answer.blocks).collect(),
+        ..Document::new("glance", engine.title())
+    }
+}
+
 /// The report of an engine.
 pub fn engine_page(subject: Contents) -> Document {
     let Contents { engine, judged, family, needed, in_motion, accuracy } = subject;

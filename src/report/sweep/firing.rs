@@ -46,11 +46,6 @@ pub(super) fn section(sweep: &Sweep) -> Vec<Block> {
     blocks
 }
 
-/// The name of an order in a table or a file: `3/2`.
-pub(super) fn name(firing: &FiringSweep, place: usize) -> String {
-    firing.orders[place].exact().to_string()
-}
-
 fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let order = firing.orders[place_of].to_string();
     let known = firing.points.iter().zip(&sweep.points);
