@@ -20,14 +20,16 @@ mod formula;
 mod free;
 mod gas_torque;
 mod grammar;
+mod handwritten;
 mod masses;
 mod moving_parts;
 mod order;
 mod possible;
 mod provenance;
 mod shafts;
+mod star_marks;
 mod statement;
-mod student;
+pub(crate) mod student;
 mod study;
 mod written_value;
 
@@ -40,8 +42,10 @@ pub use flywheel::{Evened, Flywheels};
 pub use forces::{Agreement, LargestOf};
 pub use formula::{Formula, Letter, Measured};
 pub use grammar::{ClaimError, parse_statement};
+pub use handwritten::{Agrees, WrittenAngle, WrittenLength};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
+pub use star_marks::{Filled, Judged, Marked, Place, RightEntry, SENSES, SUMS, Star, mark};
 pub use statement::{
     Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, Statement, Subject,
     Tolerance, Topic, Unit, Value,
