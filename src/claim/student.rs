@@ -103,10 +103,10 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
     match unread {
         None => Ok(StarTable { engine: table.layout.get_ref().untrusted(), layout, order, filled }),
         Some((words, right)) => {
-            let wrong = table.cells().find(|(_, text)| text.get_ref().0 == words.written());
-            let what = wrong.map_or("entry", |(what, _)| what);
-            let at = wrong.and_then(|(_, text)| place(text));
-            Err(LayoutError::new(format!("cannot read the {what} `{}`", words.written()), right, at))
+            let mut cells = table.cells();
+            let wrong = cells.find(|(_, text)| *words == text.get_ref().0.as_str());
+            let (what, text) = wrong.unwrap_or(("order", &table.order));
+            Err(misread(what, text, right))
         }
     }
 }

@@ -10,7 +10,7 @@ mod orders;
 mod torque;
 
 pub use answer::engine_answer;
-pub(super) use conventions::{ASSUMED, FIRES, reference_plane};
+pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
@@ -119,6 +119,11 @@ pub fn engine_page(subject: Contents) -> Document {
     page.push(Block::Heading(1, "Layout file".into()));
     page.push(Block::Verbatim("toml", engine.file().clone()));
     page
+}
+
+/// Each order with its star, its table and its proofs.
+pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    orders::section(engine, &orders::stars(judged))
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.
