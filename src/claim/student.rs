@@ -121,7 +121,19 @@ impl Written {
     }
 }
 
+impl Row {
+    /// Whether nothing is written in it.
+    pub(crate) fn is_empty(&self) -> bool {
+        [&self.direct, &self.reverse].into_iter().flatten().filter_map(entry).next().is_none()
+    }
+}
+
 impl Sums {
+    /// Whether nothing is written in them.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.entries().into_iter().filter_map(|(_, _, text)| text.as_ref().and_then(entry)).next().is_none()
+    }
+
     fn entries(&self) -> [(Quantity, Sense, &Option<Text>); 4] {
         [
             (Quantity::Force, Sense::Direct, &self.force_direct),

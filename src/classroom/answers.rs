@@ -156,6 +156,23 @@ pub(super) fn in_lines(source: &str) -> Result<Vec<(Whose, Handed)>, String> {
 }
 
 impl Handed {
+    /// Whether nothing is filled in.
+    pub fn is_empty(&self) -> bool {
+        let is_blank = |text: &str| text.trim().is_empty();
+        match self {
+            Handed::Toml(source) => read::<File>(source).is_ok_and(|file| {
+                file.table.iter().flatten().map(|table| &table.get_ref().0).all(|table| {
+                    let rows = table.rows.iter().flatten().all(|row| row.get_ref().0.is_empty());
+                    rows && table.sums.as_ref().is_none_or(|sums| sums.0.is_empty())
+                })
+            }),
+            Handed::Lines(records) => {
+                let rows = records.iter().filter(|record| !record.row.starts_with(CONVENTION));
+                rows.flat_map(|record| &record.values).all(|value| is_blank(value))
+            }
+        }
+    }
+
     /// What is filled in, of this engine.
     pub fn answers(&self, engine: &Engine) -> Result<Answers, String> {
         match self {

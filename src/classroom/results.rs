@@ -46,6 +46,12 @@ struct Found {
     handed: Result<Handed, String>,
 }
 
+impl Found {
+    fn is_empty(&self) -> bool {
+        self.handed.as_ref().is_ok_and(Handed::is_empty)
+    }
+}
+
 /// Marks all that was handed in: students in the order of the exercise, then sheets that belong to nobody.
 pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: &Scheme) -> Vec<StudentResult<'a>> {
     let mut of_pupils: Vec<Vec<Found>> = exercise.pupils.iter().map(|_| Vec::new()).collect();
@@ -57,7 +63,11 @@ pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: 
         }
     }
     let files = |found: &[Found]| found.iter().map(|found| Untrusted::new(found.file.as_str())).collect();
-    let of_pupil = |(pupil, found): (&'a Pupil, Vec<Found>)| {
+    let of_pupil = |(pupil, mut found): (&'a Pupil, Vec<Found>)| {
+        // The table as it was given out, beside one that is filled in, is no second answer.
+        if found.iter().any(|found| !found.is_empty()) {
+            found.retain(|found| !found.is_empty());
+        }
         let outcome = match found.as_slice() {
             [] => Outcome::NotHandedIn,
             [only] => marked(exercise, pupil, only, scheme),
