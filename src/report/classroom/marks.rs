@@ -10,7 +10,8 @@ use crate::text::Untrusted;
 pub fn marks_answer(results: &[StudentResult], scheme: &Scheme) -> Document {
     let mut page = Document::new("marks", "Marks");
     page.push(Block::Answer(vec![summary(results)]));
-    page.push(table(results, scheme));
+    page.push(table(results));
+    page.blocks.extend(remarks(results, scheme));
     page.push(Block::Note(phrase!("Points by this scheme: {}.", shown(scheme))));
     page
 }
@@ -19,7 +20,8 @@ pub fn marks_answer(results: &[StudentResult], scheme: &Scheme) -> Document {
 pub fn marks_page(exercise: &Exercise, results: &[StudentResult], scheme: &Scheme) -> Document {
     let mut page = Document::new("marks", "Marks");
     page.push(Block::Answer(vec![summary(results)]));
-    page.push(table(results, scheme));
+    page.push(table(results));
+    page.blocks.extend(remarks(results, scheme));
     page.push(Block::Heading(1, "What was right, column by column".into()));
     page.push(columns(exercise, results));
     page.push(Block::Heading(1, "Scheme".into()));
@@ -65,28 +67,41 @@ fn summary(results: &[StudentResult]) -> Text {
 }
 
 /// A line for each student.
-fn table(results: &[StudentResult], scheme: &Scheme) -> Table {
-    let mut table = Table::new(["Student", "Points", "Of", "Right", "Wrong", "Follows", "Missing", "Remark"]);
+fn table(results: &[StudentResult]) -> Table {
+    let mut table = Table::new(["Student", "Points", "Of", "Right", "Wrong", "Follows", "Missing"]);
     for result in results {
-        let name = result.pupil.map_or_else(|| "nobody of the exercise".into(), |pupil| Text::from(&pupil.name));
-        let files = || Text::joined(result.files.iter().map(Text::from), ", ");
-        let without = |remark: Text| [vec![Text::default(); 6], vec![remark]].concat();
         let cells: Vec<Text> = match &result.outcome {
             Outcome::Marked(sheet) => {
                 let counts = sheet.counts();
                 let numbers = [counts.right, counts.wrong + counts.unreadable, counts.consequential, counts.missing];
-                let mut cells = vec![points(&sheet.points), points(&sheet.possible)];
-                cells.extend(numbers.map(Text::from));
-                cells.push(Text::joined(read_in(sheet, scheme), " "));
-                cells
+                let points = [points(&sheet.points), points(&sheet.possible)];
+                points.into_iter().chain(numbers.map(Text::from)).collect()
             }
-            Outcome::Unreadable(why) => without(phrase!("{} cannot be read: {}", files(), why)),
-            Outcome::NotHandedIn => without("not handed in".into()),
-            Outcome::HandedInTwice => without(phrase!("handed in more than once: {}", files())),
+            Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => vec!["–".into(); 6],
         };
-        table.push([name].into_iter().chain(cells).collect());
+        table.push([name(result)].into_iter().chain(cells).collect());
     }
     table
+}
+
+fn name(result: &StudentResult) -> Text {
+    result.pupil.map_or_else(|| "nobody of the exercise".into(), |pupil| Text::from(&pupil.name))
+}
+
+/// What is to be said of some: sheets that are not marked, and those that are read in another convention.
+fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
+    let remark = |result: &StudentResult| {
+        let files = || Text::joined(result.files.iter().map(Text::from), ", ");
+        let remark = match &result.outcome {
+            Outcome::Marked(sheet) => Text::joined(read_in(sheet, scheme), " "),
+            Outcome::Unreadable(why) => phrase!("{} cannot be read: {}", files(), why),
+            Outcome::NotHandedIn => "not handed in".into(),
+            Outcome::HandedInTwice => phrase!("handed in more than once: {}", files()),
+        };
+        (!remark.is_empty()).then(|| phrase!("{}: {}", name(result), remark))
+    };
+    let remarks: Vec<Text> = results.iter().filter_map(remark).collect();
+    (!remarks.is_empty()).then_some(Block::List(remarks))
 }
 
 /// Of each kind of entry, how many of the class have it right.
