@@ -143,6 +143,12 @@ fn is_within(sum: &PhasorSum, written: &BigRational, half: &BigRational) -> bool
     is_above && !is_negative(&squared(&high).minus(&square))
 }
 
+/// Whether a real sum is no farther than `half` from a number.
+pub(super) fn is_within_of(real: &PhasorSum, written: &BigRational, half: &BigRational) -> bool {
+    let [low, high] = [written - half, written + half].map(numbers::number);
+    !is_negative(&real.minus(&low)) && !is_negative(&high.minus(real))
+}
+
 /// Whether a real sum is below zero: zero is decided exactly, and what is not zero has a sign that enough bits show.
 fn is_negative(real: &PhasorSum) -> bool {
     if real.vanishes() {

@@ -126,7 +126,8 @@ struct TableKeys {
 /// The table of a TOML file, with whose it is; what is wrong is told with its line.
 pub(super) fn in_toml(source: String) -> Result<(Whose, Handed), String> {
     let file: File = read(&source).map_err(|error| told(&error, &source))?;
-    let words = |text: Option<Text>| text.map(|text| text.get_ref().0.trim().to_owned()).filter(|words| !words.is_empty());
+    let words =
+        |text: Option<Text>| text.map(|text| text.get_ref().0.trim().to_owned()).filter(|words| !words.is_empty());
     Ok((Whose { sheet: words(file.sheet), student: words(file.student) }, Handed::Toml(source)))
 }
 
@@ -191,7 +192,8 @@ fn of_toml(source: &str, engine: &Engine) -> Result<Answers, LayoutError> {
         for (key, text) in keys.zip(values).filter_map(|(key, text)| Some((key, text.as_ref()?))) {
             let written = &text.get_ref().0;
             let declared = convention.declare(key, written, engine);
-            declared.map_err(|right| LayoutError::new(format!("cannot read the {key} `{written}`"), right, place(text)))?;
+            declared
+                .map_err(|right| LayoutError::new(format!("cannot read the {key} `{written}`"), right, place(text)))?;
         }
     }
     let mut tables: Vec<(u32, Filled)> = Vec::new();
@@ -216,7 +218,8 @@ fn of_lines(records: &[Record], engine: &Engine) -> Result<Answers, String> {
             continue;
         }
         let number = order.parse().ok().filter(|number| (1..=HIGHEST_ORDER).contains(number));
-        let number = number.ok_or_else(|| wrong(format!("cannot read the order `{order}`"), "a whole number, such as 1"))?;
+        let number =
+            number.ok_or_else(|| wrong(format!("cannot read the order `{order}`"), "a whole number, such as 1"))?;
         let place = answers.tables.iter().position(|(there, _)| *there == number);
         let place = place.unwrap_or_else(|| {
             answers.tables.push((number, Filled::default()));

@@ -78,7 +78,8 @@ impl Convention {
                 plane: self.plane.clone(),
             }
         });
-        let mut others: Vec<(u32, Convention)> = flags.zip(1_u8..8).map(|(one, flags)| (flags.count_ones(), one)).collect();
+        let mut others: Vec<(u32, Convention)> =
+            flags.zip(1_u8..8).map(|(one, flags)| (flags.count_ones(), one)).collect();
         others.sort_by_key(|(differences, _)| *differences);
         others.into_iter().map(|(_, convention)| convention).collect()
     }

@@ -102,7 +102,8 @@ pub fn parse_exercise(name: &str, source: &str) -> Result<Exercise, LayoutError>
 
 fn exercise(file: File) -> Result<Exercise, LayoutError> {
     let seed = file.seed.get_ref().0.parse();
-    let seed = seed.map_err(|_| LayoutError::new("cannot read the seed", "a whole number, 0 or more", place(&file.seed)))?;
+    let seed =
+        seed.map_err(|_| LayoutError::new("cannot read the seed", "a whole number, 0 or more", place(&file.seed)))?;
     let mut orders = file.orders.iter().map(crate::claim::student::order).collect::<Result<Vec<_>, _>>()?;
     orders.sort_unstable();
     orders.dedup();
@@ -113,10 +114,13 @@ fn exercise(file: File) -> Result<Exercise, LayoutError> {
             let right = "each student has files of another name";
             return Err(LayoutError::new(format!("the file `{file}` stands before"), right, place(&table.file)));
         }
-        let engine = parse("the layout", &table.layout.get_ref().0).and_then(|engine| match super::can_be_set(&engine) {
-            Ok(()) => Ok(engine),
-            Err(why) => Err(LayoutError::new(format!("no vector-star table: {why}"), "the layout of the exercise", None)),
-        });
+        let engine =
+            parse("the layout", &table.layout.get_ref().0).and_then(|engine| match super::can_be_set(&engine) {
+                Ok(()) => Ok(engine),
+                Err(why) => {
+                    Err(LayoutError::new(format!("no vector-star table: {why}"), "the layout of the exercise", None))
+                }
+            });
         let engine = engine.map_err(|error| {
             let right = error.right().to_owned();
             LayoutError::new(format!("in the layout of `{file}`: {}", error.message()), right, place(&table.layout))

@@ -90,7 +90,12 @@ impl MarkedSheet {
 ///
 /// It is read in the convention that is declared. Where more phases are right in another, and those are more than half of the
 /// phases that are filled in, and it brings no fewer points though only a part of them counts, it is read in that one.
-pub(super) fn mark_sheet(pupil: &Pupil, orders: &[u32], answers: Answers, scheme: &Scheme) -> Result<MarkedSheet, String> {
+pub(super) fn mark_sheet(
+    pupil: &Pupil,
+    orders: &[u32],
+    answers: Answers,
+    scheme: &Scheme,
+) -> Result<MarkedSheet, String> {
     let Answers { convention, tables } = answers;
     if let Some((order, _)) = tables.iter().find(|(order, _)| !orders.contains(order)) {
         let asked: Vec<String> = orders.iter().map(u32::to_string).collect();
@@ -145,7 +150,8 @@ fn right_phases_in(pupil: &Pupil, tables: &[(u32, Filled)], convention: &Convent
             Sense::Direct => &star.phases[cylinder][0],
             Sense::Reverse => &star.phases[cylinder][1],
         };
-        let angles = filled.phases.iter().filter_map(|(cylinder, sense, angle)| Some((angle.as_ref().ok()?, *cylinder, *sense)));
+        let angles =
+            filled.phases.iter().filter_map(|(cylinder, sense, angle)| Some((angle.as_ref().ok()?, *cylinder, *sense)));
         angles.filter(|(angle, cylinder, sense)| angle.agrees(right(*cylinder, *sense)) != Agrees::Not).count()
     };
     tables.iter().map(of_table).sum()

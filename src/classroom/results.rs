@@ -142,7 +142,9 @@ fn pupil_of(exercise: &Exercise, whose: &Whose, file: &str) -> Result<usize, Str
                 _ => Err(format!("several students are called `{name}`; sheet = \"…\" tells them apart")),
             }
         }
-        (None, None) => named(exercise, file).ok_or_else(|| "the table does not say whose it is; student = \"…\"".to_owned()),
+        (None, None) => {
+            named(exercise, file).ok_or_else(|| "the table does not say whose it is; student = \"…\"".to_owned())
+        }
     }
 }
 
@@ -155,9 +157,10 @@ fn named(exercise: &Exercise, file: &str) -> Option<usize> {
 
 /// The table of marks for a spreadsheet: a line a student.
 pub fn marks_csv(results: &[StudentResult]) -> String {
-    let mut lines = "student,sheet,outcome,points,points_possible,percent,right,consequential,wrong,unreadable,missing,\
+    let mut lines =
+        "student,sheet,outcome,points,points_possible,percent,right,consequential,wrong,unreadable,missing,\
                      convention,undeclared_convention,remark\n"
-        .to_owned();
+            .to_owned();
     for result in results {
         let name = result.pupil.map(|pupil| pupil.name.escaped(Format::Csv)).unwrap_or_default();
         let sheet = result.pupil.map(|pupil| pupil.file.clone()).unwrap_or_default();
@@ -186,7 +189,8 @@ fn without_marks(outcome: &str, remark: &str) -> Vec<String> {
 }
 
 fn marked_fields(sheet: &MarkedSheet) -> [String; 12] {
-    let decimal = |value: &num_rational::BigRational| crate::file::exact_number(&rounded(value)).trim_matches('"').to_owned();
+    let decimal =
+        |value: &num_rational::BigRational| crate::file::exact_number(&rounded(value)).trim_matches('"').to_owned();
     let hundred = num_rational::BigRational::from_integer(100.into());
     let counts = sheet.counts();
     let words = |convention: &super::Convention| {

@@ -150,7 +150,8 @@ impl Exercise {
             let solutions = report::exercise_solutions(pupil, &exercise.orders).map_err(Failure::new)?;
             for (folder, document) in [("sheets", sheet), ("solutions", solutions)] {
                 let inside = self.pages.files(&document)?.into_iter();
-                files.extend(inside.map(|file| File { name: format!("{folder}/{}/{}", pupil.file, file.name), ..file }));
+                files
+                    .extend(inside.map(|file| File { name: format!("{folder}/{}/{}", pupil.file, file.name), ..file }));
             }
             let text = match self.table {
                 Written::Toml => classroom::toml_to_fill_in(pupil, &exercise.orders),

@@ -71,7 +71,9 @@ impl Mark {
         let key = self.exercise.clone().unwrap_or_else(|| beside.unwrap_or(Path::new("")).join(KEY));
         if self.exercise.is_none() && !key.is_file() {
             let name = layouts::shown(&key);
-            return Err(Failure::new(format!("`{name}`, which `exercise` writes, is not there; name it with --exercise")));
+            return Err(Failure::new(format!(
+                "`{name}`, which `exercise` writes, is not there; name it with --exercise"
+            )));
         }
         let exercise = classroom::parse_exercise(&layouts::shown(&key), &layouts::read_text(&key)?)?;
         let scheme = match &self.scheme {
@@ -130,13 +132,18 @@ impl Mark {
                 let name = layouts::shown(&self.handed_in);
                 return Err(Failure::new(format!("`{name}` is neither a folder nor a CSV file")));
             }
-            return Ok(vec![HandedIn { name: layouts::shown(&self.handed_in), text: Ok(layouts::read_text(&self.handed_in)?) }]);
+            return Ok(vec![HandedIn {
+                name: layouts::shown(&self.handed_in),
+                text: Ok(layouts::read_text(&self.handed_in)?),
+            }]);
         }
         let mut paths = Vec::new();
         tables(&self.handed_in, DEEPEST, &mut paths)?;
         let real = |path: &Path| path.canonicalize().ok();
         let others = [Some(key), self.scheme.as_deref()].map(|path| path.and_then(real));
-        paths.retain(|path| !others.contains(&real(path)) && path.file_name().is_none_or(|name| name != MARKS && name != KEY));
+        paths.retain(|path| {
+            !others.contains(&real(path)) && path.file_name().is_none_or(|name| name != MARKS && name != KEY)
+        });
         paths.sort();
         let handed_in = |path: PathBuf| HandedIn {
             name: layouts::shown(path.strip_prefix(&self.handed_in).unwrap_or(&path)),
@@ -148,11 +155,14 @@ impl Mark {
 
 /// TOML and CSV files below a folder, those of solutions left out; links are not followed.
 fn tables(folder: &Path, deepest: usize, found: &mut Vec<PathBuf>) -> Result<(), Failure> {
-    let fail = |error: std::io::Error| Failure::new(format!("cannot read the folder `{}`: {error}", layouts::shown(folder)));
+    let fail =
+        |error: std::io::Error| Failure::new(format!("cannot read the folder `{}`: {error}", layouts::shown(folder)));
     for entry in fs::read_dir(folder).map_err(fail)? {
         let entry = entry.map_err(fail)?;
         let (kind, path, name) = (entry.file_type().map_err(fail)?, entry.path(), entry.file_name());
-        let is_table = path.extension().is_some_and(|ending| ["toml", "csv"].iter().any(|known| ending.eq_ignore_ascii_case(known)));
+        let is_table = path
+            .extension()
+            .is_some_and(|ending| ["toml", "csv"].iter().any(|known| ending.eq_ignore_ascii_case(known)));
         let is_hidden = name.to_string_lossy().starts_with('.');
         match (kind.is_dir(), kind.is_file() && is_table) {
             (true, _) if deepest > 0 && name != "solutions" && !is_hidden => tables(&path, deepest - 1, found)?,

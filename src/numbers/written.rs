@@ -35,7 +35,8 @@ impl Form {
     /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)`, `sin 36°` or `sin 36 deg`, and brackets are understood;
     /// `None` for all else, and for the root of a negative number.
     pub fn parse(text: &str) -> Option<Form> {
-        let spaced = text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)").replace("deg", "°");
+        let spaced =
+            text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)").replace("deg", "°");
         let mut parser =
             Parser { letters: spaced.chars().filter(|letter| !letter.is_whitespace()).collect(), at: 0, depth: 0 };
         let form = parser.sum()?;

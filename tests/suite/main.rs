@@ -18,6 +18,7 @@ mod claims_of_forces;
 mod claims_of_links;
 mod claims_of_numbers;
 mod classes;
+mod classroom;
 mod closed_forms;
 mod command_line;
 mod compare;
@@ -28,6 +29,7 @@ mod document_limits;
 mod document_mutations;
 mod documents_verify;
 mod engines_of_the_world;
+mod everyday_claims;
 mod examples;
 mod families;
 mod figure_command;
@@ -91,6 +93,7 @@ mod views;
 mod whole_cheats;
 
 mod support {
+    pub mod class;
     pub mod decimals;
     pub mod dice;
     pub mod engines;

@@ -7,6 +7,7 @@ mod forces;
 mod gas_torque;
 mod orders;
 mod page;
+mod shaking;
 mod student;
 
 pub(super) use finding::needs;

@@ -15,7 +15,10 @@ pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str) -> Document {
     page.blocks.extend(given(pupil));
     page.blocks.extend(to_find(pupil, orders));
     page.push(Block::Heading(1, "How to hand it in".into()));
-    page.push(Block::Paragraph(phrase!("Write your results into the file {}, and hand that file in.", Text::code(table))));
+    page.push(Block::Paragraph(phrase!(
+        "Write your results into the file {}, and hand that file in.",
+        Text::code(table)
+    )));
     page.push(Block::List(HINTS.map(Text::from).into()));
     page
 }
@@ -39,7 +42,8 @@ pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
     ]
 }
 
-const PHASES: &str = "\\varphi_{j}^{+} = k\\beta_j - (k-1)\\alpha_j, \\qquad \\varphi_{j}^{-} = -k\\beta_j + (k+1)\\alpha_j";
+const PHASES: &str =
+    "\\varphi_{j}^{+} = k\\beta_j - (k-1)\\alpha_j, \\qquad \\varphi_{j}^{-} = -k\\beta_j + (k+1)\\alpha_j";
 const SUMS: &str = "P_k^{\\pm} = \\sum_j m_j\\, e^{i\\varphi_{j}^{\\pm}}, \\qquad C_k^{\\pm} = \\sum_j m_j\\, z_j\\, e^{i\\varphi_{j}^{\\pm}}";
 
 fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
@@ -65,7 +69,9 @@ fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
         }
         blocks.extend([Block::Heading(2, phrase!("Order {}", *order)), empty.into()]);
     }
-    blocks.push(Block::Paragraph("Which sums vanish, and why? What does each order that is left feel like to the engine mounts?".into()));
+    blocks.push(Block::Paragraph(
+        "Which sums vanish, and why? What does each order that is left feel like to the engine mounts?".into(),
+    ));
     blocks
 }
 

@@ -12,7 +12,8 @@ use crate::proof::{Quantity, Sense};
 /// The page of a marked sheet.
 pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Document {
     let mut page = Document::new("marked", phrase!("Vector-star exercise, marked: {}", &pupil.name));
-    let mut answer = vec![phrase!("**{} of {} points.**", points(&sheet.points), points(&sheet.possible)), counts(sheet)];
+    let mut answer =
+        vec![phrase!("**{} of {} points.**", points(&sheet.points), points(&sheet.possible)), counts(sheet)];
     answer.extend(read_in(sheet, scheme));
     page.push(Block::Answer(answer));
     for table in &sheet.tables {
@@ -74,7 +75,9 @@ fn entries(pupil: &Pupil, sheet: &MarkedSheet, order: u32, entries: &[Marked], s
     let mut table = Table::new(["Entry", "Written", "Answer", "Right", "Points"]);
     for entry in entries {
         let written = entry.written.as_ref().map_or_else(|| "–".into(), Text::from);
-        let points = points(&(scheme.points(entry) * if sheet.undeclared.is_empty() { one() } else { scheme.undeclared.clone() }));
+        let points = points(
+            &(scheme.points(entry) * if sheet.undeclared.is_empty() { one() } else { scheme.undeclared.clone() }),
+        );
         let is_right = entry.judged == Judged::Right;
         table.push(vec![
             place(pupil, entry.place),
@@ -112,8 +115,12 @@ fn place(pupil: &Pupil, place: Place) -> Text {
         }
         Place::Sum(Quantity::Moment, Sense::Direct) => "sum of moments, direct".into(),
         Place::Sum(Quantity::Moment, Sense::Reverse) => "sum of moments, reverse".into(),
-        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Direct) => "sum of forces, direct".into(),
-        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Reverse) => "sum of forces, reverse".into(),
+        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Direct) => {
+            "sum of forces, direct".into()
+        }
+        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Reverse) => {
+            "sum of forces, reverse".into()
+        }
     }
 }
 
