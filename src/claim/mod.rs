@@ -33,6 +33,7 @@ mod star_marks;
 mod statement;
 pub(crate) mod student;
 mod study;
+mod symbols;
 mod written_value;
 
 use crate::engine::Engine;
