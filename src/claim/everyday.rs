@@ -109,7 +109,9 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
     let said = said(words)?;
     let is_about_something = !said.orders.is_empty() || said.every || said.higher || !said.quantities.is_empty();
     let says_something = !said.says.is_empty() || said.no > 0 || said.adjective || said.there;
-    (is_about_something && says_something && !(said.bare && !said.has_order_word)).then(|| said.statement(words))
+    // "The second force" is one of several, and of no order.
+    let is_of_orders = said.has_order_word || !said.bare;
+    (is_about_something && says_something && is_of_orders).then(|| said.statement(words))
 }
 
 /// A sentence that may mean two things.

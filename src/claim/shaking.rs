@@ -218,7 +218,7 @@ fn coefficient(order: u32, count: u32) -> Vec<(u32, BigRational)> {
     for n in 1..j + count {
         half *= (whole(n - 1) - BigRational::new(1.into(), 2.into())) / whole(n);
         if n >= j {
-            let sign = if j % 2 == 0 { BigRational::one() } else { -BigRational::one() };
+            let sign = if j.is_multiple_of(2) { BigRational::one() } else { -BigRational::one() };
             let two = BigRational::new(1.into(), BigInt::from(2).pow(2 * n - 1));
             let number = whole(order * order) * &half * two * sign * BigRational::from_integer(binomial(2 * n, n - j));
             found.push((2 * n - 1, number));

@@ -19,7 +19,7 @@ pub struct HandedIn {
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// It is marked.
-    Marked(MarkedSheet),
+    Marked(Box<MarkedSheet>),
     /// It cannot be read, for this reason.
     Unreadable(Untrusted),
     /// Nothing was handed in.
@@ -86,7 +86,7 @@ pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: 
 fn marked(exercise: &Exercise, pupil: &Pupil, found: &Found, scheme: &Scheme) -> Outcome {
     let answers = found.handed.as_ref().map_err(String::clone).and_then(|handed| handed.answers(&pupil.engine));
     match answers.and_then(|answers| mark_sheet(pupil, &exercise.orders, answers, scheme)) {
-        Ok(sheet) => Outcome::Marked(sheet),
+        Ok(sheet) => Outcome::Marked(Box::new(sheet)),
         Err(why) => Outcome::Unreadable(Untrusted::new(why)),
     }
 }

@@ -160,7 +160,10 @@ impl Plain {
     fn length(&self, length: &BigRational) -> String {
         match self.unit {
             LengthUnit::Spacing => exact_number(length),
-            LengthUnit::Metre => format!("\"{} mm\"", length * BigRational::from_integer(1000.into())),
+            LengthUnit::Metre => {
+                let millimetres = exact_number(&(length * BigRational::from_integer(1000.into())));
+                format!("\"{} mm\"", millimetres.trim_matches('"'))
+            }
         }
     }
 }

@@ -44,7 +44,7 @@ fn marked(exercise: &Exercise, text: &str) -> MarkedSheet {
     let name = format!("{}.toml", exercise.pupils[0].file);
     let mut results = mark_class(exercise, vec![handed_in(&name, text)], &Scheme::default());
     match results.remove(0).outcome {
-        Outcome::Marked(sheet) => sheet,
+        Outcome::Marked(sheet) => *sheet,
         other => panic!("{other:?}\n{text}"),
     }
 }

@@ -84,7 +84,7 @@ impl Series {
             all.insert(key, sum);
         }
         // The sine of no angle is no wave.
-        all.retain(|(wave, _), form| !form.terms().is_empty() && !(wave.is_sine && wave.order == 0));
+        all.retain(|(wave, _), form| !form.terms().is_empty() && (wave.order > 0 || !wave.is_sine));
         Series(all)
     }
 

@@ -95,12 +95,19 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
         let remark = match &result.outcome {
             Outcome::Marked(sheet) => Text::joined(read_in(sheet, scheme), " "),
             Outcome::Unreadable(why) => phrase!("{} cannot be read: {}", files(), why),
-            Outcome::NotHandedIn => "not handed in".into(),
+            // All of them in one line below.
+            Outcome::NotHandedIn => Text::default(),
             Outcome::HandedInTwice => phrase!("handed in more than once: {}", files()),
         };
         (!remark.is_empty()).then(|| phrase!("{}: {}", name(result), remark))
     };
-    let remarks: Vec<Text> = results.iter().filter_map(remark).collect();
+    let mut remarks: Vec<Text> = results.iter().filter_map(remark).collect();
+    let absent = results.iter().filter(|result| match result.outcome {
+        Outcome::NotHandedIn => true,
+        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice => false,
+    });
+    let absent = Text::joined(absent.map(name), ", ");
+    remarks.extend((!absent.is_empty()).then(|| phrase!("Not handed in: {}.", absent)));
     (!remarks.is_empty()).then_some(Block::List(remarks))
 }
 
