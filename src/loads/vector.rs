@@ -72,14 +72,17 @@ fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Vector {
     };
     let width = |part: &Enclosure| part.width().to_f64().unwrap_or(f64::INFINITY);
     let [re, im] = &total;
-    let (outcome, doubt) = match excludes_zero(&total) {
+    let is_not_zero = excludes_zero(&total);
+    // Beside a part that is not zero, one that may be zero is taken as zero: its middle is nothing but roundings.
+    let float = |part: &Enclosure| if is_not_zero && part.contains_zero() { 0.0 } else { part.to_float() };
+    let (outcome, doubt) = match is_not_zero {
         true => (Outcome::NotZero, width(re).hypot(width(im)).next_up()),
         false => {
             let below = largest(re).hypot(largest(im)).next_up();
             (Outcome::Undecided { below }, 2.0 * below)
         }
     };
-    Vector { value: Complex::new(re.to_float(), im.to_float()), outcome, doubt }
+    Vector { value: Complex::new(float(re), float(im)), outcome, doubt }
 }
 
 fn excludes_zero(parts: &[Enclosure; 2]) -> bool {
