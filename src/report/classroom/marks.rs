@@ -41,7 +41,7 @@ fn shown(scheme: &Scheme) -> Text {
 
 fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSheet> {
     results.iter().filter_map(|result| match &result.outcome {
-        Outcome::Marked(sheet) => Some(sheet),
+        Outcome::Marked(sheet) => Some(sheet.as_ref()),
         Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => None,
     })
 }
