@@ -312,8 +312,7 @@ fn a_number_is_judged_within_its_own_digits_and_an_exact_one_exactly() {
     // The moment of order 1 is 2√10.
     let judged = |written: &str| {
         let sheet = marked(&exercise, &format!("[[table]]\norder = 1\nsums = {{ moment_direct = \"{written}\" }}"));
-        let entry = sheet.tables[0].entries.iter().find(|entry| entry.written.is_some()).expect("an entry").judged;
-        entry
+        sheet.tables[0].entries.iter().find(|entry| entry.written.is_some()).expect("an entry").judged
     };
     for right in ["2√10", "2 sqrt(10)", "sqrt(40)", "√10·2", "6.3", "6,32", "6.325", "6.3246", "6.32455532033675866"]
     {
