@@ -34,15 +34,16 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// The vector of this sum, whose coefficients `coefficient` tells, and proves not to be zero.
+    /// The vector of this sum, whose coefficients `coefficient` tells.
     pub(super) fn new(sum: &OrderSum, coefficient: impl Fn(&Factor) -> Coefficient) -> Self {
+        let nonzero = !sum.parts().keys().any(Factor::may_be_zero);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (coefficient(factor), sum)).collect();
-        Self::of(&pairs, true)
+        Self::of(&pairs, nonzero)
     }
 
     /// The vector `Σ coefficient · sum` of sums that do not vanish.
     ///
-    /// `nonzero` says that no coefficient is zero; else that is read from their enclosures.
+    /// `nonzero` says that no coefficient is zero, by theorem; else that is read from their enclosures.
     pub(super) fn of(pairs: &[(Coefficient, &PhasorSum)], nonzero: bool) -> Self {
         match pairs {
             [] => Vector { value: Complex::new(0.0, 0.0), outcome: Outcome::Zero, doubt: 0.0 },
