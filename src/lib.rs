@@ -30,6 +30,7 @@
 //! cli  web  python
 //! report
 //! page
+//! classroom
 //! claim  optimise
 //! journal
 //! accuracy  remedy  sweep  search  torque  torsion
@@ -85,6 +86,8 @@ pub mod verdict;
 pub mod accuracy;
 #[allow(clippy::disallowed_types)]
 pub mod claim;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod classroom;
 #[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]

@@ -121,7 +121,10 @@ fn fill_locked(folder: &Path, files: &[Content]) -> io::Result<()> {
     let partial = folder.join(format!(".{ENDING}"));
     let Some((first, others)) = files.split_first() else { return Ok(()) };
     for (name, content) in others.iter().chain([first]) {
-        let placed = put(&partial, &folder.join(name), content);
+        let place = folder.join(name);
+        // A name may lead into a folder inside this one.
+        let inside = place.parent().filter(|inside| *inside != folder);
+        let placed = inside.map_or(Ok(()), fs::create_dir_all).and_then(|()| put(&partial, &place, content));
         if placed.is_err() {
             let _ = fs::remove_file(&partial);
         }

@@ -161,6 +161,16 @@ impl Look {
 }
 
 impl Pages {
+    /// The folder that is named.
+    pub fn folder(&self) -> Option<&Path> {
+        self.look.folder()
+    }
+
+    /// Writes these files into the folder; says what was written.
+    pub fn write_files(&self, files: &[File]) -> Result<String, Failure> {
+        self.look.write(|| Ok(files.to_vec()))
+    }
+
     /// Whether the page runs scripts.
     pub fn runs_scripts(&self) -> bool {
         self.format == Format::Html

@@ -9,6 +9,7 @@ mod bearings;
 mod calculation;
 mod catalogue;
 mod claims;
+mod classroom;
 mod compare;
 mod convention;
 pub mod data;
@@ -56,6 +57,7 @@ pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearing
 pub use calculation::{Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_evidence, claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_at_a_glance, engine_page, engine_proofs, engine_summary};

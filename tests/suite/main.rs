@@ -18,6 +18,7 @@ mod claims_of_forces;
 mod claims_of_links;
 mod claims_of_numbers;
 mod classes;
+mod classroom;
 mod closed_forms;
 mod command_line;
 mod compare;
@@ -30,6 +31,7 @@ mod document_limits;
 mod document_mutations;
 mod documents_verify;
 mod engines_of_the_world;
+mod everyday_claims;
 mod examples;
 mod families;
 mod figure_command;
@@ -95,6 +97,7 @@ mod web;
 mod whole_cheats;
 
 mod support {
+    pub mod class;
     pub mod decimals;
     pub mod dice;
     pub mod engines;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::support::imports;
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
-const STOREYS: [&[&str]; 14] = [
+const STOREYS: [&[&str]; 15] = [
     &["proof", "motion", "beam", "text"],
     &["exact", "table"],
     &["engine"],
@@ -19,6 +19,7 @@ const STOREYS: [&[&str]; 14] = [
     &["accuracy", "remedy", "sweep", "search", "torque", "torsion"],
     &["journal"],
     &["claim", "optimise"],
+    &["classroom"],
     &["page"],
     &["report"],
     &["cli", "web", "python"],

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use super::super::residual;
 use super::super::typeset::{self, Amount};
 use super::orders::Asked;
-use super::{counterweights, forces, gas_torque};
+use super::{counterweights, forces, gas_torque, shaking};
 use crate::claim::{Absolute, Answer, Condition, Finding, Statement, Status, Subject};
 use crate::engine::WHY_NOT;
 use crate::order::Masses;
@@ -66,6 +66,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
         (Finding::Whole(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),
+        (Finding::Terms(terms), _) => shaking::found(terms),
         (Finding::Largest(found), _) => forces::largest(found),
         (Finding::Agreement(found), _) => forces::agreement(found),
         (Finding::Witness(found), _) => counterweights::found(found),

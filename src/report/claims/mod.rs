@@ -7,6 +7,7 @@ mod forces;
 mod gas_torque;
 mod orders;
 mod page;
+mod shaking;
 mod student;
 
 pub use evidence::evidence as claim_evidence;

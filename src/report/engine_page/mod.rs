@@ -11,7 +11,7 @@ mod orders;
 mod torque;
 
 pub use answer::engine_answer;
-pub(super) use conventions::{ASSUMED, FIRES, reference_plane};
+pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
@@ -142,7 +142,12 @@ pub fn engine_summary(engine: &Engine, judged: &Judgement) -> Block {
 
 /// The proofs of a report by themselves, order by order, under no heading of their own.
 pub fn engine_proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
-    orders::section(engine, &orders::stars(judged)).into_iter().skip(1).collect()
+    proofs(engine, judged).into_iter().skip(1).collect()
+}
+
+/// Each order with its star, its table and its proofs.
+pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    orders::section(engine, &orders::stars(judged))
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.
