@@ -10,7 +10,7 @@ use crankstar::verdict;
 use super::failure::Failure;
 use super::firing::{self, ModeShape};
 use super::masses::Masses;
-use super::pages::shown;
+use super::pages::{Measures, shown};
 use super::spoken::Spoken;
 use super::verify::proved;
 use super::{EngineAndOrders, layouts, write};
@@ -37,6 +37,8 @@ pub struct Classify {
     #[command(flatten)]
     mode: ModeShape,
     #[command(flatten)]
+    measures: Measures,
+    #[command(flatten)]
     spoken: Spoken,
 }
 
@@ -60,7 +62,7 @@ impl Classify {
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
-            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language()));
+            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language(), self.measures.units()));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
@@ -76,7 +78,7 @@ impl Classify {
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
         match self.json {
             true => write::to_stdout(&proved(&report::firing_document(&study, self.all_orders))?),
-            false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language())),
+            false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language(), self.measures.units())),
         }
     }
 
@@ -87,7 +89,7 @@ impl Classify {
             ));
         }
         let study = firing::open_study(family, &self.about.orders, &self.mode)?;
-        write::to_stdout(&shown(&report::open_firing_answer(&study), self.spoken.language()))
+        write::to_stdout(&shown(&report::open_firing_answer(&study), self.spoken.language(), self.measures.units()))
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
@@ -100,7 +102,7 @@ impl Classify {
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.json {
             true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
-            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts), self.spoken.language())),
+            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts), self.spoken.language(), self.measures.units())),
         }
     }
 }
