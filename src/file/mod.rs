@@ -27,6 +27,7 @@ mod geared_keys;
 mod known_firing;
 mod layout;
 mod linear;
+mod measured;
 mod mechanism_keys;
 mod narrow;
 mod number;
