@@ -62,7 +62,11 @@ impl Classify {
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if !self.json {
-            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language(), self.measures.units()));
+            return write::to_stdout(&shown(
+                &report::engine_answer(&engine, &judged),
+                self.spoken.language(),
+                self.measures.units(),
+            ));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
@@ -78,7 +82,9 @@ impl Classify {
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
         match self.json {
             true => write::to_stdout(&proved(&report::firing_document(&study, self.all_orders))?),
-            false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language(), self.measures.units())),
+            false => {
+                write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language(), self.measures.units()))
+            }
         }
     }
 
@@ -102,7 +108,11 @@ impl Classify {
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.json {
             true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
-            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts), self.spoken.language(), self.measures.units())),
+            false => write::to_stdout(&shown(
+                &report::family_answer(family, &verdicts),
+                self.spoken.language(),
+                self.measures.units(),
+            )),
         }
     }
 }

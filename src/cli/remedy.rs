@@ -66,7 +66,8 @@ impl Remedy {
     fn write_corrected(&self, remedy: &remedy::Remedy, file: &Path) -> Result<String, Failure> {
         let layout = &self.about.layout;
         let beside = |path: &str| layouts::beside(layout, path);
-        let corrected = remedy::corrected_file(remedy, &layouts::shown(file), Beside::new(&beside)).map_err(Failure::new)?;
+        let corrected =
+            remedy::corrected_file(remedy, &layouts::shown(file), Beside::new(&beside)).map_err(Failure::new)?;
         if file.exists() && layout.canonicalize().ok() == file.canonicalize().ok() {
             return Err(Failure::new("--write names the layout file itself, which stays as it is; name another file"));
         }

@@ -98,9 +98,8 @@ fn is_meant(remedy: &Remedy, read: &Engine, of_links: &[Weight]) -> bool {
         let whole = order::all_masses(read, judged.quantity, judged.order, judged.sense);
         whole.parts().contains_key(&judged.factor) != judged.vanishes()
     };
-    let is_rounded = |judged: &Corrected| {
-        of_links.iter().any(|weight| (weight.order, weight.sense) == (judged.order, judged.sense))
-    };
+    let is_rounded =
+        |judged: &Corrected| of_links.iter().any(|weight| (weight.order, weight.sense) == (judged.order, judged.sense));
     same && remedy.corrected.iter().filter(|judged| !is_rounded(judged)).all(sum)
 }
 

@@ -8,9 +8,9 @@ mod comparable_engine;
 mod corrected;
 mod counterweights;
 mod file;
-mod rounded;
 mod height;
 mod partial;
+mod rounded;
 mod shafts;
 mod weight;
 

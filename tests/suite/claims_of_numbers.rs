@@ -26,11 +26,11 @@ fn newtons_that_are_left_are_not_nothing_and_nothing_is_no_newtons() {
 fn newtons_of_masses_that_turn_at_twice_the_speed_are_no_multiples_of_a_coefficient() {
     let text = |sense: &str| {
         format!(
-            "speed = '3000 rpm'\nboxer = {{ throws = [0, 180], stagger = '50 mm' }}\n[mechanism]\nreciprocating_mass = '0.5 kg'\n\
+            "speed = '3000 rpm'\ninline = {{ throws = [0, 240, 120, 120, 240, 0], spacing = '0.1 m' }}\n[mechanism]\nreciprocating_mass = '0.5 kg'\n\
              crank_radius = '40 mm'\nrod_ratio = 0.25\n[[balancer]]\norder = 2\nsense = '{sense}'\nmass_radius = '0.01 kg m'\nangle = 0\nposition = 0\n"
         )
     };
-    // The forces of order 2 of this flat four cancel: the shaft alone is left, 0.01 kg m times (2 · 314.159/s)².
+    // Force and moment of order 2 of an in-line six cancel: the shaft alone is left, 0.01 kg m times (2 · 314.159/s)².
     let newtons = 0.01 * (2.0 * std::f64::consts::TAU * 50.0_f64).powi(2);
     for sense in ["with", "against"] {
         let engine = file::parse("layout.toml", &text(sense)).unwrap_or_else(|error| panic!("{error}"));

@@ -99,7 +99,10 @@ fn shafts_against_links_are_written_in_decimals_that_leave_too_little_for_anothe
         let remedy = found(&engine, &[1, 2, 4]).expect("a remedy");
         let written = corrected_file(&remedy, "corrected.toml", Beside::nothing()).expect("a file");
         rounded += usize::from(written.is_rounded);
-        assert_eq!(written.is_rounded, written.text.contains("have no exact size") || written.text.contains("no exact size"));
+        assert_eq!(
+            written.is_rounded,
+            written.text.contains("have no exact size") || written.text.contains("no exact size")
+        );
         let corrected = read(&written.text);
         let again = found(&corrected, &[1, 2, 4]).expect("a remedy of the corrected engine");
         assert!(again.weights().is_empty(), "{}", written.text);

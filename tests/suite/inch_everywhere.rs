@@ -21,7 +21,8 @@ const CLAIMS: &str = "title = 'Claims in pounds'\n[[statement]]\ntext = 'The sid
 
 /// Names that are nothing but units.
 const UNITS: [&str; 18] = [
-    "mm", "kg", "N·m", "kN", "kN·m", "kW", "kJ", "cm³", "kg·m", "kg·mm", "kg·m²", "m/s", "m/s²", "N·m/rad", "N·a", "MPa", "kPa", "Nm",
+    "mm", "kg", "N·m", "kN", "kN·m", "kW", "kJ", "cm³", "kg·m", "kg·mm", "kg·m²", "m/s", "m/s²", "N·m/rad", "N·a",
+    "MPa", "kPa", "Nm",
 ];
 /// Names that are symbols or words too: units behind a number, behind `in`, or alone in brackets.
 const LETTERS: [&str; 5] = ["m", "N", "J", "W", "bar"];

@@ -68,9 +68,10 @@ fn quantities<'a>(text: &'a Text, found: &mut Vec<(&'a Piece, Unit)>) {
     for piece in text.pieces() {
         match piece {
             Piece::Phrase(_, values) => values.iter().for_each(|value| quantities(value, found)),
-            Piece::Quantity(_, unit) | Piece::Measured(_, unit, _) | Piece::Exactly(_, unit) | Piece::Shortly(_, unit) => {
-                found.push((piece, *unit))
-            }
+            Piece::Quantity(_, unit)
+            | Piece::Measured(_, unit, _)
+            | Piece::Exactly(_, unit)
+            | Piece::Shortly(_, unit) => found.push((piece, *unit)),
             Piece::Link(text, _) => quantities(text, found),
             _ => {}
         }

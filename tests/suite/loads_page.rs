@@ -251,7 +251,7 @@ fn the_roll_moment_of_several_crankshafts_is_on_the_page_as_in_the_document() {
     let mut left = 0;
     for order in roll.orders.iter().filter(|order| order.vector.value.norm() > 0.0) {
         let size = order.vector.value.norm() * scale;
-        let shown = |size: f64| format!("≈\u{a0}{}", decimal(size));
+        let shown = |size: f64| format!("≈\u{a0}{}", four_digits(size));
         let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(si.contains(&plain(&shown(size))), "order {}: {} in {si}", order.order, shown(size));
         assert!(inch.contains(&plain(&shown(size / 1.3558179483314004))), "order {} in {inch}", order.order);
@@ -264,7 +264,7 @@ fn the_roll_moment_of_several_crankshafts_is_on_the_page_as_in_the_document() {
 }
 
 /// Four digits, as tables have them.
-fn decimal(value: f64) -> String {
+fn four_digits(value: f64) -> String {
     match value {
         size if size >= 999.95 => format!("{size:.0}"),
         size if size >= 99.995 => format!("{size:.1}"),

@@ -230,7 +230,10 @@ fn pistons_of_narrow_engines_stand_highest_when_their_order_says_but_for_the_rou
             Ok(engine) => engine,
             // The other bank first would bring the pins of a throw nearer together: told, and not decided here.
             Err(error) => {
-                assert!(text.contains("[w]") && error.to_string().contains("with the banks exchanged"), "{error}\n{text}");
+                assert!(
+                    text.contains("[w]") && error.to_string().contains("with the banks exchanged"),
+                    "{error}\n{text}"
+                );
                 continue;
             }
         };
@@ -300,8 +303,14 @@ fn mistakes_in_narrow_banks_are_told() {
             "cycle = 'two-stroke'\nfiring_order = '1-2'\n[mechanism]\nstroke = '9 cm'\nrod_length = '16 cm'\n[vr]\nbank_angle = 15\npin_offset = '1 cm'",
             "add pin_splay",
         ),
-        ("cycle = 'two-stroke'\nfiring_order = '1-2'\n[vr]\nbank_angle = 15\npin_splay = 16", "fire evenly with no other"),
-        ("cycle = 'two-stroke'\nfiring_angles = [0, 180]\n[vr]\nbank_angle = 15\npin_splay = 15", "beside firing_angles"),
+        (
+            "cycle = 'two-stroke'\nfiring_order = '1-2'\n[vr]\nbank_angle = 15\npin_splay = 16",
+            "fire evenly with no other",
+        ),
+        (
+            "cycle = 'two-stroke'\nfiring_angles = [0, 180]\n[vr]\nbank_angle = 15\npin_splay = 15",
+            "beside firing_angles",
+        ),
         (
             "cycle = 'four-stroke'\nfiring_order = '1-2-3-4'\n[w]\nbank_angle = 90\nnarrow_angle = 15\npin_split = 10",
             "needs the pins of cylinders",

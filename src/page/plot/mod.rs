@@ -31,8 +31,8 @@ pub use map::Map;
 pub use polar::Polar;
 pub(crate) use stack::stacked;
 
-use super::number::decimal;
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use super::number::decimal;
 use curve::pieces;
 use frame::{BELOW, Frame, LABEL_ABOVE, WIDTH};
 use head::{Head, Key};

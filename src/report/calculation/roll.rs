@@ -22,7 +22,10 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let largest = match all_vanish {
         true => phrase!("The roll moment of the orders listed is {}.", Text::zero()),
         false => {
-            phrase!("The roll moment of the orders listed comes to {}.", summary::peak(&roll.waveform.real_peak(), unit))
+            phrase!(
+                "The roll moment of the orders listed comes to {}.",
+                summary::peak(&roll.waveform.real_peak(), unit)
+            )
         }
     };
     vec![largest, words.into()]

@@ -3,7 +3,7 @@
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::typeset;
-use super::amounts::{place, place_cells, place_headings, number_of, value};
+use super::amounts::{number_of, place, place_cells, place_headings, value};
 use super::findings::listed;
 use super::words::axis;
 use crate::engine::CycleOrder;

@@ -3,8 +3,7 @@
 use super::dice::Dice;
 
 /// The forms of [`file`].
-pub const FORMS: [&str; 10] =
-    ["inline", "vee", "flat", "boxer", "fan", "radial", "vr", "w", "cylinder", "open"];
+pub const FORMS: [&str; 10] = ["inline", "vee", "flat", "boxer", "fan", "radial", "vr", "w", "cylinder", "open"];
 
 /// Denominators of the angles of one engine, in fractions of a turn; the oracle needs them below some hundreds.
 const DENOMINATORS: [u64; 20] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 18, 20, 24, 30, 36];
