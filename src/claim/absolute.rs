@@ -11,7 +11,7 @@ use super::statement::{Subject, Tolerance, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::motion::{self, SliderCrank};
 use crate::numbers;
-use crate::order::{Factor, OrderSum, Sources, unit_mass};
+use crate::order::unit_mass;
 use crate::proof::{Quantity, Sense};
 use crate::verdict::OrderBalance;
 
@@ -99,11 +99,7 @@ pub(super) fn answer(
         * omega
         * omega
         * arm;
-    let coefficient = match stands_bare(engine, subject) {
-        true => Some((1.0, 1.0)),
-        false => coefficient(subject.order, &(&numbers.crank_radius / &numbers.rod_length)),
-    };
-    let Some((first, whole)) = coefficient else {
+    let Some((first, whole)) = coefficient(subject.order, &(&numbers.crank_radius / &numbers.rod_length)) else {
         return Answer::nothing("the rod has to be longer than the crank radius");
     };
     let (first_term, whole) = (scale * first.abs(), scale * whole.abs());
@@ -129,18 +125,6 @@ pub(super) fn answer(
     };
     let absolute = Absolute { first_term, whole, takes_first };
     Answer { status, finding: Finding::Absolute(Box::new(order.clone()), absolute), evidence }
-}
-
-/// Whether all that is left of these masses is of such as turn and are plain numbers, without a coefficient c_k: above order 1 they stand
-/// on balancer shafts.
-fn stands_bare(engine: &Engine, subject: Subject) -> bool {
-    let sources = Sources::new(engine, subject.masses);
-    let left = [Sense::Direct, Sense::Reverse].map(|sense| {
-        let terms = sources.terms(subject.quantity, subject.order, Some(sense)).into_iter();
-        OrderSum::new(terms.map(|(_, factor, term)| (factor, term)))
-    });
-    left.iter().any(|sum| !sum.vanishes())
-        && left.iter().flat_map(|sum| sum.parts().keys()).all(|factor| *factor == Factor::One)
 }
 
 /// Whether a claimed value is a whole number, as rounded values are.

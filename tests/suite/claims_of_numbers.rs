@@ -21,37 +21,6 @@ fn newtons_that_are_left_are_not_nothing_and_nothing_is_no_newtons() {
     assert_eq!(status(&flat_four(), "sixth-order force = 1 N"), Status::False);
 }
 
-/// A mass on a shaft at twice the speed of the crank pulls with `m r (2ω)²`, whatever the rods are: no c₂ stands before it.
-#[test]
-fn newtons_of_masses_that_turn_at_twice_the_speed_are_no_multiples_of_a_coefficient() {
-    let text = |sense: &str| {
-        format!(
-            "speed = '3000 rpm'\ninline = {{ throws = [0, 240, 120, 120, 240, 0], spacing = '0.1 m' }}\n[mechanism]\nreciprocating_mass = '0.5 kg'\n\
-             crank_radius = '40 mm'\nrod_ratio = 0.25\n[[balancer]]\norder = 2\nsense = '{sense}'\nmass_radius = '0.01 kg m'\nangle = 0\nposition = 0\n"
-        )
-    };
-    // Force and moment of order 2 of an in-line six cancel: the shaft alone is left, 0.01 kg m times (2 · 314.159/s)².
-    let newtons = 0.01 * (2.0 * std::f64::consts::TAU * 50.0_f64).powi(2);
-    for sense in ["with", "against"] {
-        let engine = file::parse("layout.toml", &text(sense)).unwrap_or_else(|error| panic!("{error}"));
-        let says = |size: f64| status(&engine, &format!("second-order force of all masses = {size:.1} N"));
-        assert_eq!(says(newtons), Status::True, "{newtons}");
-        assert_eq!(says(newtons * 0.254), Status::False, "no c₂ is in it");
-        let loads = crankstar::loads::loads(&engine, &[2]).expect("numbers");
-        let force = loads.orders[0].force.largest() * loads.scale.as_ref().expect("a scale").force();
-        assert!((force - newtons).abs() < 1e-6 * newtons, "{force}");
-    }
-    // Of the pistons the coefficient stays in it.
-    let four = file::parse(
-        "layout.toml",
-        "speed = '3000 rpm'\ninline.throws = [0, 180, 180, 0]\n[mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n",
-    )
-    .expect("it reads");
-    let loads = crankstar::loads::loads(&four, &[2]).expect("numbers");
-    let force = loads.orders[0].force.largest() * loads.scale.as_ref().expect("a scale").force();
-    assert_eq!(status(&four, &format!("second-order force of all masses = {force:.1} N")), Status::True);
-}
-
 #[test]
 fn newtons_are_not_compared_with_fractions_and_roots() {
     for says in ["sixth-order moment = 1/5 N·m", "sixth-order moment = √2/2 N·m"] {

@@ -180,10 +180,9 @@ fn sense(verdict: &Verdict) -> &'static str {
 fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
     let unit = if subject.quantity == Quantity::Moment { Unit::NEWTON_METRE } else { Unit::NEWTON };
     let value = |value: f64| Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit);
-    // Of order 1, and of masses that turn on shafts of their own, no coefficient is a series.
-    match subject.order == 1 || absolute.first_term == absolute.whole {
-        true => phrase!("That is {}.", value(absolute.whole)),
-        false => phrase!(
+    match subject.order {
+        1 => phrase!("That is {}.", value(absolute.whole)),
+        _ => phrase!(
             "That is {} with the first term of c_k alone, {} with the whole series.",
             value(absolute.first_term),
             value(absolute.whole)
