@@ -133,7 +133,7 @@ impl Narrow<'_> {
         }
         let place = |middle: &Middle, pin: usize| {
             let (throw, position) = &pins.pins[pin];
-            let outwards = BigRational::new(if pin % 2 == 0 { -1 } else { 1 }.into(), 2.into());
+            let outwards = BigRational::new(if pin.is_multiple_of(2) { -1 } else { 1 }.into(), 2.into());
             // Outwards is against the rotation where the bank stands at an angle below 0 in the sense of rotation.
             let turning = above.convention.in_the_sense_of_rotation(outwards.clone());
             let written = |text: &Text| if turning.is_negative() { negated(text) } else { text.clone() };
