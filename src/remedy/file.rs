@@ -208,7 +208,7 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
     let one = BigRational::from_integer(1.into());
     match factor {
         // Weights against what links leave are not written by their terms.
-        Factor::One | Factor::Linkage(_) => (None, one),
+        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| cylinder.link().is_none());
             let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));

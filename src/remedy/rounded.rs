@@ -19,7 +19,7 @@ const DIGITS: usize = 11;
 /// Whether a weight stands before a number of a link, which no key of a layout file names.
 pub(super) fn is_of_link(weight: &Weight) -> bool {
     weight.vector.parts().keys().any(|factor| match factor {
-        Factor::Linkage(_) => true,
+        Factor::Linkage(_) | Factor::Corrected(..) => true,
         Factor::One | Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             false
         }

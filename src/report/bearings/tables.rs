@@ -107,7 +107,7 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
 /// The rod whose motion a sum stands before.
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
-        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) => None,
+        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) | Factor::Corrected(..) => None,
         Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => mechanism.rod(),
     }
 }
@@ -121,6 +121,7 @@ fn number(factor: &Factor) -> Option<char> {
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),
+        Factor::Corrected(..) => Some('h'),
     }
 }
 
