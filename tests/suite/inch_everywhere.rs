@@ -15,9 +15,9 @@ const LAYOUTS: [(&str, &str); 4] = [
 ];
 
 const CLAIMS: &str = "title = 'Claims in pounds'\n[[statement]]\ntext = 'The side force, and what cures the first order.'\nsource = 'a book'\n\
-    conclusion = 'See below.'\n[[statement.claim]]\nlayout = 'v8.toml'\nsays = 'side force = F tan β'\nplace = 'p. 1'\n\
-    [[statement.claim]]\nlayout = 'i3.toml'\nsays = 'second-order moment vanishes'\nplace = 'p. 2'\n\
-    [[statement.claim]]\nlayout = 'i3.toml'\nsays = 'counterweights at -0.1 and 0.1 can balance the direct first-order force and moment'\nplace = 'p. 3'\n";
+    conclusion = 'See below.'\n[[statement.claim]]\nlayout = 'v8.toml'\nsays = 'side force = F tan β'\n\
+    [[statement.claim]]\nlayout = 'i3.toml'\nsays = 'second-order force vanishes'\n\
+    [[statement.claim]]\nlayout = 'i3.toml'\nsays = 'counterweights at -0.1 and 0.1 can balance the direct first-order force and moment'\n";
 
 /// Names that are nothing but units.
 const UNITS: [&str; 18] = [
