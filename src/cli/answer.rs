@@ -10,7 +10,7 @@ use crankstar::page::{Document, File};
 use crankstar::table;
 
 use super::failure::Failure;
-use super::pages::{self, Look};
+use super::pages::{self, Look, Measures};
 use super::tables::{Tables, Wanted};
 use super::{tables, write};
 
@@ -91,12 +91,7 @@ impl Answer {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),
             Some(Format::Data(DataFormat::Json) | Format::Page(_)) | None => None,
         };
-        if format.is_some() && self.look.is_in_inches() {
-            return Err(Failure::misuse(
-                "tables of data are in SI units, which stand in the names of their columns; leave out --units inch",
-            ));
-        }
-        self.tables.wanted(question, format, self.look.folder())
+        self.tables.wanted(question, format, self.look.measures(), self.look.folder())
     }
 
     /// Whether JSON is asked for.
@@ -156,7 +151,7 @@ impl DataAnswer {
     ///
     /// # Errors
     /// What cannot be had, before anything is computed.
-    pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
+    pub fn wanted(&self, question: &'static str, measures: &Measures) -> Result<Option<Wanted<'_>>, Failure> {
         let format = match self.format {
             Some(DataFormat::Table(format)) => Some(format),
             Some(DataFormat::Json) | None => None,
@@ -164,7 +159,7 @@ impl DataAnswer {
         if self.format.is_none() && self.output.is_some() {
             return Err(Failure::misuse("--output is for data; add --format csv, xlsx, parquet or json"));
         }
-        self.tables.wanted(question, format, self.output.as_deref())
+        self.tables.wanted(question, format, measures, self.output.as_deref())
     }
 
     /// Whether JSON is asked for.

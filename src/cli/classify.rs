@@ -5,6 +5,7 @@ use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads;
+use crankstar::page::Document;
 use crankstar::report;
 use crankstar::verdict;
 
@@ -12,7 +13,7 @@ use super::answer::DataAnswer;
 use super::failure::Failure;
 use super::firing::{self, ModeShape};
 use super::masses::Masses;
-use super::pages::shown;
+use super::pages::{Measures, shown};
 use super::spoken::Spoken;
 use super::verify::proved;
 use super::{EngineAndOrders, layouts, write};
@@ -41,13 +42,15 @@ pub struct Classify {
     #[command(flatten)]
     data: DataAnswer,
     #[command(flatten)]
+    measures: Measures,
+    #[command(flatten)]
     spoken: Spoken,
 }
 
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
-        let wanted = self.data.wanted("classify")?;
+        let wanted = self.data.wanted("classify", &self.measures)?;
         if self.all_orders && !self.is_json() {
             return Err(Failure::misuse("--all-orders adds to the JSON document; add --json"));
         }
@@ -75,7 +78,7 @@ impl Classify {
             return wanted.give(data::classify(&engine, &judged, &document));
         }
         if !self.is_json() {
-            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language()));
+            return self.show(&report::engine_answer(&engine, &judged));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
@@ -85,6 +88,10 @@ impl Classify {
 
     fn is_json(&self) -> bool {
         self.json || self.data.is_json()
+    }
+
+    fn show(&self, answer: &Document) -> Result<(), Failure> {
+        write::to_stdout(&shown(answer, self.spoken.language(), self.measures.units()))
     }
 
     fn run_firing(&self, as_tables: bool) -> Result<(), Failure> {
@@ -98,7 +105,7 @@ impl Classify {
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
         match self.is_json() {
             true => self.data.show_json("classify", proved(&report::firing_document(&study, self.all_orders))?),
-            false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language())),
+            false => self.show(&report::firing_answer(&study)),
         }
     }
 
@@ -109,7 +116,7 @@ impl Classify {
             ));
         }
         let study = firing::open_study(family, &self.about.orders, &self.mode)?;
-        write::to_stdout(&shown(&report::open_firing_answer(&study), self.spoken.language()))
+        self.show(&report::open_firing_answer(&study))
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
@@ -122,7 +129,7 @@ impl Classify {
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.is_json() {
             true => self.data.show_json("classify", proved(&report::open_document(family, &verdicts))?),
-            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts), self.spoken.language())),
+            false => self.show(&report::family_answer(family, &verdicts)),
         }
     }
 }

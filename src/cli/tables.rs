@@ -3,11 +3,13 @@
 use std::path::Path;
 
 use crankstar::data::TABLES;
+use crankstar::page::Units;
 use crankstar::table::{Format, Table};
 use crankstar::text::harmless;
 
 use super::failure::Failure;
 use super::layouts::shown;
+use super::pages::Measures;
 use super::{folder, write};
 
 /// Which of the tables is meant.
@@ -38,6 +40,7 @@ impl Tables {
         &'a self,
         question: &'static str,
         format: Option<Format>,
+        measures: &Measures,
         output: Option<&'a Path>,
     ) -> Result<Option<Wanted<'a>>, Failure> {
         let table = self.table.as_deref();
@@ -48,6 +51,14 @@ impl Tables {
             };
         };
         format.is_built().map_err(Failure::new)?;
+        match measures.units() {
+            Units::Si => {}
+            Units::Inch => {
+                return Err(Failure::misuse(
+                    "tables of data are in SI units, which stand in the names of their columns; leave out --units inch",
+                ));
+            }
+        }
         let known = TABLES.iter().find(|(name, _)| *name == question).map_or(&[][..], |(_, tables)| *tables);
         if let Some(table) = table.filter(|table| !known.contains(table)) {
             let message = format!("`{question}` has no table `{}`; it has {}", harmless(table), known.join(", "));

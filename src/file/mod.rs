@@ -28,6 +28,7 @@ mod known_firing;
 mod knuckle_keys;
 mod layout;
 mod linear;
+mod measured;
 mod mechanism_keys;
 mod narrow;
 mod number;

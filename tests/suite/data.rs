@@ -503,6 +503,7 @@ fn what_cannot_be_had_is_refused_before_anything_is_written() {
     let file = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
     let inch = ["loads", "I4", "--format", "csv", "--units", "inch"];
     refused(&inch, 2, "in SI units");
+    refused(&["classify", "I4", "--format", "csv", "--units", "inch"], 2, "in SI units");
     refused(&["compare", "I4", "I6", "--format", "csv", "--table", "theta"], 2, "it has orders, engines");
     refused(&["compare", "I4", "I6", "--table", "orders"], 2, "--table is for data");
     refused(&["classify", "I4", "--output", &file("x.csv")], 2, "--output is for data");

@@ -54,6 +54,7 @@ mod ground_truth;
 mod hard_cases;
 mod help;
 mod hostile_text;
+mod inch_everywhere;
 mod inch_units;
 mod journal;
 mod languages;
