@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crankstar::data::TABLES;
+use crankstar::report::data::TABLES;
 use crankstar::table::{Format, Table};
 use crankstar::text::harmless;
 
