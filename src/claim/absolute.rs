@@ -32,14 +32,14 @@ pub struct Numbers {
 
 impl Numbers {
     /// What a layout file says itself, where all rods are alike and without offset; in order 1 it is enough that none has an
-    /// offset, for `c_1 = 1` then.
+    /// offset, and no link a corrected knuckle angle, for `c_1 = 1` then.
     fn of(engine: &Engine, order: u32) -> Option<Self> {
         let mechanism = engine.dimensions();
         mechanism.mass.as_ref()?;
         let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
         let crank_radius = mechanism.crank_radius.clone()?;
         let are_alike = !engine.has_links() && engine.rods().all(|other| other == rod);
-        (are_alike || (order == 1 && !engine.has_offset())).then_some(())?;
+        (are_alike || (order == 1 && engine.is_centric())).then_some(())?;
         Some(Numbers {
             reciprocating_mass: unit_mass(engine),
             rod_length: &crank_radius / &rod.ratio,

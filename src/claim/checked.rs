@@ -14,6 +14,7 @@ use crate::engine::{Engine, throws};
 use crate::exact::PhasorSum;
 use crate::file::{Template, parse_number};
 use crate::numbers;
+use crate::order::Factor;
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{self, ComparableEngine};
 use crate::sweep::{self, Sweep, Zeros};
@@ -131,7 +132,9 @@ fn couple(layout: &Engine) -> Option<PhasorSum> {
     let apart = (&ends[0] - &ends[1]).abs();
     let (force, moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));
     let weights = remedy::two_planes(1, Sense::Direct, &force, &moment, &ends);
-    Some(weights.first()?.vector.only()?.1.scaled(&apart))
+    // What stands before a number of the motion is no mass-radius.
+    let (_, plain) = weights.first()?.vector.only().filter(|(factor, _)| **factor == Factor::One)?;
+    Some(plain.scaled(&apart))
 }
 
 /// Where on the grid the firing is so, with the least or the greatest difference of its intervals.

@@ -18,8 +18,11 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
     if quantities.contains(&Quantity::Torque) {
         return Answer::nothing("the inertia torque is judged order by order: claim one order of it at a time");
     }
-    if engine.has_offset() && !matches!(orders, Orders::Listed(_)) {
-        return Answer::nothing("with a pin offset every order exists: name the orders");
+    if !engine.is_centric() && !matches!(orders, Orders::Listed(_)) {
+        return Answer::nothing(match engine.has_offset() {
+            true => "with a pin offset every order exists: name the orders",
+            false => "with corrected knuckle angles every order may exist: name the orders",
+        });
     }
     let (judged, period) = match (orders, period(engine)) {
         (Orders::Listed(list), _) => (list.clone(), None),

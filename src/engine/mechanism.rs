@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::exact::Turn;
-use crate::motion::Linkage;
+use crate::motion::{CorrectedLinkage, Linkage};
 
 /// What moves the piston of a cylinder: the harmonics of its motion are the coefficients c_k and t_k.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,8 +25,8 @@ pub struct Rod {
     pub offset: BigRational,
 }
 
-/// An articulated rod whose knuckle pin stands, seen from the crankpin, at the angle of its cylinder: γ = Δ. The master rod
-/// is centric, on the same crankpin.
+/// An articulated rod. Its knuckle pin stands, seen from the crankpin, at `γ = Δ + ε` from the master rod: at the angle of its cylinder
+/// where ε is 0. The master rod is centric, on the same crankpin.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Link {
     /// Rod ratio λ = r/l of the master rod.
@@ -35,17 +35,19 @@ pub struct Link {
     pub knuckle: BigRational,
     /// Δ: by how much the axis of its cylinder stands ahead of that of the master's.
     pub angle: Turn,
+    /// ε: by how much its knuckle pin stands ahead of its cylinder, seen from the crankpin; less than a quarter turn either way.
+    pub correction: Turn,
     /// r/L, L the length of the link.
     pub ratio: BigRational,
 }
 
 impl Mechanism {
     /// Whether the motion is that of rods on the crankpin whose cylinder axes meet the crankshaft: order 1 is `cos ψ`, and there
-    /// is no other odd order.
+    /// is no other odd order. Links with a corrected knuckle angle move otherwise.
     pub fn is_centric(&self) -> bool {
         match self {
             Mechanism::SliderCrank(rod) => rod.offset.is_zero(),
-            Mechanism::Link(_) => true,
+            Mechanism::Link(link) => !link.is_corrected(),
         }
     }
 
@@ -80,14 +82,30 @@ impl Link {
         Rod { ratio: self.master.clone(), offset: BigRational::zero() }
     }
 
-    /// The part of its motion that the master rod does not give it.
+    /// γ: where its knuckle pin stands, seen from the crankpin, from the master rod on.
+    pub fn knuckle_angle(&self) -> Turn {
+        &self.angle + &self.correction
+    }
+
+    /// Whether its knuckle pin stands elsewhere than at the angle of its cylinder.
+    pub fn is_corrected(&self) -> bool {
+        self.correction != Turn::zero()
+    }
+
+    /// The part of its motion that the master rod does not give it, where its knuckle angle is not corrected.
     pub fn linkage(&self) -> Option<Linkage> {
         Linkage::new(self.ratio.clone(), self.knuckle.clone(), self.angle.turns().clone())
     }
 
+    /// The same where it is.
+    pub fn corrected(&self) -> Option<CorrectedLinkage> {
+        CorrectedLinkage::new([&self.ratio, &self.knuckle, &self.master], [self.angle.turns(), self.correction.turns()])
+    }
+
     fn turns_round(&self) -> bool {
         let master = &self.master;
-        !master.is_negative() && *master < BigRational::one() && self.linkage().is_some()
+        let moves = if self.is_corrected() { self.corrected().is_some() } else { self.linkage().is_some() };
+        !master.is_negative() && *master < BigRational::one() && moves
     }
 }
 

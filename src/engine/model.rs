@@ -1,7 +1,7 @@
 //! What is an engine, as far as its balance goes? A draft that holds together.
 
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 use super::build::BuildError;
 use super::convention::Convention;
@@ -14,7 +14,7 @@ use super::flywheel::Flywheel;
 use super::form::Form;
 use super::gas::Gas;
 use super::length::{Length, LengthUnit};
-use super::mechanism::{Mechanism, Rod};
+use super::mechanism::{Link, Mechanism, Rod};
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
 use crate::exact::Turn;
@@ -225,7 +225,17 @@ impl Engine {
 
     /// Whether some cylinder axis misses the crankshaft, so that every order exists.
     pub fn has_offset(&self) -> bool {
-        self.mechanisms().iter().any(|mechanism| !mechanism.is_centric())
+        self.rods().any(|rod| !rod.offset.is_zero())
+    }
+
+    /// Whether order 1 of every piston is `cos ψ`, and no other odd order is there: no offset, and no corrected knuckle angle.
+    pub fn is_centric(&self) -> bool {
+        self.mechanisms().iter().all(|mechanism| mechanism.is_centric())
+    }
+
+    /// Whether the knuckle pin of some link stands elsewhere than at the angle of its cylinder.
+    pub fn has_corrected_links(&self) -> bool {
+        self.cylinders().iter().filter_map(Cylinder::link).any(Link::is_corrected)
     }
 
     /// Whether every reciprocating mass and crank radius is 1, so that weights need not be shown.

@@ -1,7 +1,7 @@
 //! Which orders does an engine have at all, and how is it said that one is missing?
 //!
 //! The theorem is that of [`crate::motion`]: order 1 of the force always exists; for λ > 0 the even ones do, and with a pin offset
-//! every one; in the inertia torque every order. An infinitely long rod, λ = 0, has order 1 of the force and order 2 of the torque.
+//! every one; in the inertia torque every order. A link with a corrected knuckle angle may have every order. An infinitely long rod, λ = 0, has order 1 of the force and order 2 of the torque.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -57,15 +57,16 @@ impl Mechanism {
 }
 
 impl Link {
-    /// The master's motion and its own are of even order above order 1 (see [`crate::motion::Linkage`]); of the torque, which is not
-    /// judged, any order may be there.
+    /// The master's motion and its own are of even order above order 1 (see [`crate::motion::Linkage`]); with a corrected knuckle angle
+    /// any order may be there, and so of the torque, which is not judged.
     fn has_order(&self, quantity: Quantity, order: u32) -> bool {
         let is_endless = self.ratio.is_zero() && self.master.is_zero();
+        let has_odd = self.is_corrected() && !self.ratio.is_zero();
         match (quantity, order) {
             (_, 0) => false,
             (Quantity::Torque | Quantity::Roll, _) => true,
             (Quantity::Force | Quantity::Moment, 1) => true,
-            (Quantity::Force | Quantity::Moment, _) => !is_endless && order.is_multiple_of(2),
+            (Quantity::Force | Quantity::Moment, _) => !is_endless && (order.is_multiple_of(2) || has_odd),
         }
     }
 }

@@ -6,10 +6,12 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
+use super::knuckle_keys;
 use super::layout::built;
 use super::quantities::misread;
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Cylinder, Draft, Engine, Given, Link, Measure, Mechanism};
+use crate::exact::Turn;
 use crate::text::Untrusted;
 
 /// `[articulated]`: every cylinder on the crankpin of a master hangs on its rod, but the master itself.
@@ -21,6 +23,8 @@ pub(super) struct Keys {
     knuckle_ratio: Option<Column>,
     link_length: Option<Column>,
     link_ratio: Option<Column>,
+    knuckle_angle: Option<Column>,
+    knuckle_correction: Option<Column>,
     knuckle_mass: Option<Column>,
 }
 
@@ -173,9 +177,16 @@ impl Rows<'_> {
             }
         };
         let angle = &cylinder.bank - &master.bank;
-        let link = Mechanism::Link(Link { master: rod.ratio.clone(), knuckle, angle, ratio });
+        let pins = knuckle_keys::Keys {
+            angle: self.keys.knuckle_angle.as_ref(),
+            correction: self.keys.knuckle_correction.as_ref(),
+        };
+        let correction = pins.correction((&cylinder.name, &angle), |list| self.value(list, row))?;
+        let nearly = if correction == Turn::zero() { "" } else { ", or within a hundredth of that" };
+        let link = Mechanism::Link(Link { master: rod.ratio.clone(), knuckle, angle, correction, ratio });
         if !link.turns_round() {
-            let message = format!("the link of cylinder {} is too short for its crank to turn round", cylinder.name);
+            let name = &cylinder.name;
+            let message = format!("the link of cylinder {name} is too short for its crank to turn round{nearly}");
             return Err(fault(
                 message,
                 "it has to be longer than its knuckle pin swings across the axis of the cylinder",

@@ -25,6 +25,7 @@ mod gas_table;
 mod geared_forms;
 mod geared_keys;
 mod known_firing;
+mod knuckle_keys;
 mod layout;
 mod linear;
 mod mechanism_keys;

@@ -9,10 +9,13 @@
 //! which has the crank's own 1 beside the rod, and the orders of turning masses are judged one by one.
 //!
 //! A link on a master rod moves in part as the master does, with `β − α₀` of the master's cylinder, and has a motion of its own, which it
-//! shares with the links of its kind; the mass at its knuckle pin moves as the master. A mass that is complex, turned by Δ, turns `e^{iα}`.
+//! shares with the links of its kind; the mass at its knuckle pin moves as the master. A mass that is complex, turned by γ, turns `e^{iα}`. A link
+//! with a corrected knuckle angle has κ cos ε of the master's motion, two vectors, and a motion of its own of every order, where −ε is half a turn
+//! of β − α.
 
 use std::collections::BTreeMap;
 
+use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use crate::engine::{Cylinder, Engine, Link, Mechanism, Rod};
@@ -82,10 +85,25 @@ fn of_link(engine: &Engine, quantity: Quantity, cylinder: &Cylinder, link: &Link
     let (own, knuckle) = (&cylinder.throw - &cylinder.bank, &cylinder.knuckle_mass * &cylinder.crank_radius);
     let piston = mass_radius(engine, cylinder);
     let master = (Mechanism::SliderCrank(link.master_rod()), (&own + &link.angle).times(2));
-    let kind = (Mechanism::Link(link.clone()), own.times(2));
-    // The knuckle pin stands, seen from the crankpin, in the direction of its cylinder.
-    let with_the_master = (piston.clone() + knuckle) * &link.knuckle;
-    let parts = [(master, &link.master, with_the_master), (kind, &link.ratio, piston)];
-    let moving = parts.into_iter().filter(|(_, ratio, _)| !ratio.is_zero());
-    moving.map(|(group, _, weight)| (group, Term { angle: cylinder.bank.clone(), weight: weight * &lever })).collect()
+    // The knuckle pin stands, seen from the crankpin, by ε ahead of the direction of its cylinder.
+    let [ahead, behind] = [&cylinder.bank + &link.correction, &cylinder.bank - &link.correction];
+    let half = &piston * &link.knuckle / BigRational::from_integer(2.into());
+    let of_pin = [(&ahead, half.clone()), (&behind, half), (&ahead, knuckle * &link.knuckle)];
+    let with_the_master = of_pin.into_iter().filter(|_| !link.master.is_zero());
+    let with_the_master = with_the_master.map(|(angle, weight)| (master.clone(), angle.clone(), weight));
+    let kind = of_kind(link, own);
+    let own = (!link.ratio.is_zero()).then(|| (kind, cylinder.bank.clone(), piston));
+    let moving = with_the_master.chain(own);
+    moving.map(|(group, angle, weight)| (group, Term { angle, weight: weight * &lever })).collect()
+}
+
+/// The motion of its own of a link, and by how much its crank stands ahead of its cylinder where that counts.
+fn of_kind(link: &Link, own: Turn) -> (Mechanism, Turn) {
+    let unsigned = link.correction.clone().min(-&link.correction);
+    let own = match (link.is_corrected(), unsigned == link.correction) {
+        (false, _) => own.times(2),
+        (true, true) => own,
+        (true, false) => own.opposite(),
+    };
+    (Mechanism::Link(Link { correction: unsigned, ..link.clone() }), own)
 }

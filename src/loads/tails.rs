@@ -7,7 +7,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
 use crate::engine::{Engine, Mechanism};
-use crate::motion::{Coefficient, SliderCrank, Tail};
+use crate::motion::{Coefficient, CorrectedTail, SliderCrank, Tail};
 use crate::order::{self, Factor, mass_radius};
 use crate::proof::Quantity;
 
@@ -20,18 +20,27 @@ pub struct Tails {
     by_mechanism: BTreeMap<Mechanism, Parts>,
 }
 
-/// The motions that one of a piston is made of, each with the largest part it has: one, or of a link that of its master and its own.
+/// The motions that one of a piston is made of: those of cranks, each with the largest part it has, one, or of a link that of its master and its
+/// own; and that of a link with a corrected knuckle angle.
 #[derive(Clone, Debug)]
-struct Parts(Vec<(f64, Tail)>);
+struct Parts {
+    cranks: Vec<(f64, Tail)>,
+    corrected: Option<CorrectedTail>,
+}
 
 impl Parts {
-    fn sum(&self, bound: impl Fn(&Tail) -> f64) -> f64 {
-        self.0.iter().map(|(part, tail)| part * bound(tail)).sum()
+    /// The orders of the force above one.
+    fn force(&self, order: u32) -> f64 {
+        let of_cranks: f64 = self.cranks.iter().map(|(part, tail)| part * tail.force(order)).sum();
+        of_cranks + self.corrected.as_ref().map_or(0.0, |tail| tail.force(order))
     }
 
     /// What is not reckoned of links has no bound.
     fn of_rod(&self, bound: impl Fn(&Tail) -> f64) -> f64 {
-        if let [(_, only)] = &self.0[..] { bound(only) } else { f64::INFINITY }
+        match (&self.cranks[..], &self.corrected) {
+            ([(_, only)], None) => bound(only),
+            _ => f64::INFINITY,
+        }
     }
 }
 
@@ -60,12 +69,22 @@ impl Tails {
     }
 
     fn with(motion: &Motion, tail: impl Fn(&SliderCrank) -> Tail) -> Self {
-        let rods = motion.cranks.iter().map(|(rod, crank)| (rod.clone(), Parts(vec![(1.0, tail(crank))])));
+        let rods = motion
+            .cranks
+            .iter()
+            .map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None }));
         let links = motion.links.iter().filter_map(|link| {
-            let (master, own) = (Mechanism::SliderCrank(link.master_rod()), link.linkage()?);
-            let parts = [(&link.knuckle, order::crank(&master)?), (&own.distance(), own.crank().clone())];
-            let parts = parts.map(|(part, crank)| (rounded_up(part), tail(&crank)));
-            Some((Mechanism::Link(link.clone()), Parts(parts.into())))
+            let master = order::crank(&Mechanism::SliderCrank(link.master_rod()))?;
+            let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];
+            let corrected = match link.is_corrected() {
+                true => Some(link.corrected()?.tail()),
+                false => {
+                    let own = link.linkage()?;
+                    cranks.push((rounded_up(&own.distance()), tail(own.crank())));
+                    None
+                }
+            };
+            Some((Mechanism::Link(link.clone()), Parts { cranks, corrected }))
         });
         Tails { by_mechanism: rods.chain(links).collect() }
     }
@@ -74,7 +93,7 @@ impl Tails {
     /// its multiples of m r ω²; 0 only where there is none. The roll moment has no bound here.
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(engine, quantity, &|parts| match quantity {
-            Quantity::Force | Quantity::Moment => parts.sum(|tail| tail.force(order)),
+            Quantity::Force | Quantity::Moment => parts.force(order),
             Quantity::Torque => parts.of_rod(|tail| tail.torque(order)),
             Quantity::Roll => f64::INFINITY,
         });
@@ -106,9 +125,12 @@ impl Tails {
                 let of_rod = |parts: &Parts| parts.of_rod(|tail| tail.force(order.saturating_sub(1)));
                 self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
             }
-            Factor::Torque(_) | Factor::Side(_) | Factor::Linkage(_) | Factor::Open | Factor::OpenTorque => {
-                f64::INFINITY
-            }
+            Factor::Torque(_)
+            | Factor::Side(_)
+            | Factor::Linkage(_)
+            | Factor::Corrected(..)
+            | Factor::Open
+            | Factor::OpenTorque => f64::INFINITY,
         };
         sums.into_iter().fold([0.0, 0.0], |[force, moment], ((factor, order), sizes)| {
             let [more_force, more_moment] = sizes.map(|size| match rounded_up(&size) {
@@ -141,7 +163,7 @@ impl Tails {
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
     pub fn largest_sum(&self, engine: &Engine, quantity: Quantity) -> f64 {
         self.sum(engine, quantity, &|parts| {
-            let shaking = 1.0 + parts.sum(|tail| tail.force(0));
+            let shaking = 1.0 + parts.force(0);
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
                 Quantity::Torque => shaking * shaking,

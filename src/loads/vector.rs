@@ -34,15 +34,16 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// The vector of this sum, whose coefficients `coefficient` tells, and proves not to be zero.
+    /// The vector of this sum, whose coefficients `coefficient` tells.
     pub(super) fn new(sum: &OrderSum, coefficient: impl Fn(&Factor) -> Coefficient) -> Self {
+        let nonzero = !sum.parts().keys().any(Factor::may_be_zero);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (coefficient(factor), sum)).collect();
-        Self::of(&pairs, true)
+        Self::of(&pairs, nonzero)
     }
 
     /// The vector `Σ coefficient · sum` of sums that do not vanish.
     ///
-    /// `nonzero` says that no coefficient is zero; else that is read from their enclosures.
+    /// `nonzero` says that no coefficient is zero, by theorem; else that is read from their enclosures.
     pub(super) fn of(pairs: &[(Coefficient, &PhasorSum)], nonzero: bool) -> Self {
         match pairs {
             [] => Vector { value: Complex::new(0.0, 0.0), outcome: Outcome::Zero, doubt: 0.0 },
@@ -72,14 +73,17 @@ fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Vector {
     };
     let width = |part: &Enclosure| part.width().to_f64().unwrap_or(f64::INFINITY);
     let [re, im] = &total;
-    let (outcome, doubt) = match excludes_zero(&total) {
+    let is_not_zero = excludes_zero(&total);
+    // Beside a part that is not zero, one that may be zero is taken as zero: its middle is nothing but roundings.
+    let float = |part: &Enclosure| if is_not_zero && part.contains_zero() { 0.0 } else { part.to_float() };
+    let (outcome, doubt) = match is_not_zero {
         true => (Outcome::NotZero, width(re).hypot(width(im)).next_up()),
         false => {
             let below = largest(re).hypot(largest(im)).next_up();
             (Outcome::Undecided { below }, 2.0 * below)
         }
     };
-    Vector { value: Complex::new(re.to_float(), im.to_float()), outcome, doubt }
+    Vector { value: Complex::new(float(re), float(im)), outcome, doubt }
 }
 
 fn excludes_zero(parts: &[Enclosure; 2]) -> bool {

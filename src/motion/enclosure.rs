@@ -54,8 +54,10 @@ impl Enclosure {
 
     /// The float nearest the middle: for a coefficient within one unit in the last place of the number.
     pub fn to_float(&self) -> f64 {
-        let two = BigRational::from_integer(2.into());
-        ((&self.low + &self.high) / two).to_f64().unwrap_or(f64::NAN)
+        let (low, high) = (&self.low, &self.high);
+        let twice = low.numer() * high.denom() + high.numer() * low.denom();
+        // A float needs no lowest terms.
+        BigRational::new_raw(twice, (low.denom() * high.denom()) << 1).to_f64().unwrap_or(f64::NAN)
     }
 
     /// The sum of two numbers.

@@ -19,6 +19,7 @@ use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, Zero};
 
 use super::ball::Ball;
+use super::circle::cosine;
 use super::crank::SliderCrank;
 use super::enclosure::Enclosure;
 
@@ -44,7 +45,7 @@ impl Linkage {
         }
         let one = BigRational::one();
         let both = Ball::rational(&(&one + &knuckle * &knuckle), BITS);
-        let across = Ball::rational(&knuckle, BITS).times_integer(2).times(&cosine(&turns));
+        let across = Ball::rational(&knuckle, BITS).times_integer(2).times(&cosine(&turns, BITS));
         let reach = (&both - &across).sqrt().times(&Ball::rational(&ratio, BITS));
         let unit = BigInt::one() << BITS;
         let ends = [reach.low(), reach.high()].map(|end| BigRational::new(end.max(BigInt::zero()), unit.clone()));
@@ -99,37 +100,4 @@ fn rounded(number: &BigRational, up: bool) -> BigRational {
     let unit = if shift < 0 { unit.recip() } else { unit };
     let scaled = number * &unit;
     (if up { scaled.ceil() } else { scaled.floor() }) / unit
-}
-
-/// The cosine of a number of turns.
-fn cosine(turns: &BigRational) -> Ball {
-    let half = BigRational::new(1.into(), 2.into());
-    let part = turns - turns.floor();
-    let folded = if part > half { BigRational::one() - part } else { part };
-    let angle = tau().times(&Ball::rational(&folded, BITS));
-    let square = angle.times(&angle);
-    let (mut sum, mut term) = (Ball::integer(1, BITS), Ball::integer(1, BITS));
-    // The angle is at most π: from the second term on they fall, and alternate.
-    for n in 1_u64..=u64::from(BITS) {
-        term = -term.times(&square).over_integer((2 * n - 1) * 2 * n);
-        sum = &sum + &term;
-    }
-    let rest = term.high().max(-term.low());
-    sum.widened(rest)
-}
-
-/// 2π, by Machin's formula: π/4 = 4 arctan(1/5) − arctan(1/239).
-fn tau() -> Ball {
-    let arctan = |q: u64| {
-        let mut power = Ball::integer(1, BITS).over_integer(q);
-        let mut sum = power.clone();
-        for n in 1_u64..=u64::from(BITS) / 2 {
-            power = -power.over_integer(q * q);
-            sum = &sum + &power.over_integer(2 * n + 1);
-        }
-        // Alternating terms that fall: what follows is smaller than the last.
-        let rest = power.high().max(-power.low());
-        sum.widened(rest)
-    };
-    &arctan(5).times_integer(32) - &arctan(239).times_integer(8)
 }

@@ -20,7 +20,10 @@
 
 mod ball;
 mod centric;
+mod circle;
 mod closed;
+mod corrected;
+mod corrected_tail;
 mod crank;
 mod enclosure;
 mod error;
@@ -33,6 +36,8 @@ mod small;
 mod tail;
 mod torque;
 
+pub use corrected::{Component, CorrectedLinkage};
+pub use corrected_tail::CorrectedTail;
 pub use crank::SliderCrank;
 pub use enclosure::{Coefficient, Enclosure};
 pub use error::NoFullTurn;

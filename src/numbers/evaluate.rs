@@ -1,22 +1,19 @@
 //! Where does a sum point, and how long is it?
 
 use std::cell::RefCell;
-use std::sync::LazyLock;
 
 use num_bigint::BigInt;
 use num_complex::Complex;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::fixed::FixedPoint;
 use super::memory::{self, Memory};
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::{PhasorSum, Term, Turn};
 
 /// Bits behind the point that every evaluation starts with.
 const FIRST_BITS: u32 = 128;
-
-/// Its arithmetic, with 2π worked out once.
-static FIRST: LazyLock<FixedPoint> = LazyLock::new(|| FixedPoint::new(FIRST_BITS));
 
 /// Each cosine of the fixed-point arithmetic is off by less than this many units: some hundred roundings of its series.
 const DOUBT: i64 = 1 << 16;
@@ -58,7 +55,7 @@ pub fn degrees(vector: Complex<f64>) -> f64 {
 
 /// A unit vector in decimals.
 pub fn direction(angle: &Turn) -> Complex<f64> {
-    let (cos, sin) = FIRST.cos_sin(angle);
+    let (cos, sin) = FixedPoint::new(FIRST_BITS).cos_sin(angle);
     let to_float = |scaled: BigInt| BigRational::new(scaled, BigInt::from(1) << FIRST_BITS).to_f64().unwrap_or(0.0);
     Complex::new(to_float(cos), to_float(sin))
 }
@@ -66,23 +63,14 @@ pub fn direction(angle: &Turn) -> Complex<f64> {
 /// The real or imaginary part, known not to be zero: bits are added until 64 of them are sure.
 fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
     let terms = sum.collected();
+    let (weights, scale) = whole_weights(&terms);
+    let doubt = doubt(&weights);
     let mut bits = FIRST_BITS;
     loop {
-        let more;
-        let fixed = if bits == FIRST_BITS {
-            &*FIRST
-        } else {
-            more = FixedPoint::new(bits);
-            &more
-        };
-        let products = terms.iter().map(|term| {
-            let cosine = BigRational::from_integer(choose(fixed.cos_sin(&term.angle)));
-            &term.weight * cosine
-        });
-        let value = products.fold(BigRational::zero(), |sum, product| sum + product);
-        let doubt = terms.iter().fold(BigRational::zero(), |sum, term| sum + term.weight.abs()) * integer(DOUBT);
-        if value.abs() > doubt * BigRational::from_integer(BigInt::from(1) << 64) {
-            return (value / BigRational::from_integer(BigInt::from(1) << bits)).to_f64().unwrap_or(f64::NAN);
+        let fixed = FixedPoint::new(bits);
+        let value: BigInt = weights.iter().zip(&terms).map(|(w, term)| w * choose(fixed.cos_sin(&term.angle))).sum();
+        if value.abs() > &doubt << 64 {
+            return float(&BigRational::new_raw(value, &scale << bits));
         }
         bits *= 2;
     }
@@ -90,19 +78,33 @@ fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
 
 /// Ends that enclose the real and the imaginary part of a sum, from this many bits behind the point.
 pub fn enclose(sum: &PhasorSum, bits: u32) -> [(BigRational, BigRational); 2] {
-    let fixed = FixedPoint::new(bits);
-    let unit = BigRational::from_integer(BigInt::from(1) << bits);
-    let zero = BigRational::zero;
-    let (mut re, mut im, mut doubt) = (zero(), zero(), zero());
-    for term in sum.collected() {
-        let (cos, sin) = fixed.cos_sin(&term.angle);
-        re += &term.weight * BigRational::from_integer(cos);
-        im += &term.weight * BigRational::from_integer(sin);
-        doubt += term.weight.abs() * integer(DOUBT);
-    }
-    [re, im].map(|value| ((&value - &doubt) / &unit, (&value + &doubt) / &unit))
+    let (ends, scale) = fixed_ends(sum, bits);
+    let unit = scale << bits;
+    ends.map(|ends| ends.map(|end| BigRational::new(end, unit.clone())).into())
 }
 
-fn integer(number: i64) -> BigRational {
-    BigRational::from_integer(number.into())
+/// The same ends as whole numbers, in units of `2^−bits` over the whole number that comes with them.
+pub(super) fn fixed_ends(sum: &PhasorSum, bits: u32) -> ([[BigInt; 2]; 2], BigInt) {
+    let terms = sum.collected();
+    let (weights, scale) = whole_weights(&terms);
+    let doubt = doubt(&weights);
+    let fixed = FixedPoint::new(bits);
+    let (mut re, mut im) = (BigInt::zero(), BigInt::zero());
+    for (weight, term) in weights.iter().zip(&terms) {
+        let (cos, sin) = fixed.cos_sin(&term.angle);
+        re += weight * cos;
+        im += weight * sin;
+    }
+    ([re, im].map(|value| [&value - &doubt, value + &doubt]), scale)
+}
+
+/// The weights over their least common denominator, and this.
+fn whole_weights(terms: &[Term]) -> (Vec<BigInt>, BigInt) {
+    let scale = terms.iter().fold(BigInt::one(), |scale, term| scale.lcm(term.weight.denom()));
+    (terms.iter().map(|term| term.weight.numer() * (&scale / term.weight.denom())).collect(), scale)
+}
+
+/// What the roundings of the cosines add to at most, in the units of the whole weights.
+fn doubt(weights: &[BigInt]) -> BigInt {
+    weights.iter().map(BigInt::abs).sum::<BigInt>() * DOUBT
 }

@@ -2,6 +2,9 @@
 //!
 //! Nothing of the platform's mathematics library enters, so the digits are the same on every machine.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -16,7 +19,9 @@ pub(super) struct FixedPoint {
 impl FixedPoint {
     /// Arithmetic with this many bits behind the point.
     pub fn new(bits: u32) -> Self {
-        FixedPoint { bits, tau: tau(bits) }
+        // Machin's formula costs more than a cosine: it is asked for once per precision and thread.
+        let tau = TAUS.with_borrow_mut(|taus| taus.entry(bits).or_insert_with(|| tau(bits)).clone());
+        FixedPoint { bits, tau }
     }
 
     /// `(cos, sin)` of an angle.
@@ -58,6 +63,10 @@ impl FixedPoint {
         let [cos, sin] = sums;
         (cos, sin)
     }
+}
+
+thread_local! {
+    static TAUS: RefCell<BTreeMap<u32, BigInt>> = const { RefCell::new(BTreeMap::new()) };
 }
 
 /// 2π by Machin's formula, π/4 = 4 arctan(1/5) − arctan(1/239).

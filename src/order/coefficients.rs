@@ -5,21 +5,23 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
+use super::corrected::Corrected;
 use super::factor::Factor;
 use crate::engine::Mechanism;
-use crate::motion::{Coefficient, Enclosure, SliderCrank};
+use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, SliderCrank};
 use crate::proof::Sense;
 
 /// The values of factors that were asked for.
 #[derive(Debug, Default)]
 pub struct Coefficients {
     cranks: RefCell<BTreeMap<Mechanism, SliderCrank>>,
+    corrected: RefCell<BTreeMap<Corrected, CorrectedLinkage>>,
     known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
 }
 
 impl Coefficients {
     /// The value of a factor in an order: computed once; none where nothing is known of the mechanism, and for what a link has no
-    /// number of: its motion is that of a [`Factor::Linkage`], and its torque is not judged.
+    /// number of: its motion is that of a [`Factor::Linkage`] or [`Factor::Corrected`], and its torque is not judged.
     pub fn of(&self, factor: &Factor, order: u32) -> Option<Coefficient> {
         let key = (factor.clone(), order);
         if let Some(known) = self.known.borrow().get(&key) {
@@ -32,6 +34,11 @@ impl Coefficients {
             Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
+            Factor::Corrected(corrected, component) => {
+                let mut corrected_ones = self.corrected.borrow_mut();
+                let motion = corrected_ones.entry(corrected.clone()).or_insert_with(|| corrected.motion());
+                Coefficient { re: motion.component(order, *component), im: Enclosure::zero() }
+            }
         };
         self.known.borrow_mut().insert(key, coefficient.clone());
         Some(coefficient)

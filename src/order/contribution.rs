@@ -108,7 +108,7 @@ impl<'a> Sources<'a> {
                 position: cylinder.position.clone(),
                 factor,
                 // A complex mass: it is turned the same way in both senses.
-                term: Term { angle: &at + &link.angle, weight: weight * &link.knuckle },
+                term: Term { angle: &at + &link.knuckle_angle(), weight: weight * &link.knuckle },
             }
         })
     }

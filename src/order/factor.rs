@@ -3,9 +3,11 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::corrected::Corrected;
 use super::link::{Linkage, parts_of};
 use crate::engine::{Mechanism, Rod};
 use crate::exact::{Term, Turn};
+use crate::motion::Component;
 use crate::proof::Quantity;
 
 /// The number that a sum stands before in an order.
@@ -24,6 +26,8 @@ pub enum Factor {
     Side(Mechanism),
     /// g_k of a link on a master rod ([`crate::motion::Linkage`]), a real number.
     Linkage(Linkage),
+    /// A part of h_k of a link with a corrected knuckle angle ([`crate::motion::CorrectedLinkage`]), a real number.
+    Corrected(Corrected, Component),
     /// c_k of the rods of an engine that names none: they are centric and alike.
     Open,
     /// t_k of such rods.
@@ -79,7 +83,8 @@ impl Factor {
         mechanism.map_or(Factor::OpenTorque, |mechanism| Factor::Torque(mechanism.clone()))
     }
 
-    /// Whether it is not zero in an order: whether the order exists.
+    /// Whether it is not zero in an order: whether the order exists. One that [may be zero](Factor::may_be_zero) exists where nothing says
+    /// that it is.
     pub fn exists(&self, order: u32) -> bool {
         match self {
             Factor::One | Factor::OpenTorque => true,
@@ -89,6 +94,7 @@ impl Factor {
                 super::coefficients::crank(mechanism).is_some_and(|crank| crank.has_side_part(order))
             }
             Factor::Linkage(linkage) => linkage.exists(order),
+            Factor::Corrected(corrected, component) => corrected.exists(*component, order),
             Factor::Open => order == 1 || order.is_multiple_of(2),
         }
     }
@@ -100,7 +106,21 @@ impl Factor {
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
             Factor::Open | Factor::Linkage(_) => Some(order.is_multiple_of(4)),
             Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
-            Factor::Torque(_) | Factor::Side(_) | Factor::OpenTorque => None,
+            Factor::Torque(_) | Factor::Side(_) | Factor::Corrected(..) | Factor::OpenTorque => None,
+        }
+    }
+
+    /// Whether it may be zero even where it exists, so that only an enclosure tells: there is no theorem on it.
+    pub fn may_be_zero(&self) -> bool {
+        match self {
+            Factor::Corrected(..) => true,
+            Factor::One
+            | Factor::Motion(_)
+            | Factor::Torque(_)
+            | Factor::Side(_)
+            | Factor::Linkage(_)
+            | Factor::Open
+            | Factor::OpenTorque => false,
         }
     }
 }

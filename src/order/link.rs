@@ -10,13 +10,15 @@
 //! `z^k = Σ C(k,u) (−κ)^u e^{iuΔ}`. So a link and its mirror image, Δ and −Δ, have terms before one number, and copies of one linkage
 //! cancel, or not, exactly.
 //!
-//! A mass μ at the knuckle pin, the point `K = (1−ζ) crankpin + ζ piston pin of the master` with `ζ = κ e^{iΔ}`, is a mass ζμ that moves as the
-//! master's piston does, and (1−ζ)μ on the crankpin: 2μ along the throw, −2μκ turned from it by Δ.
+//! A mass μ at the knuckle pin, the point `K = (1−ζ) crankpin + ζ piston pin of the master` with `ζ = κ e^{iγ}`, is a mass ζμ that moves as the
+//! master's piston does, and (1−ζ)μ on the crankpin: 2μ along the throw, −2μκ turned from it by γ, which is Δ where it is not corrected
+//! ([`corrected`](super::corrected)).
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::corrected;
 use super::factor::Factor;
 use crate::engine::{Cylinder, Engine, Link, Mechanism};
 use crate::exact::{Term, Turn};
@@ -58,6 +60,9 @@ impl Linkage {
 /// What the vector of a link's piston in the direct star stands before: numbers of the motion, each with a part and the angle it is
 /// turned by; the other way in the reverse star.
 pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
+    if link.is_corrected() {
+        return corrected::parts_of(link, order);
+    }
     let one = BigRational::one();
     if order == 1 {
         return vec![(Factor::One, Term { angle: Turn::zero(), weight: one })];

@@ -7,6 +7,7 @@
 mod coefficients;
 mod comparable;
 mod contribution;
+mod corrected;
 mod factor;
 mod group;
 mod link;
@@ -25,8 +26,10 @@ pub use comparable::{NotComparable, comparable};
 pub use contribution::{
     Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, roll, star, torque,
 };
+pub use corrected::Corrected;
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};
+
 pub use link::Linkage;
 pub use masses::MassGroup;
 pub use path::Path;

@@ -104,7 +104,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     in_multiples.chain(knuckles(engine)).collect()
 }
 
-/// What the masses at the knuckle pins add on the crankpins: (1 − κ e^{iΔ}) of each.
+/// What the masses at the knuckle pins add on the crankpins: (1 − κ e^{iγ}) of each.
 fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
     let with_mass = (0..engine.cylinders().len()).filter_map(|index| Some((index, link::knuckle(engine, index)?)));
     with_mass.flat_map(|(index, (cylinder, link, mass_radius))| {
@@ -119,7 +119,7 @@ fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
             axis: Vec::new(),
         };
         let taken_off = &mass_radius * &link.knuckle;
-        let turned = (&cylinder.throw + &link.angle).opposite();
+        let turned = (&cylinder.throw + &link.knuckle_angle()).opposite();
         [
             part(Source::KnuckleAtPin(index), cylinder.throw.clone(), mass_radius),
             part(Source::KnuckleOffPin(index), turned, taken_off),

@@ -5,7 +5,8 @@ use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
 use super::engine::{RodClaim, RodStatement};
-use super::link::LinkageClaim;
+use super::knuckle::{KnuckleClaim, Part};
+use super::link::{LinkClaim, LinkageClaim};
 use super::verdict::Vector;
 
 /// What stands before a sum.
@@ -20,6 +21,8 @@ pub enum Coefficient {
     Rod(RodClaim),
     /// g_k of this link on a master rod.
     Linkage(LinkageClaim),
+    /// A part of h_k of this link with a corrected knuckle angle.
+    Corrected(KnuckleClaim),
     /// t_k of the torque, which all rods have where none is named.
     #[serde(skip)]
     CommonTorque,
@@ -33,7 +36,17 @@ impl Coefficient {
     pub(super) fn is_open(&self) -> bool {
         match self {
             Coefficient::Common | Coefficient::CommonTorque => true,
-            Coefficient::One | Coefficient::Rod(_) | Coefficient::Linkage(_) | Coefficient::Torque(_) => false,
+            Coefficient::One | Coefficient::Rod(_) | Coefficient::Torque(_) => false,
+            Coefficient::Linkage(_) | Coefficient::Corrected(_) => false,
+        }
+    }
+
+    /// Whether no theorem says that it is not zero where it is there.
+    pub(super) fn may_be_zero(&self) -> bool {
+        match self {
+            Coefficient::Corrected(_) => true,
+            Coefficient::One | Coefficient::Common | Coefficient::Rod(_) | Coefficient::Linkage(_) => false,
+            Coefficient::CommonTorque | Coefficient::Torque(_) => false,
         }
     }
 }
@@ -66,6 +79,7 @@ impl Factor {
             RodStatement::Unknown if order == 1 => vec![plain(Coefficient::One, false)],
             RodStatement::Unknown => vec![plain(Coefficient::Common, is_odd)],
             RodStatement::Known(rod) => vec![Factor::of_rod(rod, order)],
+            RodStatement::Link(link) if link.is_corrected() => Factor::of_corrected(link, order),
             RodStatement::Link(_) if order == 1 => vec![plain(Coefficient::One, false)],
             RodStatement::Link(link) => {
                 let master = Factor { parts: link.with_the_master(order), ..Factor::of_rod(&link.master_rod(), order) };
@@ -81,6 +95,23 @@ impl Factor {
                 ]
             }
         }
+    }
+
+    /// In the force of a link with a corrected knuckle angle, of every order.
+    fn of_corrected(link: &LinkClaim, order: u32) -> Vec<Self> {
+        let mut factors = Vec::new();
+        if order == 1 {
+            factors.push(Factor { coefficient: Coefficient::One, is_zero: false, parts: link.beside_its_own() });
+        } else if order.is_multiple_of(2) {
+            let master = Factor::of_rod(&link.master_rod(), order);
+            factors.push(Factor { parts: link.swung_with_the_master(order), ..master });
+        }
+        factors.extend([Part::Real, Part::Imaginary].map(|part| {
+            let linkage = link.corrected(part);
+            let is_zero = linkage.lacks(order);
+            Factor { coefficient: Coefficient::Corrected(linkage), is_zero, parts: vec![link.turned_into(part, order)] }
+        }));
+        factors
     }
 
     /// 1, or −1: what the vector of a rod on the crankpin is multiplied by.

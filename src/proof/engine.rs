@@ -204,8 +204,9 @@ pub(super) fn rods<'a>(
         }
     }
     if let Some(link) = links.iter().find(|link| !link.turns_round()) {
-        let LinkClaim { master, knuckle, angle, ratio } = link;
-        let link = format!("master {master}, knuckle {knuckle}, angle {angle}, ratio {ratio}");
+        let LinkClaim { master, knuckle, angle, correction, ratio } = link;
+        let corrected = if link.is_corrected() { format!(", correction {correction}") } else { String::new() };
+        let link = format!("master {master}, knuckle {knuckle}, angle {angle}{corrected}, ratio {ratio}");
         return Err(format!("a link cannot turn round: {link}").into());
     }
     let turns_round = |rod: &&RodClaim| !rod.ratio.is_negative() && &rod.ratio + rod.offset.abs() < BigRational::one();

@@ -17,6 +17,7 @@ use super::ball::Ball;
 use super::enclosure::Circle;
 use super::engine::RodClaim;
 use super::fraction;
+use super::knuckle::Part;
 use super::refusal::Refusal;
 use super::verdict::Vector;
 
@@ -29,7 +30,7 @@ const GUARD: u32 = 64;
 /// More bits are not computed.
 const MOST_BITS: u64 = 8192;
 
-/// A link on a master rod without offset, whose knuckle pin stands at the angle of its cylinder.
+/// A link on a master rod without offset, whose knuckle pin stands at the angle of its cylinder, or by a correction ahead of it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LinkClaim {
@@ -42,6 +43,9 @@ pub struct LinkClaim {
     /// Δ in turns: from the axis of the master's cylinder to that of the link.
     #[serde(with = "fraction")]
     pub angle: BigRational,
+    /// ε in turns: by how much its knuckle pin stands ahead of its cylinder, seen from the crankpin; left out where it is 0.
+    #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
+    pub correction: BigRational,
     /// r/L, L the length of the link.
     #[serde(with = "fraction")]
     pub ratio: BigRational,
@@ -68,9 +72,12 @@ impl LinkClaim {
     }
 
     pub(super) fn linkage(&self) -> LinkageClaim {
-        let part = &self.angle - self.angle.floor();
-        let apart = if &part + &part > BigRational::one() { BigRational::one() - part } else { part };
-        LinkageClaim { ratio: self.ratio.clone(), knuckle: self.knuckle.clone(), apart }
+        LinkageClaim { ratio: self.ratio.clone(), knuckle: self.knuckle.clone(), apart: unsigned(&self.angle) }
+    }
+
+    /// Whether the knuckle pin stands elsewhere than at the angle of its cylinder.
+    pub(super) fn is_corrected(&self) -> bool {
+        !self.correction.is_integer()
     }
 
     /// Whether the crank is known to turn round.
@@ -79,6 +86,9 @@ impl LinkClaim {
         let is_right = !self.master.is_negative() && self.master < one && !self.ratio.is_negative();
         if !is_right || !self.knuckle.is_positive() {
             return false;
+        }
+        if self.is_corrected() {
+            return self.corrected(Part::Real).turns_round();
         }
         let reach = self.linkage().reach(&Circle::new(BITS_OF_REACH), BITS_OF_REACH);
         &reach.middle + &reach.doubt < BigInt::one() << BITS_OF_REACH
@@ -109,6 +119,12 @@ impl LinkClaim {
         }
         vectors
     }
+}
+
+/// The angle or its opposite, in turns: the one up to ½.
+pub(super) fn unsigned(angle: &BigRational) -> BigRational {
+    let part = angle - angle.floor();
+    if &part + &part > BigRational::one() { BigRational::one() - part } else { part }
 }
 
 impl LinkageClaim {

@@ -22,6 +22,7 @@ mod firing;
 mod firing_check;
 mod fraction;
 mod judged;
+mod knuckle;
 mod link;
 mod open;
 mod open_check;
@@ -51,6 +52,7 @@ pub use engine::{CrankClaim, Cylinder, Masses, Quantity, RodClaim, RodStatement,
 pub use evidence::EvidenceDocument;
 pub use firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim, PatternVerdict};
 pub use firing_check::check_firing_document;
+pub use knuckle::{KnuckleClaim, Part};
 pub use link::{LinkClaim, LinkageClaim};
 pub use open::{
     AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,

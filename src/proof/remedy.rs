@@ -279,7 +279,7 @@ impl RemedyDocument {
             if !is_zero && !cylinder.knuckle_weight.is_zero() {
                 let weight = &cylinder.knuckle_weight * &link.knuckle * arm(&cylinder.position);
                 let bank = &cylinder.bank - &link.angle;
-                let angle = phase(&cylinder.throw, &bank, order, Some(sense)) + &link.angle;
+                let angle = phase(&cylinder.throw, &bank, order, Some(sense)) + &link.angle + &link.correction;
                 sums.entry(coefficient).or_default().push((angle, weight));
             }
         }

@@ -66,6 +66,9 @@ impl<'a> Motion<'a> {
             Coefficient::Linkage(linkage) => {
                 Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
             }
+            Coefficient::Corrected(linkage) => {
+                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
+            }
         };
         self.known.borrow_mut().insert(key, found.clone());
         Ok(Some(found))
@@ -100,6 +103,7 @@ pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) ->
         Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
         Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
         Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
+        Coefficient::Corrected(linkage) => return linkage.smallness(order, audit),
         Coefficient::Rod(_) | Coefficient::Torque(_) => return Ok(0),
         Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),
     };
@@ -156,13 +160,13 @@ fn torque(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Comple
 }
 
 /// The bits that a factor of this size takes from those that are asked for.
-fn finer(bits: u32, factor: &BigRational) -> Result<u32, Refusal> {
+pub(super) fn finer(bits: u32, factor: &BigRational) -> Result<u32, Refusal> {
     let fine = u64::from(bits) + GUARD + factor.ceil().to_integer().bits();
     u32::try_from(fine).ok().filter(|_| fine <= MOST_BITS).ok_or(Refusal::TooManySteps)
 }
 
 /// A strip about the real axis, and how large the function is there.
-struct Strip {
+pub(super) struct Strip {
     /// log₂ q or less, in units of `2^−LOG_BITS`.
     log: u64,
     /// M.
@@ -172,8 +176,23 @@ struct Strip {
 impl Strip {
     /// Of the root: `λ cosh η + |δ| ≤ 1`.
     fn of_root(rod: &RodClaim) -> Result<Self, Refusal> {
-        let cosh = (BigRational::one() - rod.offset.abs()) / &rod.ratio;
-        Ok(Strip { log: logarithm(&widest(&cosh))?, most: 2.into() })
+        Strip::to(&((BigRational::one() - rod.offset.abs()) / &rod.ratio))
+    }
+
+    /// To this cosh η, where the function is a root whose radicand keeps to the right half plane and is at most 2 in size.
+    pub fn to(cosh: &BigRational) -> Result<Self, Refusal> {
+        Ok(Strip { log: logarithm(&widest(cosh))?, most: 2.into() })
+    }
+
+    /// What the mean over as many points misses of a harmonic, in units of the bits that they were counted for.
+    pub fn missed(&self) -> BigInt {
+        &self.most * 4
+    }
+
+    /// Half of the points that an order takes: with an even number each point but two has its mirror image.
+    pub fn half_of_points(&self, order: u32, bits: u32) -> u64 {
+        let beyond = (u64::from(bits) << LOG_BITS).div_ceil(self.log);
+        (u64::from(order) + beyond).div_ceil(2)
     }
 
     /// Of the velocity: `λ cosh η + |δ| ≤ s`, half-way between the most on the axis and 1.
@@ -191,7 +210,7 @@ impl Strip {
     }
 
     /// `log₂ q^k`, or a little less.
-    fn decay(&self, order: u32) -> u64 {
+    pub fn decay(&self, order: u32) -> u64 {
         let bits = (u128::from(order) * u128::from(self.log)) >> LOG_BITS;
         u64::try_from(bits).unwrap_or(u64::MAX)
     }
@@ -204,9 +223,7 @@ impl Strip {
         audit: &Audit,
         value: impl Fn(&Ball, &Ball) -> Option<[Ball; 2]>,
     ) -> Result<[Ball; 2], Refusal> {
-        let beyond = (u64::from(bits) << LOG_BITS).div_ceil(self.log);
-        // Even, so that each point but two has its mirror image.
-        let half = (u64::from(order) + beyond).div_ceil(2);
+        let half = self.half_of_points(order, bits);
         let (count, circle) = (2 * half, audit.circle(bits));
         let words = u64::from(bits / 64 + 1);
         audit.spend((half + 1).saturating_mul(circle.steps() + words * words / 2 + 4))?;
@@ -224,13 +241,13 @@ impl Strip {
                 *sum = sum.plus(&part.times(&wave, bits).scaled(share));
             }
         }
-        let missed = &self.most * 4;
+        let missed = self.missed();
         Ok(sums.map(|sum| Ball { doubt: sum.doubt + &missed, ..sum }))
     }
 }
 
 /// Cosine and sine of k times the j-th angle of so many, from those of the first half.
-fn multiple(table: &[[Ball; 2]], k: u64, j: u64, count: u64) -> Result<[Ball; 2], Refusal> {
+pub(super) fn multiple(table: &[[Ball; 2]], k: u64, j: u64, count: u64) -> Result<[Ball; 2], Refusal> {
     let at = u128::from(k) * u128::from(j) % u128::from(count);
     let at = at.to_usize().ok_or(Refusal::TooManySteps)?;
     let Some(place) = table.get(at) else {

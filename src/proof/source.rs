@@ -111,9 +111,10 @@ impl Document {
                 (cylinder.name.clone(), vectors.collect())
             }
             Source::Knuckle(cylinder, link) => {
-                // A complex mass on the master's piston pin: it is turned by Δ in either sense.
+                // A complex mass on the master's piston pin: it is turned by Δ + ε in either sense.
                 let weight = &cylinder.knuckle_weight * &link.knuckle * lever(&cylinder.position);
-                let angle = phase(&cylinder.throw, &(&cylinder.bank - &link.angle), order, sense) + &link.angle;
+                let master = &cylinder.bank - &link.angle;
+                let angle = phase(&cylinder.throw, &master, order, sense) + &link.angle + &link.correction;
                 (knuckle_name(cylinder), vec![Vector { angle, weight }])
             }
             Source::Torque(cylinder) if is_roll => (cylinder.name.clone(), roll::of_torque(cylinder, order)),

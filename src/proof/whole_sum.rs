@@ -44,14 +44,14 @@ pub struct WholeClaim {
 pub enum WholeOutcome {
     /// Every sum is zero, or stands before zero.
     Zero,
-    /// One sum is left, and its coefficient is not zero.
+    /// One sum is left, and its coefficient is not zero, by a theorem.
     NotZero,
-    /// Several sums are left, and an enclosure with so many bits keeps away from zero.
+    /// Several sums are left, or one before a coefficient that no theorem tells from zero, and an enclosure with so many bits keeps away from zero.
     NotZeroByEnclosure {
         /// From 32 to 512.
         bits: u32,
     },
-    /// Several sums are left, and the whole is closer to zero than an enclosure tells apart.
+    /// Such sums are left, and the whole is closer to zero than an enclosure tells apart.
     NotDecided {
         /// A bound of its length.
         below: Decimal,
@@ -68,14 +68,18 @@ pub(super) fn check_whole(
     motion: &Motion<'_>,
 ) -> Result<Option<bool>, Reason> {
     let left = judged.left(sense);
+    let is_certain = left.len() == 1 && left.iter().all(|group| !group.coefficient.may_be_zero());
     let is_open = left.len() > 1 && left.iter().any(|group| group.coefficient.is_open());
     match (claim.outcome, left.len()) {
         (WholeOutcome::Zero, 0) => Ok(Some(true)),
         (_, 0) => Err("it is `zero`: no sum is left before a coefficient that is not".into()),
-        (WholeOutcome::NotZero, 1) => Ok(Some(false)),
-        (_, 1) => Err("it is `not-zero`: one sum is left, before a coefficient that is not zero".into()),
+        (WholeOutcome::NotZero, _) if is_certain => Ok(Some(false)),
+        _ if is_certain => Err("it is `not-zero`: one sum is left, before a coefficient that is not zero".into()),
         (WholeOutcome::Open, _) if is_open => Ok(None),
         _ if is_open => Err("it is `open`: the rods are not known".into()),
+        (WholeOutcome::Zero | WholeOutcome::NotZero | WholeOutcome::Open, 1) => {
+            Err("a sum is left before a coefficient that may be zero, which takes an enclosure".into())
+        }
         (WholeOutcome::Zero | WholeOutcome::NotZero | WholeOutcome::Open, count) => {
             Err(format!("{count} sums are left before known coefficients, which takes an enclosure").into())
         }

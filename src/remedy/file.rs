@@ -76,7 +76,7 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result
 
 fn is_of_link(factor: &Factor) -> bool {
     match factor {
-        Factor::Linkage(_) => true,
+        Factor::Linkage(_) | Factor::Corrected(..) => true,
         Factor::One | Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             false
         }
@@ -188,7 +188,7 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
     let one = BigRational::from_integer(1.into());
     match factor {
         // Of a link no file is written.
-        Factor::One | Factor::Linkage(_) => (None, one),
+        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| cylinder.link().is_none());
             let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));

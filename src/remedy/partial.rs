@@ -37,7 +37,7 @@ pub struct Ellipse {
 }
 
 impl Partial {
-    /// The first order of a layout; `None` with a pin offset, whose c_1 is no longer 1.
+    /// The first order of a layout; `None` with a pin offset or a corrected knuckle angle, whose c_1 is no longer 1.
     ///
     /// ```standalone_crate
     /// use crankstar::remedy::Partial;
@@ -55,8 +55,7 @@ impl Partial {
             };
             PhasorSum::new(PhasorSum::new(engine.cylinders().iter().map(term).collect()).collected())
         };
-        let centric = !engine.has_offset();
-        centric.then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
+        engine.is_centric().then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 
     /// P⁺ where this part of the reciprocating masses is balanced, formed term by term.

@@ -5,11 +5,13 @@ use num_traits::ToPrimitive;
 
 use crate::engine::{self, Engine, Mechanism, Rod};
 use crate::exact::Term;
+use crate::motion::Component;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
-    self, Coefficient, CrankClaim, Cylinder, Document, Format, LinkClaim, LinkageClaim, OrderClaim, Quantity, RodClaim,
-    RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim, WholeOutcome,
+    self, Coefficient, CrankClaim, Cylinder, Document, Format, KnuckleClaim, LinkClaim, LinkageClaim, OrderClaim,
+    Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim,
+    WholeOutcome,
 };
 use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
@@ -111,6 +113,7 @@ pub(super) fn rod_statement(cylinder: &engine::Cylinder) -> RodStatement {
             master: link.master.clone(),
             knuckle: link.knuckle.clone(),
             angle: link.angle.turns().clone(),
+            correction: link.correction.turns().clone(),
             ratio: link.ratio.clone(),
         }),
     }
@@ -141,6 +144,17 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
             ratio: linkage.ratio.clone(),
             knuckle: linkage.knuckle.clone(),
             apart: linkage.apart.turns().clone(),
+        }),
+        Factor::Corrected(linkage, component) => Coefficient::Corrected(KnuckleClaim {
+            ratio: linkage.ratio.clone(),
+            knuckle: linkage.knuckle.clone(),
+            master: linkage.master.clone(),
+            apart: linkage.apart.turns().clone(),
+            correction: linkage.correction.turns().clone(),
+            part: match component {
+                Component::Real => proof::Part::Real,
+                Component::Imaginary => proof::Part::Imaginary,
+            },
         }),
     }
 }

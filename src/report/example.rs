@@ -1,7 +1,7 @@
 //! How do the force of one piston and its two vectors belong together? One cylinder of the engine, worked out and drawn.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::star::towards;
@@ -16,13 +16,13 @@ use crate::verdict::OrderBalance;
 /// What stands before equations (1) and (2): one cylinder of these sums, of order 1 or 2, put into them, with a picture.
 pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
     // Above order 2 a coefficient may be negative or imaginary, and the picture would need more words than it explains.
-    // A link's vector is made of several there.
-    let is_one = balance.order == 1 || !engine.has_links();
+    // A link's vector is made of several there, and in order 1 too where its knuckle angle is corrected.
+    let is_one = !engine.has_links() || (balance.order == 1 && engine.is_centric());
     let is_shown = balance.exists && balance.order <= 2 && is_one;
     let Some((cylinder, weight)) = chosen(engine, balance).filter(|_| is_shown) else { return Vec::new() };
     let mut blocks =
         vec![Block::Paragraph(two_vectors(balance.order)), Block::Paragraph(numbers_of(cylinder, weight, balance))];
-    let has_side_part = balance.order == 1 && cylinder.mechanism.as_ref().is_some_and(|one| !one.is_centric());
+    let has_side_part = balance.order == 1 && cylinder.rod().is_some_and(|rod| !rod.offset.is_zero());
     blocks.extend(has_side_part.then(|| Block::Paragraph(OFFSET.into())));
     blocks.push(picture(cylinder, balance.order).into());
     blocks.push(Block::Paragraph(ALL_CYLINDERS.into()));

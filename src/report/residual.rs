@@ -7,6 +7,7 @@ pub(super) use super::residual_words::{sentence, whole_sentence};
 use super::typeset::{self, Amount, Bearing, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
+use crate::motion::Component;
 use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
 use crate::page::{Text, phrase};
@@ -76,6 +77,15 @@ fn class_words(class: &Class) -> String {
             Mechanism::Link(link) => format!(", r/L {}", equals(&link.ratio)),
         },
         Factor::Linkage(linkage) => format!(", Δ = ±{}", typeset::degrees(&linkage.apart.degrees())),
+        Factor::Corrected(linkage, component) => {
+            let [apart, correction] =
+                [&linkage.apart, &linkage.correction].map(|angle| typeset::degrees(&angle.degrees()));
+            let part = match component {
+                Component::Real => "Re",
+                Component::Imaginary => "Im",
+            };
+            format!(", Δ = ±{apart}, ε = ±{correction}, {part}")
+        }
         Factor::One | Factor::Open | Factor::OpenTorque => String::new(),
     };
     format!("{}{rod}", class_sources(class))
@@ -171,7 +181,8 @@ pub(super) fn roll(roll: &TorqueVerdict) -> Text {
 pub(super) fn is_of_torques(part: &TorquePart) -> bool {
     match part.class.as_ref().map(|class| &class.factor) {
         Some(Factor::Torque(_) | Factor::OpenTorque) | None => true,
-        Some(Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Linkage(_) | Factor::Open) => false,
+        Some(Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open) => false,
+        Some(Factor::Linkage(_) | Factor::Corrected(..)) => false,
     }
 }
 
@@ -252,10 +263,11 @@ pub(super) fn why_not(masses: Masses) -> &'static str {
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
 pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
-    let parts = judged.orders.iter().flat_map(|order| &order.parts);
-    let is_apart = |part: &OrderBalance| part.class.as_ref().is_some_and(|class| class.factor == Factor::One);
-    let mut apart = parts.filter(|part| is_apart(part));
-    apart.next().map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
+    let classes = || judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
+    // Links with a corrected knuckle angle have a part of their order 1 there, and their own words for it.
+    let has_corrected = classes().any(|class| class.factor.may_be_zero());
+    let is_apart = |class: &&Class| class.factor == Factor::One && !(has_corrected && class.turning.is_empty());
+    classes().find(is_apart).map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }
 
 /// In words with places for size and shape; without them in both alone.

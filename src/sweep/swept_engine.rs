@@ -15,7 +15,7 @@ use crate::engine::{self, Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
-use crate::order::{self, Factor, OrderSum, Path};
+use crate::order::{self, Coefficients, Factor, OrderSum, Path};
 use crate::proof::{Quantity, Sense};
 
 /// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
@@ -92,20 +92,31 @@ pub struct SweptEngine {
     pub envelope: Option<Envelope>,
 }
 
-/// The coefficients of the motion by rod, each computed once.
+/// The coefficients of the motion by rod, each computed once, and the numbers of links with corrected knuckle angles.
 #[derive(Default)]
-pub(super) struct Motions(BTreeMap<Mechanism, Vec<Complex<f64>>>);
+pub(super) struct Motions {
+    by_rod: BTreeMap<Mechanism, Vec<Complex<f64>>>,
+    corrected: Coefficients,
+}
 
 impl Motions {
     fn coefficient(&mut self, mechanism: &Mechanism, order: u32, highest: u32) -> Complex<f64> {
-        if !self.0.contains_key(mechanism) {
+        if !self.by_rod.contains_key(mechanism) {
             // A sweep over rods would collect one entry per point.
-            if self.0.len() > 64 {
-                self.0.clear();
+            if self.by_rod.len() > 64 {
+                self.by_rod.clear();
             }
-            self.0.insert(mechanism.clone(), coefficients(mechanism, highest));
+            self.by_rod.insert(mechanism.clone(), coefficients(mechanism, highest));
         }
-        self.0.get(mechanism).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
+        self.by_rod.get(mechanism).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
+    }
+
+    fn corrected(&mut self, factor: &Factor, order: u32) -> Complex<f64> {
+        // Nor are those of a sweep over links kept, of which each costs the points of a turn.
+        if self.corrected.computed() > 256 {
+            self.corrected = Coefficients::default();
+        }
+        self.corrected.of(factor, order).map(|number| number.to_complex()).unwrap_or_default()
     }
 }
 
@@ -239,6 +250,7 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
     let mut coefficient = |factor: &Factor| match factor {
         Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
         Factor::Linkage(linkage) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
+        Factor::Corrected(..) => motions.corrected(factor, order),
         // Of rods that are not given, amplitudes are in multiples of c_k.
         Factor::One | Factor::Open | Factor::OpenTorque => Complex::new(1.0, 0.0),
         Factor::Torque(_) | Factor::Side(_) => {

@@ -1,7 +1,8 @@
 //! Does an order vanish in which several mechanisms have a part? Its sums, each before a number of its own, are judged together.
 //!
 //! The whole is zero where each sum is. Where one alone is left it is not, since its number is not zero. Where several are left
-//! only their numbers could make them cancel: an enclosure proves that they do not, or tells how short the rest is.
+//! only their numbers could make them cancel: an enclosure proves that they do not, or tells how short the rest is; and so where the one that
+//! is left stands before a number that may be zero.
 
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -110,7 +111,7 @@ pub(super) fn outcome(parts: &[Part], order: u32, known: &Coefficients) -> Outco
     let left = left(parts);
     match left.as_slice() {
         [] => Outcome::Zero,
-        [_] => Outcome::NotZero,
+        [only] if !only.factor.may_be_zero() => Outcome::NotZero,
         _ => match enclosed(&left, order, known) {
             None => Outcome::Open,
             Some(sum) if !sum.iter().all(Enclosure::contains_zero) => {

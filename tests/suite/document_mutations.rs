@@ -125,7 +125,9 @@ const FREE_TEXT: [&str; 3] = [".title", ".cylinders[].name", ".turning_masses[].
 
 /// A whole turn more, or none less, is the same direction.
 fn is_same_direction(path: &str, before: &Value, after: &Value) -> bool {
-    let is_angle = ["angle", "throw", "bank", "rotation", "turn"].iter().any(|key| path.ends_with(&format!(".{key}")));
+    let is_angle = ["angle", "correction", "throw", "bank", "rotation", "turn"]
+        .iter()
+        .any(|key| path.ends_with(&format!(".{key}")));
     let is_known_part = path.ends_with(".throw.1") || path.ends_with(".bank.1");
     let parsed = |value: &Value| value.as_str().and_then(|text| text.parse::<num_rational::BigRational>().ok());
     let (Some(before), Some(after)) = (parsed(before), parsed(after)) else { return false };
@@ -253,6 +255,12 @@ fn every_change_of_links_on_a_master_rod_is_refused() {
         file::parse("engine", &format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/7'")).expect("a layout");
     let found = remedy(&engine, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
     assert_guarded(&report::remedy_document(&found));
+}
+
+#[test]
+fn every_change_of_links_with_corrected_knuckle_angles_is_refused() {
+    let row = "radial.cylinders = 3\n[mechanism]\nrod_ratio = '1/4'\n[articulated]\nmaster = 1\nknuckle_ratio = '1/5'\nknuckle_correction = [3, -3]";
+    classify(row, &[1], false, false);
 }
 
 #[test]

@@ -22,6 +22,7 @@ mod closed_forms;
 mod command_line;
 mod compare;
 mod corrected_files;
+mod corrected_knuckles;
 mod crankshaft;
 mod data;
 mod decision_laws;

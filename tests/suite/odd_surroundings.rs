@@ -146,6 +146,10 @@ fn no_output_holds_an_infinite_number() {
                 "report --format=latex",
                 "accuracy",
             ] {
+                // It takes a second or more: masses, lengths and speed together, and speed alone, stand for the others.
+                if command == "accuracy" && !["speed", "all"].contains(&keys) {
+                    continue;
+                }
                 let arguments: Vec<&str> = command.split(' ').chain([path]).collect();
                 let output = call(&arguments);
                 let (out, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));

@@ -337,18 +337,13 @@ fn a_state_file_of_another_search_or_a_damaged_one_is_refused() {
     let other = message(&Problem::inline(5, Cycle::TwoStroke, &[1, 2, 4]));
     assert!(other.contains("belongs to another search (2: 5 cylinders, two-stroke, orders [1, 2]"), "{other}");
     let text = state(&file);
-    // Every bit of every byte, and every place where the file may be cut off.
+    // A bit of every byte, and every place where the file may be cut off.
     for at in 0..text.len() {
-        for bit in 0..8 {
-            let mut bytes = text.clone().into_bytes();
-            bytes[at] ^= 1 << bit;
-            fs::write(&file, &bytes).expect("written");
-            let refused = message(&five);
-            assert!(
-                refused.contains("damaged") && refused.contains("remove it to search afresh"),
-                "{at} {bit}: {refused}"
-            );
-        }
+        let mut bytes = text.clone().into_bytes();
+        bytes[at] ^= 1 << (at % 8);
+        fs::write(&file, &bytes).expect("written");
+        let refused = message(&five);
+        assert!(refused.contains("damaged") && refused.contains("remove it to search afresh"), "{at}: {refused}");
         fs::write(&file, &text[..at]).expect("written");
         assert!(message(&five).contains("damaged"), "cut off at {at}");
     }

@@ -108,7 +108,12 @@ fn places(name: &str, own: &[Point], others: &[Point]) -> Vec<(Place, usize, Poi
     let half = text_width(name) / 2.0;
     let stride = (own.len() / PLACES).max(1);
     let mut places = Vec::new();
+    // Squares compare as distances do, without a root for each of some hundred thousand pairs.
+    let nearest = |points: &[Point], squared: &dyn Fn(&Point) -> f64| {
+        points.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt()
+    };
     for from in own.iter().step_by(stride) {
+        let crossing = nearest(others, &|other| (other - from).norm_sqr());
         for (rank, far) in [2.3, 4.0, 6.5, 9.5].into_iter().enumerate() {
             let around = [
                 (Point::new(0.0, far), Anchor::Middle),
@@ -127,14 +132,12 @@ fn places(name: &str, own: &[Point], others: &[Point]) -> Vec<(Place, usize, Poi
                 };
                 let to_text = |point: &Point| {
                     let (x, y) = ((point.re - middle).abs() - half, (point.im - at.im).abs() - LINE / 2.0);
-                    x.max(0.0).hypot(y.max(0.0))
+                    x.max(0.0).powi(2) + y.max(0.0).powi(2)
                 };
-                let nearest = |points: &[Point]| points.iter().map(to_text).fold(f64::INFINITY, f64::min);
-                let (to_own, to_others) = (nearest(own), nearest(others));
+                let (to_own, to_others) = (nearest(own, &to_text), nearest(others, &to_text));
                 // The name of a curve must not be read as that of another, nor its point lie where they cross.
                 let unclear = to_own + CLEAR - to_others;
                 let mut cost = if unclear > 0.0 { 30 + (unclear * 20.0) as usize } else { 0 };
-                let crossing = others.iter().map(|other| (other - from).norm()).fold(f64::INFINITY, f64::min);
                 if crossing < 2.0 {
                     cost += 40;
                 }

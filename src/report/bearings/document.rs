@@ -210,6 +210,7 @@ fn coefficient(factor: &Factor) -> String {
         Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
         Factor::Side(mechanism) => ("u_k", mechanism),
         Factor::Linkage(linkage) => return format!("g_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
+        Factor::Corrected(linkage, _) => return format!("h_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
     };
     match mechanism {
         Mechanism::SliderCrank(rod) => format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset),

@@ -90,6 +90,8 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     Table { rows, ..Table::new(["Symbol", "Meaning", "Unit"]) }
 }
 
+const CORRECTED: &str = "corrected knuckle angles";
+
 /// A row of the table of effects.
 pub(super) struct EffectRow {
     /// What it is about.
@@ -122,11 +124,18 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
     };
     let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses();
     let others = [
-        row("pin offset", engine.has_offset(), "given: odd orders appear", "none: no odd orders but 1"),
+        row(
+            "pin offset",
+            engine.has_offset(),
+            "given: odd orders appear",
+            if engine.is_centric() { "none: no odd orders but 1" } else { "none" },
+        ),
         row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
     ];
+    let corrected = engine.has_corrected_links();
+    let others = others.into_iter().chain(corrected.then(|| row(CORRECTED, true, "given: odd orders appear", "none")));
     let effects = engine.effects();
     let asked = |name, asked: bool, given: bool| EffectRow {
         name,

@@ -2,6 +2,7 @@
 
 use num_complex::Complex;
 
+use super::super::bearings::before;
 use super::super::bearings::document::{Bearing, BearingsDocument, LeftOut, Order, PeakEntry, Pin, Turning};
 use super::cells::exact_number;
 use super::filling::Filling;
@@ -11,7 +12,7 @@ use crate::engine::{Cylinder, Engine};
 use crate::journal::CycleLoads;
 use crate::loads::{Arm, BearingLoads, Circle};
 use crate::numbers;
-use crate::order::{Factor, OrderSum};
+use crate::order::OrderSum;
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 
@@ -189,7 +190,7 @@ fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     if sum.vanishes() {
         return Some("0".to_owned());
     }
-    let letters: Vec<Option<char>> = sum.parts().keys().map(letter).collect();
+    let letters: Vec<Option<char>> = sum.parts().keys().map(before).collect();
     let differ = letters.iter().enumerate().any(|(index, letter)| letters[..index].contains(letter));
     let part = |(letter, sum): (&Option<char>, &crate::exact::PhasorSum)| {
         let length = numbers::modulus(sum)?;
@@ -197,18 +198,6 @@ fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     };
     let parts: Option<Vec<String>> = letters.iter().zip(sum.parts().values()).map(part).collect();
     parts.filter(|_| !differ).map(|parts| parts.join(", "))
-}
-
-/// What a sum stands before; none for 1.
-fn letter(factor: &Factor) -> Option<char> {
-    match factor {
-        Factor::One => None,
-        Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
-        Factor::Torque(_) => Some('t'),
-        Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
-        Factor::Side(_) => Some('u'),
-        Factor::Linkage(_) => Some('g'),
-    }
 }
 
 /// Steps of a revolution: a degree each.

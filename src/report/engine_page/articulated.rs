@@ -4,7 +4,9 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::super::{residual, typeset};
+use super::corrected;
 use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
+use crate::exact::Turn;
 use crate::loads::{self, Loads};
 use crate::order;
 use crate::page::{Block, Number, Table, Text, phrase};
@@ -24,7 +26,14 @@ pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     }
     let paragraph = |text: &'static str| Block::Paragraph(text.into());
     let mut blocks = vec![Block::Heading(1, "Articulated rods".into()), links(engine).into()];
-    blocks.extend([paragraph(MOTION), Block::Formula(HARMONIC.to_owned(), None), paragraph(THEOREM), paragraph(TERMS)]);
+    let mut of_engine = engine.cylinders().iter().filter_map(Cylinder::link);
+    if !of_engine.all(Link::is_corrected) {
+        let formula = Block::Formula(HARMONIC.to_owned(), None);
+        blocks.extend([paragraph(MOTION), formula, paragraph(THEOREM), paragraph(TERMS)]);
+    }
+    if engine.has_corrected_links() {
+        blocks.extend(corrected::section());
+    }
     let lines = in_line(engine, judged);
     if !lines.is_empty() {
         blocks.push(Block::Paragraph(phrase!(
@@ -34,7 +43,7 @@ pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         )));
     }
     if engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero()) {
-        blocks.push(paragraph(KNUCKLES));
+        blocks.push(paragraph(if engine.has_corrected_links() { corrected::KNUCKLES } else { KNUCKLES }));
     }
     blocks.push(paragraph(NOT_JUDGED));
     blocks
@@ -57,21 +66,19 @@ const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and 
 /// The links, with what they hang on.
 fn links(engine: &Engine) -> Table {
     let with_mass = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
-    let mut header: Vec<Text> =
-        vec!["Cylinder".into(), "Master".into(), "Δ".into(), "κ = a/l".into(), "λ = r/l".into(), "r/L".into()];
+    let with_correction = engine.has_corrected_links();
+    let mut header: Vec<Text> = vec!["Cylinder".into(), "Master".into(), "Δ".into()];
+    header.extend(with_correction.then(|| "ε".into()));
+    header.extend(["κ = a/l", "λ = r/l", "r/L"].map(Text::from));
     header.extend(with_mass.then(|| "Knuckle mass / m".into()));
     let mut table = Table::new(header);
     for (cylinder, link) in engine.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.link()?))) {
         let number = |number: &BigRational| Text::from(Number::exact(number));
         let master = master_of(engine, cylinder, link).map(|master| master.name.clone()).unwrap_or_default();
-        let mut row: Vec<Text> = vec![
-            cylinder.name.clone().into(),
-            master.into(),
-            typeset::degrees(&typeset::signed_degrees(&link.angle)).into(),
-            number(&link.knuckle),
-            number(&link.master),
-            number(&link.ratio),
-        ];
+        let angle = |angle: &Turn| Text::from(typeset::degrees(&typeset::signed_degrees(angle)));
+        let mut row: Vec<Text> = vec![cylinder.name.clone().into(), master.into(), angle(&link.angle)];
+        row.extend(with_correction.then(|| angle(&link.correction)));
+        row.extend([&link.knuckle, &link.master, &link.ratio].map(number));
         row.extend(with_mass.then(|| number(&cylinder.knuckle_mass)));
         table.push(row);
     }
@@ -148,7 +155,7 @@ pub(super) fn hidden(engine: &Engine) -> Option<Text> {
 fn loads_with(engine: &Engine, ratio: &BigRational, knuckle: Option<&BigRational>) -> Result<Loads, String> {
     let rod = Mechanism::SliderCrank(Rod { ratio: ratio.clone(), offset: BigRational::zero() });
     let mut draft = Draft { cylinders: engine.cylinders().to_vec(), ..Draft::new("") };
-    let mut masters: Vec<(usize, crate::exact::Turn)> = Vec::new();
+    let mut masters: Vec<(usize, Turn)> = Vec::new();
     for cylinder in &mut draft.cylinders {
         cylinder.rotating_mass = BigRational::zero();
         cylinder.mechanism = Some(rod.clone());
@@ -160,6 +167,7 @@ fn loads_with(engine: &Engine, ratio: &BigRational, knuckle: Option<&BigRational
                     master: ratio.clone(),
                     knuckle: knuckle.clone(),
                     angle: &cylinder.bank - &bank,
+                    correction: Turn::zero(),
                     ratio: ratio / (one - knuckle),
                 }));
             }

@@ -2,7 +2,7 @@
 
 use super::super::convention::{differs, seen};
 use super::super::table;
-use crate::engine::{Engine, LengthUnit};
+use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::page::{Block, Text, phrase};
 
 /// The conventions of a report.
@@ -33,7 +33,14 @@ pub(super) fn units(engine: &Engine) -> Text {
         LengthUnit::Spacing => "moments in that times a, the unit of the positions (the cylinder spacing).".into(),
     };
     let signs = forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS);
-    if engine.has_links() { signs.and(" ").and(LINKS) } else { signs }
+    links(engine).into_iter().fold(signs, |signs, words| signs.and(" ").and(words))
+}
+
+/// What the rows of links count in, for those that the engine has.
+pub(super) fn links(engine: &Engine) -> Vec<&'static str> {
+    let of_engine = || engine.cylinders().iter().filter_map(Cylinder::link);
+    let plain = of_engine().any(|link| !link.is_corrected()).then_some(LINKS);
+    plain.into_iter().chain(engine.has_corrected_links().then_some(CORRECTED)).collect()
 }
 
 const LARGEST: &str =
@@ -41,14 +48,18 @@ const LARGEST: &str =
 const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
                      taken about the reference plane.";
 
-/// What the rows of links count in.
-pub(super) const LINKS: &str =
-    "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+
+const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {
     if engine.has_links() {
-        return Text::from(ARTICULATED).and(" ").and(CENTRIC_ORDERS);
+        return Text::from(ARTICULATED).and(" ").and(if engine.is_centric() {
+            CENTRIC_ORDERS
+        } else {
+            ORDERS_OF_CORRECTED
+        });
     }
     let unequal = engine.mechanisms().len() > 1;
     match (unequal, engine.has_offset()) {
@@ -64,6 +75,7 @@ const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the 
 const ARTICULATED: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder, each rod as two masses, links on the master rod as the layout file says.";
 const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
+const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every order may exist.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
 const CENTRES: &str =

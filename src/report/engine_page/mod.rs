@@ -3,6 +3,7 @@
 mod answer;
 mod articulated;
 mod conventions;
+mod corrected;
 mod cures;
 mod engine;
 mod geared;

@@ -5,7 +5,7 @@ use crate::engine::{Engine, LengthUnit};
 use crate::numbers;
 use crate::order::Factor;
 use crate::page::number::{Amount, Bearing, given};
-use crate::page::{Piece, Table, Text, Unit, phrase};
+use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Remedy, Weight};
 use num_rational::BigRational;
@@ -93,6 +93,10 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", weight.order));
                     phrase!("{} {}", amount, unit)
                 }
+                Factor::Corrected(..) => match weight.decimals(&remedy.subject) {
+                    Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
+                    None => depends(weight),
+                },
                 Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
                     phrase!("{} {}", amount, unit)

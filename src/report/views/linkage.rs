@@ -101,11 +101,11 @@ struct Knuckle {
 
 /// Where the knuckle pin of a link stands, the master rod as it lies.
 fn knuckle(link: &Link, along: Point, pin: Point, radius: f64) -> Knuckle {
-    let ahead = Point::from_polar(1.0, length(link.angle.turns()) * std::f64::consts::TAU);
-    let (master, rod) = (along * ahead.conj(), drawn(&link.master) * radius);
+    let turned = |angle: &Turn| Point::from_polar(1.0, length(angle.turns()) * std::f64::consts::TAU);
+    let (master, rod) = (along * turned(&link.angle).conj(), drawn(&link.master) * radius);
     let aside = (pin * master.conj()).im;
     let towards_its_piston = master * Point::new(leg(rod, aside), -aside) / rod;
-    let joint = pin + towards_its_piston * ahead * (length(&link.knuckle) * rod);
+    let joint = pin + towards_its_piston * turned(&link.knuckle_angle()) * (length(&link.knuckle) * rod);
     Knuckle { joint, length: drawn(&link.ratio) * radius }
 }
 

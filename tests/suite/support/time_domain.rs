@@ -80,7 +80,10 @@ fn hung(psi: f64, link: &Link) -> Jet {
     // The master rod as its own cylinder sees it: from the crankpin outwards, and across.
     let sine = Jet::sine(psi + delta) * Jet::fixed(ratio);
     let (along, across) = ((Jet::fixed(1.0) - sine * sine).root(), Jet::fixed(0.0) - sine);
-    // Its knuckle pin is turned by Δ against it, and so is this cylinder's axis against that of the master's: the two cancel.
+    // Its knuckle pin is turned by Δ + ε against it, and this cylinder's axis by Δ against that of the master's: ε is left.
+    let correction = TAU * number(link.correction.turns());
+    let (cos, sin) = (Jet::fixed(correction.cos()), Jet::fixed(correction.sin()));
+    let (along, across) = (along * cos - across * sin, along * sin + across * cos);
     let (along, across) =
         (Jet::cosine(psi) + along * Jet::fixed(knuckle), Jet::sine(psi) + across * Jet::fixed(knuckle));
     along + (Jet::fixed(1.0 / (number(&link.ratio) * number(&link.ratio))) - across * across).root()

@@ -185,7 +185,7 @@ pub fn number(coefficient: &Coefficient, order: u32) -> Option<Complex<f64>> {
         Coefficient::One => Some(Complex::one()),
         Coefficient::Common | Coefficient::CommonTorque => None,
         Coefficient::Rod(rod) => Some(crank(rod).coefficient(order).to_complex()),
-        Coefficient::Linkage(_) => panic!("documents by hand have no links"),
+        Coefficient::Linkage(_) | Coefficient::Corrected(_) => panic!("documents by hand have no links"),
         Coefficient::Torque(rod) => Some(crank(rod).torque_coefficient(order).to_complex()),
     }
 }
