@@ -1,10 +1,9 @@
 //! `bearings`: what do the main bearings feel?
 
-use crankstar::data;
 use crankstar::file::Layout;
 use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
-use crankstar::report;
+use crankstar::report::{self, data};
 
 use super::answer::Answer;
 use super::failure::Failure;

@@ -1,12 +1,11 @@
 //! `classify`: does force or moment vanish, order by order?
 
-use crankstar::data;
 use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads;
 use crankstar::page::Document;
-use crankstar::report;
+use crankstar::report::{self, data};
 use crankstar::verdict;
 
 use super::answer::DataAnswer;

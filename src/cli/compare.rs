@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use crankstar::data;
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{self, CompareDocument, Compared};
+use crankstar::report::{self, CompareDocument, Compared, data};
 use crankstar::text::Untrusted;
 
 use super::answer::Answer;

@@ -2,11 +2,10 @@
 
 use std::ffi::{OsStr, OsString};
 
-use crankstar::data;
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
-use crankstar::report::{self, LoadsDocument, Numbers};
+use crankstar::report::{self, LoadsDocument, Numbers, data};
 
 use super::EngineAndOrders;
 use super::answer::Answer;

@@ -5,12 +5,11 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use crankstar::data;
 use crankstar::engine;
 use crankstar::exact::Turn;
 use crankstar::file::parse_angle;
 use crankstar::page::Document;
-use crankstar::report;
+use crankstar::report::{self, data};
 use crankstar::search::{self, Options, Problem, Progress};
 
 use super::answer::Answer;

@@ -3,11 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crankstar::data;
 use crankstar::engine::CycleOrder;
 use crankstar::file::{Beside, Template};
 use crankstar::page::File;
-use crankstar::report;
+use crankstar::report::{self, data};
 use crankstar::sweep::{self, Geometry, Parameter};
 
 use super::answer::Answer;

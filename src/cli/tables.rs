@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crankstar::data::TABLES;
 use crankstar::page::Units;
+use crankstar::report::data::TABLES;
 use crankstar::table::{Format, Table};
 use crankstar::text::harmless;
 

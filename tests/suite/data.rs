@@ -425,12 +425,12 @@ fn unit_told(column: &Column) -> &'static str {
     }
 }
 
-/// What a table is about, and what is told of each of its columns.
-type Told<'a> = (&'a str, Vec<[&'a str; 4]>);
+/// What a row of a table is, and its columns: name, unit, type, meaning.
+type Listed<'a> = (&'a str, Vec<[&'a str; 4]>);
 
 /// Every table with every column that some answer has, in the order in which they stand.
 fn reference() -> String {
-    let mut all: BTreeMap<(&str, &str), Told<'_>> = BTreeMap::new();
+    let mut all: BTreeMap<(&str, &str), Listed> = BTreeMap::new();
     for answer in every_answer() {
         for table in &answer.tables {
             let (_, rows) = all.entry((answer.question, table.name())).or_insert((table.about(), Vec::new()));

@@ -2,15 +2,17 @@
 
 use num_complex::Complex;
 
+use super::super::bearings::before;
 use super::super::bearings::document::{Bearing, BearingsDocument, LeftOut, Order, PeakEntry, Pin, Turning};
+use super::cells::exact_number;
 use super::filling::Filling;
 use super::gas_loads;
 use super::loads::Units;
-use crate::engine::Engine;
+use crate::engine::{Cylinder, Engine};
 use crate::journal::CycleLoads;
 use crate::loads::{Arm, BearingLoads, Circle};
 use crate::numbers;
-use crate::order::{Factor, OrderSum};
+use crate::order::OrderSum;
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 
@@ -20,6 +22,11 @@ pub(super) fn position_unit(engine: &Engine) -> Unit {
         Arm::Metre => Unit::METRE,
         Arm::Spacing => Unit::SPACING,
     }
+}
+
+/// Where a main bearing stands, by its number.
+pub(super) fn position(engine: &Engine, number: usize) -> Option<String> {
+    number.checked_sub(1).and_then(|index| engine.bearings().get(index)).map(exact_number)
 }
 
 /// The tables of the bearing loads: those of the masses, and those of gas and masses where the layout asks for the gas.
@@ -77,7 +84,7 @@ fn of_bearings(engine: &Engine, rows: &[Row], unit: Units) -> Table {
     table.words("method", METHOD, |row| Some(row.method.to_owned()));
     table.whole("bearing", "its number in the file, from 1", |row| row.bearing.bearing);
     table.exact("position_{unit}", position_unit(engine), "where it stands along the shaft, exact", |row| {
-        Some(row.bearing.position.clone())
+        position(engine, row.bearing.bearing)
     });
     peak(
         &mut table,
@@ -183,7 +190,7 @@ fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     if sum.vanishes() {
         return Some("0".to_owned());
     }
-    let letters: Vec<Option<char>> = sum.parts().keys().map(letter).collect();
+    let letters: Vec<Option<char>> = sum.parts().keys().map(before).collect();
     let differ = letters.iter().enumerate().any(|(index, letter)| letters[..index].contains(letter));
     let part = |(letter, sum): (&Option<char>, &crate::exact::PhasorSum)| {
         let length = numbers::modulus(sum)?;
@@ -191,19 +198,6 @@ fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     };
     let parts: Option<Vec<String>> = letters.iter().zip(sum.parts().values()).map(part).collect();
     parts.filter(|_| !differ).map(|parts| parts.join(", "))
-}
-
-/// What a sum stands before; none for 1.
-fn letter(factor: &Factor) -> Option<char> {
-    match factor {
-        Factor::One => None,
-        Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
-        Factor::Torque(_) => Some('t'),
-        Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
-        Factor::Side(_) => Some('u'),
-        Factor::Linkage(_) => Some('g'),
-        Factor::Corrected(..) => Some('h'),
-    }
 }
 
 /// Steps of a revolution: a degree each.
@@ -240,32 +234,35 @@ fn theta(loads: &BearingLoads, unit: Units) -> Table {
 }
 
 fn pins(engine: &Engine, pins: &[Pin], unit: Units) -> Table {
-    let rows: Vec<&Pin> = pins.iter().collect();
+    let rows: Vec<(&Cylinder, &Pin)> = engine.cylinders().iter().zip(pins).collect();
     let mut table = Filling::new("pins", "what the rod of a cylinder loads its crankpin with, of the masses", &rows);
-    table.person("cylinder", "the cylinder", |pin| Some(Untrusted::new(&*pin.cylinder)));
-    table.exact("position_{unit}", position_unit(engine), "where its crankpin stands along the shaft, exact", |pin| {
-        Some(pin.position.clone())
-    });
+    table.person("cylinder", "the cylinder", |(_, pin)| Some(Untrusted::new(&*pin.cylinder)));
+    table.exact(
+        "position_{unit}",
+        position_unit(engine),
+        "where its crankpin stands along the shaft, exact",
+        |(cylinder, _)| Some(exact_number(&cylinder.position)),
+    );
     peak(
         &mut table,
         ["force_zero_to_peak_{unit}", "theta_{unit}"],
         unit.force,
         "largest load in a revolution",
-        |pin| &pin.peak,
+        |(_, pin)| &pin.peak,
     );
     peak(
         &mut table,
         ["along_throw_zero_to_peak_{unit}", "along_throw_theta_{unit}"],
         unit.force,
         "largest size of its component along the throw",
-        |pin| &pin.along_the_throw,
+        |(_, pin)| &pin.along_the_throw,
     );
     peak(
         &mut table,
         ["across_throw_zero_to_peak_{unit}", "across_throw_theta_{unit}"],
         unit.force,
         "largest size of its component across the throw",
-        |pin| &pin.across_the_throw,
+        |(_, pin)| &pin.across_the_throw,
     );
     table.done()
 }

@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 use super::super::journal::CycleLoadsDocument;
 use super::super::journal::document::{At, Bearing, Cylinder, Order, Peak, Solution};
-use super::bearings::position_unit;
+use super::bearings::{position, position_unit};
 use super::filling::Filling;
 use crate::engine::Engine;
 use crate::journal::{CycleBearings, CycleLoads};
@@ -34,7 +34,7 @@ fn of_bearings(engine: &Engine, solutions: &[(&'static str, &Solution)]) -> Tabl
     table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
     table.whole("bearing", "its number in the file, from 1", |(.., bearing)| bearing.bearing);
     table.exact("position_{unit}", position_unit(engine), "where it stands along the shaft, exact", |(.., bearing)| {
-        Some(bearing.position.clone())
+        position(engine, bearing.bearing)
     });
     peak(&mut table, WITH_GAS, |(.., bearing)| &bearing.peak);
     gas(&mut table, |(.., bearing)| &bearing.peak);
