@@ -8,6 +8,7 @@ use super::branch::Search;
 use super::interval::Interval;
 use crate::engine::Engine;
 use crate::loads::{self, Missing, Spectrum};
+use crate::order::{TurningMass, turning_masses};
 use crate::proof::Quantity;
 
 /// The orders that are summed, step by step.
@@ -110,7 +111,7 @@ pub fn largest(engine: &Engine, quantity: Quantity) -> Result<Largest, Missing> 
         best = best.or(of_orders(&spectrum, quantity));
         // Where the orders fall slowly it is searched at once, before many of them are computed.
         let slow = spectrum.rest_above(quantity, ENOUGH) > SURE * best.at_most() && best.at_most().is_finite();
-        if (slow || highest == ENOUGH) && !searched && !best.is_sure() && engine.crankshaft().balancers.is_empty() {
+        if (slow || highest == ENOUGH) && !searched && !best.is_sure() && turns_as_one(engine) {
             best = best.or(of_motion(engine, quantity));
             searched = true;
         }
@@ -119,6 +120,13 @@ pub fn largest(engine: &Engine, quantity: Quantity) -> Result<Largest, Missing> 
         }
     }
     Ok(best)
+}
+
+/// Whether all that moves does so by the angle of one crank, which the closed form knows.
+fn turns_as_one(engine: &Engine) -> bool {
+    engine.crankshaft().balancers.is_empty()
+        && engine.faster_crank().is_none()
+        && turning_masses(engine).iter().all(TurningMass::turns_with_the_crank)
 }
 
 fn of_orders(spectrum: &Spectrum, quantity: Quantity) -> Largest {

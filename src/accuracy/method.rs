@@ -84,6 +84,9 @@ pub struct Study {
 /// # Errors
 /// What the engine lacks for numbers.
 pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Study, Missing> {
+    if engine.faster_crank().is_some() {
+        return Err(Missing::FasterCrank("the accuracy of methods"));
+    }
     if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
         return Err(Missing::BalancerShafts);
     }

@@ -1,4 +1,4 @@
-//! Is it true of an engine with several kinds of rods, of whose orders but few are single sums?
+//! Is it true of an engine with several kinds of rods, or crankshafts of several speeds, of whose orders but few are single sums?
 
 use super::absolute::Numbers;
 use super::answer::{Answer, Finding, Status};
@@ -29,9 +29,10 @@ pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Nu
         | Statement::ShakingForce(_)
         | Statement::Formula(_)
         | Statement::GasTorque { .. }
-        | Statement::FiresEvenly { .. } => {
-            Answer::nothing("the rods of the engine differ, so that no order is a single sum")
-        }
+        | Statement::FiresEvenly { .. } => Answer::nothing(match engine.faster_crank() {
+            Some(_) => "a crankshaft turns faster than the reference, so that no order is a single sum",
+            None => "the rods of the engine differ, so that no order is a single sum",
+        }),
     }
 }
 
@@ -43,7 +44,8 @@ fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
 fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
     let Some(order) = judged(engine, subject.order, subject.masses) else { return Answer::nothing("no order") };
     // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
-    if order.parts.len() == 1 || !order.exists() {
+    let is_single = order.parts.len() == 1 && engine.faster_crank().is_none();
+    if is_single || !order.exists() {
         return order::answer(engine, subject, predicate, numbers);
     }
     let whole = whole(&order, subject.quantity);
@@ -55,9 +57,14 @@ fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option
             found => Some(found == *shape),
         },
         (Predicate::Is(_) | Predicate::Equals(..) | Predicate::Plane(_), _) => {
-            return Answer::nothing(
-                "the rods of the engine differ and this order has a sum for each kind, so that its size and direction are not compared",
-            );
+            return Answer::nothing(match engine.faster_crank() {
+                Some(_) => {
+                    "a crankshaft turns faster than the reference and an order has a sum for each speed, so that its size and direction are not compared"
+                }
+                None => {
+                    "the rods of the engine differ and this order has a sum for each kind, so that its size and direction are not compared"
+                }
+            });
         }
     };
     Answer { status: status(holds), evidence: evidence(&order), finding: Finding::Whole(vec![order]) }

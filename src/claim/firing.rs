@@ -13,6 +13,9 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
             let status = if firing.is_even() == claimed { Status::True } else { Status::False };
             (status, Some(firing.intervals()))
         }
+        None if engine.faster_crank().is_some() => {
+            return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not judged");
+        }
         None => match (can_fire_evenly(engine), claimed) {
             (true, true) => (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None),
             (true, false) => {

@@ -63,7 +63,7 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         Topic::Orders | Topic::FreeMoment => true,
         Topic::Forces | Topic::Other => false,
     };
-    if of_orders && engine.mechanisms().len() > 1 {
+    if of_orders && (engine.mechanisms().len() > 1 || engine.faster_crank().is_some()) {
         return classes::answer(engine, statement, numbers);
     }
     match statement {

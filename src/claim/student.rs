@@ -92,6 +92,13 @@ pub(crate) struct Sums {
 
 pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError> {
     let layout = engine(&table.layout, find)?;
+    if layout.faster_crank().is_some() {
+        return Err(misread(
+            "layout",
+            &table.layout,
+            "an engine whose crankshafts turn equally fast: the others have a star for each speed",
+        ));
+    }
     if layout.has_links() {
         let right = "an engine whose rods all stand on the crankpin: a link has several vectors";
         return Err(LayoutError::new("a vector-star table has a row per cylinder", right, place(&table.layout)));

@@ -13,7 +13,7 @@ use super::length::Length;
 use super::linear::Linear;
 use super::mechanism::Mechanism;
 use super::model::Engine;
-use super::order::{NotAnOrder, are_orders, pistons_have_order};
+use super::order::{HIGHEST_ORDER, NotAnOrder, ORDERS, are_orders, pistons_have_order};
 use super::throws::throws;
 use super::torsion::NoShaft;
 use crate::proof::{Quantity, Sense};
@@ -70,8 +70,17 @@ pub enum BuildError {
     },
     /// What is known of one crankshaft alone, in an engine with several that are geared together.
     OneCrankshaftAlone(&'static str),
-    /// The first of several crankshafts turns against the reference, which is its sense.
+    /// The first of several crankshafts is not the reference: it turns against it, or faster.
     FirstCrank,
+    /// A crankshaft whose speed is none that is judged.
+    Speed {
+        /// The crankshaft.
+        crank: String,
+        /// How many times it turns while the reference turns once.
+        speed: u32,
+    },
+    /// What is not reckoned where a crankshaft turns faster than the reference.
+    FasterCrank(&'static str),
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -121,7 +130,17 @@ impl fmt::Display for BuildError {
             BuildError::OneCrankshaftAlone(what) => {
                 write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone, as yet")
             }
-            BuildError::FirstCrank => f.write_str("the first of several crankshafts turns with the reference"),
+            BuildError::FirstCrank => {
+                f.write_str("the first of several crankshafts turns with the reference, once while it turns once")
+            }
+            BuildError::Speed { crank, speed } => write!(
+                f,
+                "crankshaft {crank} turns {speed} times while the reference turns once, a whole number from 1 to {HIGHEST_ORDER}"
+            ),
+            BuildError::FasterCrank(what) => write!(
+                f,
+                "{what} in an engine with a crankshaft that turns faster than the reference: known where all turn equally fast, as yet"
+            ),
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
@@ -167,8 +186,11 @@ impl<A, L: Length> Draft<A, L> {
             return Err(BuildError::MechanismMissing { cylinder: cylinder.name.clone() });
         }
         if let Some(first) = self.geared_cranks.first() {
-            if first.sense == Sense::Reverse {
+            if first.sense == Sense::Reverse || first.speed != 1 {
                 return Err(BuildError::FirstCrank);
+            }
+            if let Some(crank) = self.geared_cranks.iter().find(|crank| !ORDERS.contains(&crank.speed)) {
+                return Err(BuildError::Speed { crank: crank.name.clone(), speed: crank.speed });
             }
             let lacking = [
                 ("gas", self.gas.is_some()),
@@ -189,12 +211,12 @@ impl<A, L: Length> Draft<A, L> {
         dimensions.mass.iter().try_for_each(|mass| not_negative(mass, || "the reciprocating mass".into()))?;
         dimensions.speed.iter().try_for_each(|speed| not_negative(speed, || "the speed".into()))?;
         dimensions.crank_radius.iter().try_for_each(|radius| positive(radius, || "the crank radius".into()))?;
-        let mechanisms: Vec<&Mechanism> = self.cylinders.iter().filter_map(|one| one.mechanism.as_ref()).collect();
-        let usual = (1..=USUALLY_UP_TO).filter(|&order| pistons_have_order(&mechanisms, Quantity::Force, order));
+        let has_order = |&order: &u32| pistons_have_order(&self.cylinders, &self.geared_cranks, Quantity::Force, order);
+        let usual: Vec<u32> = (1..=USUALLY_UP_TO).filter(has_order).collect();
         are_orders(&self.orders).map_err(BuildError::Order)?;
         self.orders.sort_unstable();
         self.orders.dedup();
-        let orders = if self.orders.is_empty() { usual.collect() } else { self.orders.clone() };
+        let orders = if self.orders.is_empty() { usual } else { self.orders.clone() };
         let positions: Vec<&L> = self.cylinders.iter().map(|cylinder| &cylinder.position).collect();
         let plane = match &self.reference_plane {
             ReferencePlane::Middle => L::middle(&positions),
@@ -234,13 +256,21 @@ impl Draft {
         for shaft in &crankshaft.balancers {
             not_negative(&shaft.mass_radius, || "the mass-radius of a balancer shaft".into())?;
             are_orders(&[shaft.order]).map_err(BuildError::Order)?;
-            if let Some(index) = shaft.coefficient_of.filter(|index| *index >= engine.cylinders().len()) {
-                return Err(BuildError::NoSuchCylinder(index));
+            if let Some(index) = shaft.coefficient_of {
+                let cylinder = engine.cylinders().get(index).ok_or(BuildError::NoSuchCylinder(index))?;
+                if engine.speed_of(cylinder) != 1 {
+                    return Err(BuildError::FasterCrank(
+                        "a shaft with the coefficient of a cylinder on the faster one",
+                    ));
+                }
             }
         }
         if let Some(torsion) = engine.torsion() {
             let pins = engine.cylinders().iter().map(|cylinder| cylinder.pin + 1).max().unwrap_or(0);
             torsion.check(pins).map_err(BuildError::Torsion)?;
+        }
+        if engine.firing().is_some() && engine.faster_crank().is_some() {
+            return Err(BuildError::FasterCrank("a firing order"));
         }
         if let Some(firing) = engine.firing() {
             let cylinders: BTreeSet<usize> = firing.shots.iter().map(|shot| shot.cylinder).collect();
@@ -260,9 +290,10 @@ impl Draft<Linear, Linear> {
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Family, BuildError> {
         let family = self.checked()?;
-        match family.has_links() {
-            false => Ok(family),
-            true => Err(BuildError::ArticulatedRods("an engine with open angles or lengths")),
+        match (family.has_links(), family.faster_crank()) {
+            (false, None) => Ok(family),
+            (true, _) => Err(BuildError::ArticulatedRods("an engine with open angles or lengths")),
+            (false, Some(_)) => Err(BuildError::FasterCrank("open angles or lengths")),
         }
     }
 }

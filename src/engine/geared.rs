@@ -1,9 +1,12 @@
-//! Which crankshafts are geared together, where do they stand, and which way do they turn?
+//! Which crankshafts are geared together, where do they stand, which way do they turn, and how fast?
 //!
 //! A piston moves alike on a crank that turns against the reference and on the mirror image of that crank in its cylinder's axis, which
 //! turns with it: throw `2α − β` and offset `−δ` in place of β and δ (theory, section 14). A [`Cylinder`]
 //! holds the throw and the rod of this equivalent crank, so that forces, moments and the output torque need no case of their own;
 //! where its pin stands is [`Engine::pin_angle`].
+//!
+//! A crank that turns ν times while the reference turns once has order k of its pistons at order νk of the engine, ν² times as large:
+//! it has part in the orders that ν divides, each with its own order ([`Engine::own_order`]).
 
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -15,13 +18,15 @@ use super::model::Engine;
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
-/// One of several crankshafts, geared together one to one.
+/// One of several crankshafts that are geared together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GearedCrank {
     /// What it is called: a few letters and digits.
     pub name: String,
     /// Direct: it turns anticlockwise, as the only crankshaft of an engine does; reverse: against that.
     pub sense: Sense,
+    /// How many times it turns while the reference turns once: a whole number ν, at least 1.
+    pub speed: u32,
     /// Where its axis stands in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine.
     pub axis: Vec<Term>,
 }
@@ -32,13 +37,18 @@ impl GearedCrank {
         let terms =
             [Term { angle: Turn::zero(), weight: height }, Term { angle: Turn::fraction(1, 4), weight: offset }];
         let axis = terms.into_iter().filter(|term| !term.weight.is_zero()).collect();
-        GearedCrank { name: name.to_owned(), sense, axis }
+        GearedCrank { name: name.to_owned(), sense, speed: 1, axis }
     }
 
     /// One whose axis stands at this distance, in crank radii, in this direction.
     pub fn towards(name: &str, sense: Sense, distance: BigRational, angle: Turn) -> Self {
         let axis = if distance.is_zero() { Vec::new() } else { vec![Term { angle, weight: distance }] };
-        GearedCrank { name: name.to_owned(), sense, axis }
+        GearedCrank { name: name.to_owned(), sense, speed: 1, axis }
+    }
+
+    /// The same, turning so many times while the reference turns once.
+    pub fn turning(self, speed: u32) -> Self {
+        GearedCrank { speed, ..self }
     }
 }
 
@@ -57,6 +67,26 @@ impl<A, L> Engine<A, L> {
     pub fn sense_of(&self, cylinder: &Cylinder<A, L>) -> Sense {
         self.crank_of(cylinder).map_or(Sense::Direct, |crank| crank.sense)
     }
+
+    /// How many times the crank of a cylinder turns while the reference turns once.
+    pub fn speed_of(&self, cylinder: &Cylinder<A, L>) -> u32 {
+        self.crank_of(cylinder).map_or(1, |crank| crank.speed)
+    }
+
+    /// The first crankshaft that turns faster than the reference.
+    pub fn faster_crank(&self) -> Option<&GearedCrank> {
+        self.geared_cranks().iter().find(|crank| crank.speed != 1)
+    }
+
+    /// The order of a cylinder's own motion that is this order of the engine; none where its crank turns so fast that it has no part in it.
+    pub fn own_order(&self, cylinder: &Cylinder<A, L>, order: u32) -> Option<u32> {
+        own_order(self.speed_of(cylinder), order)
+    }
+}
+
+/// The order of a crank that turns so many times as fast as the reference that is this order of the engine.
+pub(super) fn own_order(speed: u32, order: u32) -> Option<u32> {
+    (speed > 0 && order.is_multiple_of(speed)).then(|| order / speed)
 }
 
 impl Engine {

@@ -8,6 +8,8 @@ use std::ops::RangeInclusive;
 
 use num_traits::Zero;
 
+use super::cylinder::Cylinder;
+use super::geared::{GearedCrank, own_order};
 use super::mechanism::{Link, Mechanism, Rod};
 use super::model::Engine;
 use crate::proof::Quantity;
@@ -87,15 +89,35 @@ impl Rod {
 impl<A, L> Engine<A, L> {
     /// Whether some piston has an order; rods of which nothing is known are of finite length and without offset.
     pub fn pistons_have_order(&self, quantity: Quantity, order: u32) -> bool {
-        pistons_have_order(&self.mechanisms(), quantity, order)
+        match self.faster_crank() {
+            Some(_) => pistons_have_order(self.cylinders(), self.geared_cranks(), quantity, order),
+            // Each rod once.
+            None => match self.mechanisms().as_slice() {
+                [] => has_order(None, quantity, order),
+                mechanisms => mechanisms.iter().any(|mechanism| has_order(Some(mechanism), quantity, order)),
+            },
+        }
     }
 }
 
-/// Whether a piston with one of these mechanisms has an order.
-pub(super) fn pistons_have_order(mechanisms: &[&Mechanism], quantity: Quantity, order: u32) -> bool {
-    match (mechanisms.is_empty(), quantity) {
-        (true, Quantity::Torque | Quantity::Roll) => order > 0,
-        (true, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
-        (false, _) => mechanisms.iter().any(|mechanism| mechanism.has_order(quantity, order)),
+/// Whether one of these pistons has an order; each that of its own crank.
+pub(super) fn pistons_have_order<A, L>(
+    cylinders: &[Cylinder<A, L>],
+    cranks: &[GearedCrank],
+    quantity: Quantity,
+    order: u32,
+) -> bool {
+    cylinders.iter().any(|cylinder| {
+        let own = own_order(cranks.get(cylinder.crank).map_or(1, |crank| crank.speed), order);
+        own.is_some_and(|own| has_order(cylinder.mechanism.as_ref(), quantity, own))
+    })
+}
+
+/// Of one piston, in the orders of its own crank.
+fn has_order(mechanism: Option<&Mechanism>, quantity: Quantity, order: u32) -> bool {
+    match (mechanism, quantity) {
+        (Some(mechanism), _) => mechanism.has_order(quantity, order),
+        (None, Quantity::Torque | Quantity::Roll) => order > 0,
+        (None, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
     }
 }

@@ -189,6 +189,7 @@ impl Delta {
             bank(index, exhaust, ahead, EXHAUST[corner]);
             bank((index + 1) % 3, inlet, ahead - lead, INLET[corner]);
             cranks.push(Geared {
+                speed: 1,
                 name: name.to_owned(),
                 sense: senses[corner],
                 axis: Axis::Towards(
@@ -210,6 +211,7 @@ fn above_each_other(names: [&str; 2], of_second: Sense, times: impl Fn(BigRation
     let of_first = if names[0] == "upper" { 1 } else { -1 };
     let height = |sign: i64| times(BigRational::new(sign.into(), 2.into()));
     let crank = |name: &str, sense, sign| Geared {
+        speed: 1,
         name: name.to_owned(),
         sense,
         axis: Axis::Across(height(sign), Distance::none()),
@@ -220,6 +222,7 @@ fn above_each_other(names: [&str; 2], of_second: Sense, times: impl Fn(BigRation
 fn side_by_side(of_right: Sense, distance: &Text) -> Vec<Geared> {
     let offset = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance);
     let crank = |name: &str, sense, sign| Geared {
+        speed: 1,
         name: name.to_owned(),
         sense,
         axis: Axis::Across(Distance::none(), offset(sign)),

@@ -11,7 +11,7 @@ use super::error::LayoutError;
 use super::quantities::{self, misread};
 use super::units;
 use super::written::{Table, Text, place};
-use crate::engine::{Convention, Cylinder, Dimensions, GearedCrank, Linear, Mechanism};
+use crate::engine::{Convention, Cylinder, Dimensions, GearedCrank, HIGHEST_ORDER, Linear, Mechanism, ORDERS};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -42,12 +42,13 @@ impl<'de> Deserialize<'de> for Tables {
     }
 }
 
-/// `[[crankshaft]]`: one of several that are geared together one to one.
+/// `[[crankshaft]]`: one of several that are geared together.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Keys {
     name: Text,
     sense: Text,
+    speed: Option<Text>,
     height: Option<Text>,
     offset: Option<Text>,
     distance: Option<Text>,
@@ -59,6 +60,7 @@ pub(super) struct Keys {
 pub(super) struct Geared {
     pub name: String,
     pub sense: Sense,
+    pub speed: u32,
     pub axis: Axis,
 }
 
@@ -169,7 +171,8 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
             }
         };
         let phase = keys.phase.as_ref().map_or(Ok(number(0)), quantities::known_angle)?;
-        Ok((Geared { name: keys.name.get_ref().0.clone(), sense: sense(&keys.sense)?, axis }, phase))
+        let speed = keys.speed.as_ref().map_or(Ok(1), speed)?;
+        Ok((Geared { name: keys.name.get_ref().0.clone(), sense: sense(&keys.sense)?, speed, axis }, phase))
     };
     for table in tables {
         let name = &table.get_ref().0.name;
@@ -185,6 +188,11 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
         let right = "\"with\": the first crankshaft is the one that angles are counted with".to_owned();
         return Err(misread("sense of the first crankshaft", "against", right, first));
     }
+    let of_first = tables.first().and_then(|table| table.get_ref().0.speed.as_ref());
+    if let Some(text) = of_first.filter(|text| !is_once(text)) {
+        let right = "1: the first crankshaft is the one that orders are counted with; take the slowest as the first, and give the others its multiples".to_owned();
+        return Err(misread("speed of the first crankshaft", &text.get_ref().0, right, text));
+    }
     for name in tables.iter().map(|table| &table.get_ref().0.name) {
         let written = &name.get_ref().0;
         if !(1..=12).contains(&written.len()) || !written.bytes().all(|byte| byte.is_ascii_alphanumeric()) {
@@ -193,6 +201,28 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
         }
     }
     tables.iter().map(one).collect()
+}
+
+/// How many times a crankshaft turns while the reference turns once.
+fn speed(text: &Text) -> Result<u32, LayoutError> {
+    let written = &text.get_ref().0;
+    let whole = written.parse::<u32>().ok().filter(|speed| ORDERS.contains(speed));
+    whole.ok_or_else(|| {
+        let right = format!(
+            "a whole number from 1 to {HIGHEST_ORDER}, of the first crankshaft 1: take the slowest crankshaft as the first, and give the others its multiples"
+        );
+        misread("speed of a crankshaft", written, right, text)
+    })
+}
+
+fn is_once(text: &Text) -> bool {
+    text.get_ref().0.parse() == Ok(1)
+}
+
+/// The speed of the first crankshaft that turns faster than the reference.
+pub(super) fn faster(tables: &[Spanned<Table<Keys>>]) -> Option<&Text> {
+    let mut speeds = tables.iter().filter_map(|table| table.get_ref().0.speed.as_ref());
+    speeds.find(|text| !is_once(text))
 }
 
 /// With or against the reference.
@@ -261,9 +291,11 @@ pub(super) fn placed(
         Ok(match &crank.axis {
             Axis::Across(height, offset) => {
                 GearedCrank::at(&crank.name, crank.sense, height.read(radius)?, offset.read(radius)?)
+                    .turning(crank.speed)
             }
             Axis::Towards(distance, angle) => {
-                GearedCrank::towards(&crank.name, crank.sense, distance.read(radius)?, angle.clone())
+                let distance = distance.read(radius)?;
+                GearedCrank::towards(&crank.name, crank.sense, distance, angle.clone()).turning(crank.speed)
             }
         })
     };

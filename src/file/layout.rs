@@ -160,6 +160,12 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
             return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone, as yet", span));
         }
     }
+    let faster = geared_keys::faster(geared_keys::several(file.crankshaft.as_ref()));
+    if let Some(span) = faster.and(above.order.and_then(place).or_else(|| above.angles.and_then(place))) {
+        let message = "when cylinders fire, in an engine with a crankshaft that turns faster than the first";
+        let right = "leave it out: it is known where all crankshafts turn equally fast, as yet";
+        return Err(LayoutError::new(message, right, Some(span)));
+    }
     if expanded.form.has_two_pistons_in_a_cylinder() {
         firing_order::without_pistons_of_their_own(above.order, above.angles)?;
     }
@@ -179,7 +185,8 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         form: expanded.form,
         convention,
         cylinders: expanded.cylinders,
-        geared_cranks,
+        // How fast they turn is said once no angle or length is open.
+        geared_cranks: geared_cranks.iter().map(|crank| crank.clone().turning(1)).collect(),
         reference_plane: plane.map_or(ReferencePlane::Middle, ReferencePlane::Named),
         length_unit,
         positions_given: expanded.positions_given,
@@ -199,6 +206,10 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     };
     let family = built(draft.build())?;
     check_values(&file.values, &family)?;
+    if let Some(speed) = faster.filter(|_| !family.unknowns().is_empty()) {
+        let message = "a crankshaft that turns faster than the first, in an engine whose angles or positions are open";
+        return Err(LayoutError::new(message, "write numbers in place of the unknowns", place(speed)));
+    }
     let turning = crankshaft_keys::Tables {
         crankshaft: file.crankshaft.as_ref().and_then(geared_keys::masses),
         counterweights: &file.counterweight,
@@ -233,6 +244,9 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         return Ok(Layout::Open(Box::new(open)));
     };
     let mut engine = built(engine)?;
+    if faster.is_some() {
+        engine = built(Draft { geared_cranks, ..engine.into_draft() }.build())?;
+    }
     if let Some(table) = &file.articulated {
         if !family.unknowns().is_empty() {
             return Err(articulated_keys::of_open_layout(table));
@@ -247,7 +261,7 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
         let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    let firing = match engine.form().has_two_pistons_in_a_cylinder() {
+    let firing = match engine.form().has_two_pistons_in_a_cylinder() || faster.is_some() {
         true => None,
         false => known_firing::read(&above, &values, &engine)?,
     };

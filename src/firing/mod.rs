@@ -67,6 +67,8 @@ pub enum NoStar {
     NoFiring,
     /// A half order of an engine that fires once per revolution.
     HalfOrder(CycleOrder),
+    /// A crankshaft turns faster than the reference: how often its cylinders fire in a cycle is not asked.
+    FasterCrank,
     /// The mode shape has another number of values than the engine has cylinders.
     ModeShape {
         /// How many values it has.
@@ -83,6 +85,9 @@ impl fmt::Display for NoStar {
                 "the layout does not say when the cylinders fire; above the first table, add firing_order = \"1-3-4-2\" with the cylinders in the order of \
                  their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
             ),
+            NoStar::FasterCrank => f.write_str(
+                "when the cylinders of crankshafts of different speeds fire is not judged; firing stars are those of crankshafts that turn equally fast",
+            ),
             NoStar::HalfOrder(order) => {
                 write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")
             }
@@ -98,9 +103,10 @@ impl std::error::Error for NoStar {}
 /// When the cylinders fire.
 ///
 /// # Errors
-/// A layout that does not say it.
+/// A layout that does not say it, and crankshafts of different speeds.
 pub fn firing_of(engine: &Engine) -> Result<&Firing, NoStar> {
-    engine.firing().ok_or(NoStar::NoFiring)
+    let why = if engine.faster_crank().is_some() { NoStar::FasterCrank } else { NoStar::NoFiring };
+    engine.firing().ok_or(why)
 }
 
 /// Whether what repeats once per cycle has these orders.
@@ -125,9 +131,12 @@ pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -
     Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
 }
 
-/// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine, of half orders
-/// where it is known when the cylinders of a four-stroke fire.
+/// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine whose crankshafts turn equally
+/// fast, of half orders where it is known when the cylinders of a four-stroke fire.
 pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
+    if engine.faster_crank().is_some() {
+        return None;
+    }
     let dead_centres = || Firing::two_stroke(engine.cylinders());
     let firing = match order.is_whole() {
         // In turns a revolution more leaves κφ as it is.

@@ -8,6 +8,8 @@
 //! A rod and its mirror image, δ and −δ, have coefficients that differ by (−1)^k (see [`order::Factor::of_force`]), which is half a turn of β − α. Order 1,
 //! which has the crank's own 1 beside the rod, and the orders of turning masses are judged one by one.
 //!
+//! Cranks that turn at different speeds are judged apart: pistons of one speed are a group, and order 1 is the first of each crank.
+//!
 //! A link on a master rod moves in part as the master does, with `β − α₀` of the master's cylinder, and has a motion of its own, which it
 //! shares with the links of its kind; the mass at its knuckle pin moves as the master. A mass that is complex, turned by γ, turns `e^{iα}`. A link
 //! with a corrected knuckle angle has κ cos ε of the master's motion, two vectors, and a motion of its own of every order, where −ε is half a turn
@@ -23,7 +25,10 @@ use crate::exact::{PhasorSum, Term, Turn};
 use crate::order::{self, mass_radius};
 use crate::proof::{Quantity, Sense};
 
-/// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods differ.
+/// How fast a crank turns, its rod, and where its piston is in its stroke.
+type Moving = (u32, Mechanism, Turn);
+
+/// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods or the speeds of crankshafts differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
     let is_judged = match quantity {
         Quantity::Force | Quantity::Moment => true,
@@ -33,32 +38,39 @@ pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
         return false;
     }
     let alone = match quantity {
-        Quantity::Torque | Quantity::Roll => order::torque(engine, 2).vanishes(),
+        // An endless rod has the second order of its crank alone.
+        Quantity::Torque | Quantity::Roll => speeds(engine).all(|speed| order::torque(engine, 2 * speed).vanishes()),
         Quantity::Force | Quantity::Moment => {
             let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
             let vanishes = |order, sense| order::all_masses(engine, quantity, order, sense).vanishes();
-            [1].into_iter().chain(shafts).all(|k| vanishes(k, Sense::Direct) && vanishes(k, Sense::Reverse))
+            speeds(engine).chain(shafts).all(|k| vanishes(k, Sense::Direct) && vanishes(k, Sense::Reverse))
         }
     };
     alone && groups(engine, quantity).values().all(PhasorSum::vanishes)
 }
 
+/// How many times the reference turns, and each crankshaft: what is judged by itself of a crank is its own first order.
+fn speeds(engine: &Engine) -> impl Iterator<Item = u32> {
+    let cranks = engine.geared_cranks().iter().map(|crank| crank.speed);
+    [1].into_iter().chain(cranks.filter(|speed| *speed != 1))
+}
+
 /// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
-fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Mechanism, Turn), PhasorSum> {
-    let mut groups: BTreeMap<(Mechanism, Turn), Vec<Term>> = BTreeMap::new();
+fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
+    let mut groups: BTreeMap<Moving, Vec<Term>> = BTreeMap::new();
     for (cylinder, mechanism) in engine.moved() {
         let rod = match mechanism {
             Mechanism::SliderCrank(rod) => rod,
             Mechanism::Link(link) => {
-                for (group, term) in of_link(engine, quantity, cylinder, link) {
-                    groups.entry(group).or_default().push(term);
+                for ((rod, own), term) in of_link(engine, quantity, cylinder, link) {
+                    groups.entry((engine.speed_of(cylinder), rod, own)).or_default().push(term);
                 }
                 continue;
             }
         };
         let own = &cylinder.throw - &cylinder.bank;
         let weight = mass_radius(engine, cylinder);
-        let (group, term) = match quantity {
+        let ((rod, own), term) = match quantity {
             _ if rod.ratio.is_zero() => continue,
             Quantity::Torque | Quantity::Roll => {
                 ((mechanism.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
@@ -74,7 +86,7 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<(Mechanism, Turn), Ph
                 ((Mechanism::SliderCrank(rod), own), Term { angle: cylinder.bank.clone(), weight })
             }
         };
-        groups.entry(group).or_default().push(term);
+        groups.entry((engine.speed_of(cylinder), rod, own)).or_default().push(term);
     }
     groups.into_iter().map(|(group, terms)| (group, PhasorSum::new(terms))).collect()
 }

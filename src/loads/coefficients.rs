@@ -16,6 +16,8 @@ pub(super) struct Motion {
     pub cranks: BTreeMap<Mechanism, SliderCrank>,
     /// The links on master rods.
     pub links: Vec<Link>,
+    /// Whether some crankshaft turns faster than the reference, whose coefficients are then those of other orders.
+    pub has_faster: bool,
     coefficients: Coefficients,
 }
 
@@ -32,7 +34,7 @@ impl Motion {
         let links = mechanisms.iter().filter_map(|mechanism| mechanism.link()).cloned().collect();
         let crank = |mechanism: &Mechanism| Some((mechanism.clone(), order::crank(mechanism)?));
         let cranks = mechanisms.into_iter().filter_map(crank).collect();
-        Ok(Motion { cranks, links, coefficients: Coefficients::default() })
+        Ok(Motion { cranks, links, has_faster: engine.faster_crank().is_some(), coefficients: Coefficients::default() })
     }
 
     /// The value of a factor: computed, and counted, once.
@@ -63,6 +65,9 @@ impl Motion {
 
     /// The coefficient that all cylinders have in common, where a vector asked for it.
     pub fn common(&self, order: u32) -> Option<Coefficient> {
+        if self.has_faster {
+            return None;
+        }
         let mut mechanisms = self.cranks.keys();
         let (Some(mechanism), None, []) = (mechanisms.next(), mechanisms.next(), &self.links[..]) else { return None };
         let (factor, sign) = Factor::of_rod(mechanism.rod(), order);

@@ -25,6 +25,8 @@ pub enum Missing {
     ArticulatedRods(&'static str),
     /// Several crankshafts that are geared together.
     SeveralCrankshafts,
+    /// What is not reckoned where a crankshaft turns faster than the reference.
+    FasterCrank(&'static str),
     /// No main bearings.
     Bearings,
     /// Main bearings that hold no shaft.
@@ -52,6 +54,9 @@ impl fmt::Display for Missing {
             ),
             Missing::SeveralCrankshafts => {
                 f.write_str("the loads of pins and bearings are known of one crankshaft alone; this engine has several")
+            }
+            Missing::FasterCrank(what) => {
+                write!(f, "{what} cannot be had of an engine with a crankshaft that turns faster than the reference")
             }
             Missing::Bearings => f.write_str(
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",

@@ -179,10 +179,9 @@ impl OrderLoads {
         OrderLoads { order, coefficient: motion.common(order), force, moment }
     }
 
-    /// Whether there is nothing to judge: no piston has the order, and no shaft turns so.
+    /// Whether there is something to judge: a piston has the order, or a shaft turns so, or a crankshaft with masses.
     pub fn exists(&self, engine: &Engine) -> bool {
-        engine.pistons_have_order(Quantity::Force, self.order)
-            || engine.crankshaft().balancers.iter().any(|shaft| shaft.order == self.order)
+        engine.pistons_have_order(Quantity::Force, self.order) || turning_orders(engine).contains(&self.order)
     }
 }
 
@@ -194,6 +193,13 @@ impl GroupLoads {
             |place: usize| Waveform::new(by_order.iter().map(|(order, swings)| harmonic(*order, &swings[place])));
         GroupLoads { group, force: waveform(0), moment: waveform(1) }
     }
+}
+
+/// The orders of the balancer shafts, and of the crankshafts that turn faster than the reference.
+fn turning_orders(engine: &Engine) -> Vec<u32> {
+    let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
+    let faster = engine.geared_cranks().iter().map(|crank| crank.speed).filter(|speed| *speed != 1);
+    shafts.chain(faster).collect()
 }
 
 fn harmonic(order: u32, swing: &Swing) -> Harmonic {
@@ -217,6 +223,7 @@ impl TorqueOrder {
         let sum = order::torque(engine, order);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
         let coefficient = match (motion.cranks.len(), pairs.as_slice()) {
+            (1, _) if motion.has_faster => None,
             (1, [(coefficient, _)]) => Some(coefficient.clone()),
             _ => None,
         };

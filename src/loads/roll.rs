@@ -9,10 +9,9 @@ use crate::exact::PhasorSum;
 use crate::motion::Coefficient;
 use crate::order;
 
-/// The roll moment on the frame at these orders, and at those of the shafts, in multiples of m r² ω².
+/// The roll moment on the frame at these orders, and at those of the shafts and the faster crankshafts, in multiples of m r² ω².
 pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
-    let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
-    let mut all: Vec<u32> = orders.iter().copied().chain(shafts).collect();
+    let mut all: Vec<u32> = orders.iter().copied().chain(super::turning_orders(engine)).collect();
     all.sort_unstable();
     all.dedup();
     let orders: Vec<TorqueOrder> = all.into_iter().map(|order| of_order(engine, motion, order)).collect();

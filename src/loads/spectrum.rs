@@ -34,9 +34,9 @@ impl<'a> Spectrum<'a> {
     /// Adds the orders up to this one.
     pub fn raise(&mut self, highest: u32, with_torque: bool) {
         let (engine, motion) = (self.engine, &self.motion);
-        let shafts = || engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
+        let turning = super::turning_orders(engine);
         for order in self.highest + 1..=highest {
-            if engine.pistons_have_order(Quantity::Force, order) || shafts().any(|shaft| shaft == order) {
+            if engine.pistons_have_order(Quantity::Force, order) || turning.contains(&order) {
                 self.orders.push(OrderLoads::new(engine, motion, order));
             }
             if with_torque && engine.pistons_have_order(Quantity::Torque, order) {

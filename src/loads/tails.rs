@@ -92,10 +92,13 @@ impl Tails {
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
     /// its multiples of m r ω²; 0 only where there is none. The roll moment has no bound here.
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
-        let pistons = self.sum(engine, quantity, &|parts| match quantity {
-            Quantity::Force | Quantity::Moment => parts.force(order),
-            Quantity::Torque => parts.of_rod(|tail| tail.torque(order)),
-            Quantity::Roll => f64::INFINITY,
+        let pistons = self.sum(engine, quantity, &|parts, speed| match (quantity, order / speed.max(1)) {
+            // A crank that turns faster has had so few of its own orders up to this one.
+            (Quantity::Force | Quantity::Moment, 0) => 1.0 + parts.force(0),
+            (Quantity::Force | Quantity::Moment, own) => parts.force(own),
+            (Quantity::Torque, 0 | 1) => f64::INFINITY,
+            (Quantity::Torque, own) => parts.of_rod(|tail| tail.torque(own)),
+            (Quantity::Roll, _) => f64::INFINITY,
         });
         let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
@@ -125,12 +128,14 @@ impl Tails {
                 let of_rod = |parts: &Parts| parts.of_rod(|tail| tail.force(order.saturating_sub(1)));
                 self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
             }
+            // A shaft stands before none of these.
             Factor::Torque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Corrected(..)
             | Factor::Open
-            | Factor::OpenTorque => f64::INFINITY,
+            | Factor::OpenTorque
+            | Factor::Geared(..) => f64::INFINITY,
         };
         sums.into_iter().fold([0.0, 0.0], |[force, moment], ((factor, order), sizes)| {
             let [more_force, more_moment] = sizes.map(|size| match rounded_up(&size) {
@@ -162,7 +167,7 @@ impl Tails {
 
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
     pub fn largest_sum(&self, engine: &Engine, quantity: Quantity) -> f64 {
-        self.sum(engine, quantity, &|parts| {
+        self.sum(engine, quantity, &|parts, _| {
             let shaking = 1.0 + parts.force(0);
             match quantity {
                 Quantity::Force | Quantity::Moment => shaking,
@@ -172,18 +177,19 @@ impl Tails {
         })
     }
 
-    /// The bounds of the pistons, each as much as its load counts.
-    fn sum(&self, engine: &Engine, quantity: Quantity, bound: &dyn Fn(&Parts) -> f64) -> f64 {
-        let mut weights: BTreeMap<Mechanism, BigRational> = BTreeMap::new();
+    /// The bounds of the pistons, each as much as its load counts, by their mechanisms and how fast their cranks turn.
+    fn sum(&self, engine: &Engine, quantity: Quantity, bound: &dyn Fn(&Parts, u32) -> f64) -> f64 {
+        let mut weights: BTreeMap<(Mechanism, u32), BigRational> = BTreeMap::new();
         for cylinder in engine.cylinders() {
             let Some(mechanism) = &cylinder.mechanism else { continue };
-            let weight = mass_radius(engine, cylinder).abs();
+            let (weight, speed) = (mass_radius(engine, cylinder).abs(), engine.speed_of(cylinder));
+            let faster = |exponent| num_traits::pow(BigRational::from_integer(speed.into()), exponent);
             let weight = match quantity {
-                Quantity::Force => weight,
-                Quantity::Moment => weight * engine.arm(cylinder).abs(),
-                Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius,
+                Quantity::Force => weight * faster(2),
+                Quantity::Moment => weight * engine.arm(cylinder).abs() * faster(2),
+                Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius * faster(3),
             };
-            *weights.entry(mechanism.clone()).or_insert_with(BigRational::zero) += weight;
+            *weights.entry((mechanism.clone(), speed)).or_insert_with(BigRational::zero) += weight;
             let is_along_axes = match quantity {
                 Quantity::Force | Quantity::Moment => true,
                 Quantity::Torque | Quantity::Roll => false,
@@ -193,14 +199,16 @@ impl Tails {
                 let lever = order::lever(engine, quantity, &cylinder.position).abs();
                 let weight = &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle * lever;
                 let master = Mechanism::SliderCrank(link.master_rod());
-                *weights.entry(master).or_insert_with(BigRational::zero) += weight;
+                *weights.entry((master, speed)).or_insert_with(BigRational::zero) += weight;
             }
         }
         // A mass of 0 is 0 times whatever the rest is.
         let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
-        let parts = weights.map(|(rod, weight)| match self.by_mechanism.get(&rod).map_or(f64::INFINITY, bound) {
-            0.0 => 0.0,
-            bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
+        let parts = weights.map(|((rod, speed), weight)| {
+            match self.by_mechanism.get(&rod).map_or(f64::INFINITY, |parts| bound(parts, speed)) {
+                0.0 => 0.0,
+                bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
+            }
         });
         parts.sum()
     }

@@ -29,6 +29,10 @@ impl Coefficients {
         }
         let coefficient = match factor {
             Factor::One => return Some(exactly_one()),
+            Factor::Geared(..) => {
+                let (own, order) = factor.own(order);
+                return self.of(own, order);
+            }
             Factor::Open | Factor::OpenTorque => return None,
             Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order))?,
             Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
@@ -55,7 +59,8 @@ impl Coefficients {
 
     /// The value of a factor, if it was asked for before.
     pub fn known(&self, factor: &Factor, order: u32) -> Option<Coefficient> {
-        self.known.borrow().get(&(factor.clone(), order)).cloned()
+        let (own, order) = factor.own(order);
+        self.known.borrow().get(&(own.clone(), order)).cloned()
     }
 
     /// How many values were computed.

@@ -83,14 +83,14 @@ impl<'a> Sources<'a> {
     ///
     /// A new kind of source has its terms here.
     pub fn of_force(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
-        let pistons = self.cylinders().flat_map(move |(index, cylinder)| {
-            let weight = mass_radius(self.engine, cylinder);
-            let at = phase(cylinder, order, Some(sense));
-            let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), order).into_iter();
+        let pistons = self.cylinders_with(order).flat_map(move |(index, cylinder, own)| {
+            let weight = mass_radius(self.engine, cylinder) * power(self.engine.speed_of(cylinder), 2);
+            let at = phase(cylinder, own, Some(sense));
+            let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), own).into_iter();
             parts.map(move |(factor, part)| Contribution {
                 source: Source::Piston(index),
                 position: cylinder.position.clone(),
-                factor,
+                factor: factor.geared(self.engine.speed_of(cylinder)),
                 term: turned(&at, &weight, &part, sense),
             })
         });
@@ -125,15 +125,16 @@ impl<'a> Sources<'a> {
     }
 
     /// What each source adds to the inertia torque of one order, in multiples of m r²; what turns at constant speed adds
-    /// nothing.
+    /// nothing. A crank that turns ν times as fast has ν times its torque at the reference one.
     pub fn of_torque(&self, order: u32) -> impl Iterator<Item = Contribution> {
-        self.cylinders().map(move |(index, cylinder)| {
-            let weight = mass_radius(self.engine, cylinder) * &cylinder.crank_radius;
+        self.cylinders_with(order).map(move |(index, cylinder, own)| {
+            let speed = self.engine.speed_of(cylinder);
+            let weight = mass_radius(self.engine, cylinder) * &cylinder.crank_radius * power(speed, 3);
             Contribution {
                 source: Source::Piston(index),
                 position: cylinder.position.clone(),
-                factor: Factor::of_torque(cylinder.mechanism.as_ref()),
-                term: Term { angle: phase(cylinder, order, None), weight },
+                factor: Factor::of_torque(cylinder.mechanism.as_ref()).geared(speed),
+                term: Term { angle: phase(cylinder, own, None), weight },
             }
         })
     }
@@ -155,6 +156,18 @@ impl<'a> Sources<'a> {
         let has_pistons = MassGroup::Reciprocating.is_among(self.masses);
         self.engine.cylinders().iter().enumerate().filter(move |_| has_pistons)
     }
+
+    /// Those whose crank has part in an order, each with the order of its own motion that this is.
+    pub(super) fn cylinders_with(&self, order: u32) -> impl Iterator<Item = (usize, &'a Cylinder, u32)> {
+        let engine = self.engine;
+        self.cylinders()
+            .filter_map(move |(index, cylinder)| engine.own_order(cylinder, order).map(|own| (index, cylinder, own)))
+    }
+}
+
+/// How much larger what a crank does is for its speed: a force for the square of it, a torque at the reference crank for the cube.
+pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
+    num_traits::pow(BigRational::from_integer(speed.into()), exponent)
 }
 
 /// A part of a vector: turned by its angle in the direct star, the other way in the reverse one.

@@ -32,6 +32,9 @@ pub enum Factor {
     Open,
     /// t_k of such rods.
     OpenTorque,
+    /// One of these numbers of a crank that turns so many times, at least twice, while the reference turns once: that of its own order,
+    /// the order divided by this. Never [`Factor::One`], nor another of these.
+    Geared(u32, Box<Factor>),
 }
 
 impl Factor {
@@ -83,6 +86,30 @@ impl Factor {
         mechanism.map_or(Factor::OpenTorque, |mechanism| Factor::Torque(mechanism.clone()))
     }
 
+    /// The same of a crank that turns so many times while the reference turns once.
+    pub(super) fn geared(self, speed: u32) -> Factor {
+        match (speed, self) {
+            (_, Factor::One) => Factor::One,
+            (1, factor) => factor,
+            (_, factor) => Factor::Geared(speed, Box::new(factor)),
+        }
+    }
+
+    /// The number by itself, and which order of it stands before a sum of this order: its crank may turn faster than the reference.
+    pub fn own(&self, order: u32) -> (&Factor, u32) {
+        match self {
+            Factor::Geared(speed, factor) => (factor, order / (*speed).max(1)),
+            Factor::One
+            | Factor::Motion(_)
+            | Factor::Torque(_)
+            | Factor::Side(_)
+            | Factor::Linkage(_)
+            | Factor::Corrected(..)
+            | Factor::Open
+            | Factor::OpenTorque => (self, order),
+        }
+    }
+
     /// Whether it is not zero in an order: whether the order exists. One that [may be zero](Factor::may_be_zero) exists where nothing says
     /// that it is.
     pub fn exists(&self, order: u32) -> bool {
@@ -96,6 +123,10 @@ impl Factor {
             Factor::Linkage(linkage) => linkage.exists(order),
             Factor::Corrected(corrected, component) => corrected.exists(*component, order),
             Factor::Open => order == 1 || order.is_multiple_of(2),
+            Factor::Geared(speed, _) => {
+                let (own, own_order) = self.own(order);
+                order.is_multiple_of(*speed) && own.exists(own_order)
+            }
         }
     }
 
@@ -106,6 +137,10 @@ impl Factor {
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
             Factor::Open | Factor::Linkage(_) => Some(order.is_multiple_of(4)),
             Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
+            Factor::Geared(..) => {
+                let (own, own_order) = self.own(order);
+                own.is_negative(own_order)
+            }
             Factor::Torque(_) | Factor::Side(_) | Factor::Corrected(..) | Factor::OpenTorque => None,
         }
     }
@@ -114,6 +149,7 @@ impl Factor {
     pub fn may_be_zero(&self) -> bool {
         match self {
             Factor::Corrected(..) => true,
+            Factor::Geared(_, factor) => factor.may_be_zero(),
             Factor::One
             | Factor::Motion(_)
             | Factor::Torque(_)

@@ -7,12 +7,13 @@
 //!
 //! The arm of a line whose crankshaft stands at distance d in the direction η is `d sin(α−η)`, two vectors of half the length:
 //! `d/2 (e^{i(α−η−90°)} + e^{−i(α−η−90°)})`. An offset e adds −e. A mass-radius U that turns about such an axis at n times the crank
-//! speed adds `n²Ud e^{i(γ−η−90°)}` with the crank, `n²Ud e^{−i(γ−η−90°)}` against it.
+//! speed adds `n²Ud e^{i(γ−η−90°)}` with the crank, `n²Ud e^{−i(γ−η−90°)}` against it. What a piston adds whose crank turns ν times as fast
+//! is ν² times as large, at ν times the order.
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::contribution::{Contribution, Sources};
+use super::contribution::{Contribution, Sources, power};
 use super::factor::Factor;
 use super::phase::phase;
 use super::source::Source;
@@ -24,8 +25,8 @@ use crate::proof::Sense;
 impl Sources<'_> {
     /// What each source adds to the roll moment of one order.
     pub fn of_roll(&self, order: u32) -> Vec<Contribution> {
-        let pistons = self.cylinders().flat_map(|(index, cylinder)| {
-            let terms = of_cylinder(self.engine(), cylinder, order).into_iter();
+        let pistons = self.cylinders_with(order).flat_map(|(index, cylinder, own)| {
+            let terms = of_cylinder(self.engine(), cylinder, own).into_iter();
             terms.map(move |(factor, term)| Contribution {
                 source: Source::Piston(index),
                 position: cylinder.position.clone(),
@@ -58,14 +59,16 @@ pub fn has_arms(engine: &Engine) -> bool {
     engine.rods().all(|rod| rod.offset.is_zero() || !rod.ratio.is_zero())
 }
 
+/// Of the order of its own motion.
 fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor, Term)> {
     let star = phase(cylinder, order, None);
-    let weight = mass_radius(engine, cylinder);
+    let speed = engine.speed_of(cylinder);
+    let weight = mass_radius(engine, cylinder) * power(speed, 2);
     let of_arm = |arm: Term| {
         let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), order).into_iter();
         let part = |(factor, part): (Factor, Term)| {
             let angle = &(&star + &part.angle) + &arm.angle;
-            (factor, Term { angle, weight: &weight * &part.weight * &arm.weight })
+            (factor.geared(speed), Term { angle, weight: &weight * &part.weight * &arm.weight })
         };
         parts.map(part).collect::<Vec<_>>()
     };
@@ -75,7 +78,7 @@ fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor,
         Sense::Reverse => BigRational::one(),
     };
     let torque = Term { angle: star.clone(), weight: &weight * &cylinder.crank_radius * sense };
-    arms.chain([(Factor::of_torque(cylinder.mechanism.as_ref()), torque)]).collect()
+    arms.chain([(Factor::of_torque(cylinder.mechanism.as_ref()).geared(speed), torque)]).collect()
 }
 
 /// The arm of a cylinder's axis about the middle of the engine, in crank radii, as a sum of vectors.

@@ -51,7 +51,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     let cranks = engine.geared_cranks();
     let on_the_crank = |source, mass_radius, angle: &Turn, (position, crank): (&BigRational, usize)| TurningMass {
         source,
-        order: 1,
+        order: cranks.get(crank).map_or(1, |crank| crank.speed),
         sense: cranks.get(crank).map_or(Sense::Direct, |crank| crank.sense),
         mass_radius,
         factor: Factor::One,

@@ -29,6 +29,26 @@ pub enum Coefficient {
     /// t_k of this rod.
     #[serde(skip)]
     Torque(RodClaim),
+    /// One of these of a crank that turns so many times, at least twice, while the reference turns once: that of its own order, the order
+    /// divided by this.
+    Geared(GearedClaim),
+}
+
+/// The coefficient of a crank that turns faster than the reference.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GearedClaim {
+    /// How many times it turns.
+    pub speed: u32,
+    /// Its coefficient.
+    pub of: Box<Coefficient>,
+}
+
+impl GearedClaim {
+    /// Which order of its own motion this order of the engine is.
+    pub(super) fn own_order(&self, order: u32) -> u32 {
+        order / self.speed.max(1)
+    }
 }
 
 impl Coefficient {
@@ -36,6 +56,7 @@ impl Coefficient {
     pub(super) fn is_open(&self) -> bool {
         match self {
             Coefficient::Common | Coefficient::CommonTorque => true,
+            Coefficient::Geared(geared) => geared.of.is_open(),
             Coefficient::One | Coefficient::Rod(_) | Coefficient::Torque(_) => false,
             Coefficient::Linkage(_) | Coefficient::Corrected(_) => false,
         }
@@ -45,8 +66,18 @@ impl Coefficient {
     pub(super) fn may_be_zero(&self) -> bool {
         match self {
             Coefficient::Corrected(_) => true,
+            Coefficient::Geared(geared) => geared.of.may_be_zero(),
             Coefficient::One | Coefficient::Common | Coefficient::Rod(_) | Coefficient::Linkage(_) => false,
             Coefficient::CommonTorque | Coefficient::Torque(_) => false,
+        }
+    }
+
+    /// The same of a crank that turns so many times while the reference turns once; 1 stays 1.
+    pub(super) fn geared(self, speed: u32) -> Self {
+        match (speed, self) {
+            (_, Coefficient::One) => Coefficient::One,
+            (1, own) => own,
+            (_, own) => Coefficient::Geared(GearedClaim { speed, of: Box::new(own) }),
         }
     }
 }

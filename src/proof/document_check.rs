@@ -5,7 +5,9 @@ use num_traits::Zero;
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts};
+use super::engine::{
+    Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts, check_speed,
+};
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
 use super::rod::Motion;
@@ -54,6 +56,7 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     }
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
+        let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     }
     document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })

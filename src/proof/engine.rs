@@ -37,10 +37,54 @@ pub struct Cylinder {
     /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; left out where it is 0.
     #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
     pub knuckle_weight: BigRational,
+    /// How many times its crankshaft turns while the reference one turns once: a whole number from 1 on, left out where it is 1.
+    #[serde(default = "once", skip_serializing_if = "is_once")]
+    pub speed: u32,
     /// Its crankshaft, where several are geared together; its throw and rod are then those of the equivalent crank that turns with
     /// the reference.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub crankshaft: Option<CrankClaim>,
+}
+
+impl Cylinder {
+    /// The order of its own motion that this order of the engine is, where its crankshaft has part in it.
+    pub(super) fn own_order(&self, order: u32) -> Option<u32> {
+        own_order(self.speed, order)
+    }
+
+    /// What it does is larger by this for the speed of its crankshaft: a force by the square, the torque at the reference one by the cube.
+    pub(super) fn power(&self, exponent: usize) -> BigRational {
+        power(self.speed, exponent)
+    }
+}
+
+/// The order of a crank of this speed that is this order of the engine.
+pub(super) fn own_order(speed: u32, order: u32) -> Option<u32> {
+    (speed > 0 && order.is_multiple_of(speed)).then(|| order / speed)
+}
+
+/// A power of a speed.
+pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
+    num_traits::pow(BigRational::from_integer(speed.into()), exponent)
+}
+
+/// The speed that is left out.
+pub(super) fn once() -> u32 {
+    1
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+pub(super) fn is_once(speed: &u32) -> bool {
+    *speed == 1
+}
+
+/// Checks that a crankshaft turns a whole number of times, and that nothing is on a faster one that is not judged there.
+pub(super) fn check_speed(rod: &RodStatement, speed: u32) -> Result<(), Reason> {
+    match (rod, speed) {
+        (_, 0) => Err("a crankshaft turns once at least while the reference one turns once".into()),
+        (_, 1) | (RodStatement::Unknown | RodStatement::Known(_), _) => Ok(()),
+        (RodStatement::Link(_), _) => Err("a link on a crankshaft that turns faster than the reference one".into()),
+    }
 }
 
 /// One of several crankshafts.

@@ -44,7 +44,7 @@ pub use audit::{Counts, Fault, MOST_STEPS, Reason};
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::check_certificate;
 pub use checked::Checked;
-pub use coefficient::Coefficient;
+pub use coefficient::{Coefficient, GearedClaim};
 pub use decimals::Decimal;
 pub use document::Document;
 pub use document_check::check_document;

@@ -14,7 +14,10 @@ use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::{Decimal, check_decimals};
-use super::engine::{Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_shafts, rods};
+use super::engine::{
+    Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_shafts, check_speed, is_once, once,
+    own_order, power, rods,
+};
 use super::fraction;
 use super::reading::Format;
 use super::source::turned;
@@ -68,6 +71,9 @@ pub struct RodCylinder {
     pub weight: BigRational,
     /// Its rod.
     pub rod: RodStatement,
+    /// How many times its crankshaft turns while the reference one turns once: a whole number from 1 on, left out where it is 1.
+    #[serde(default = "once", skip_serializing_if = "is_once")]
+    pub speed: u32,
     /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; left out where it is 0.
     #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
     pub knuckle_weight: BigRational,
@@ -212,6 +218,7 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
     }
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
+        let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault::new("cylinders", reason))?;
     }
     let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
@@ -263,16 +270,17 @@ impl RemedyDocument {
         };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         for cylinder in &self.cylinders {
-            let weight = &cylinder.weight * arm(&cylinder.position);
-            let angle = phase(&cylinder.throw, &cylinder.bank, order, Some(sense));
+            let Some(own) = own_order(cylinder.speed, order) else { continue };
+            let weight = &cylinder.weight * arm(&cylinder.position) * power(cylinder.speed, 2);
+            let angle = phase(&cylinder.throw, &cylinder.bank, own, Some(sense));
             if let RodStatement::Link(link) = &cylinder.rod {
                 audit.spend(link.steps(order))?;
             }
-            let factors = Factor::of_force(&cylinder.rod, order).into_iter().filter(|factor| !factor.is_zero);
+            let factors = Factor::of_force(&cylinder.rod, own).into_iter().filter(|factor| !factor.is_zero);
             for Factor { coefficient, parts, .. } in factors {
                 let vectors = parts.iter().map(|part| turned(&angle, &weight, part, Some(sense)));
                 let terms = vectors.map(|vector| (vector.angle, vector.weight));
-                sums.entry(coefficient).or_default().extend(terms);
+                sums.entry(coefficient.geared(cylinder.speed)).or_default().extend(terms);
             }
             let RodStatement::Link(link) = &cylinder.rod else { continue };
             let Factor { coefficient, is_zero, .. } = Factor::of_rod(&link.master_rod(), order);

@@ -59,6 +59,7 @@ impl<'a> Motion<'a> {
             return Ok(Some(known.clone()));
         }
         let found = match coefficient {
+            Coefficient::Geared(geared) => return self.coefficient(&geared.of, geared.own_order(order), bits),
             Coefficient::One => return Ok(Some(one(bits))),
             Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
             Coefficient::Torque(rod) => torque(rod, order, bits, self.audit)?,
@@ -103,6 +104,7 @@ pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) ->
         Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
         Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
         Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
+        Coefficient::Geared(geared) => return smallness(&geared.of, geared.own_order(order), audit),
         Coefficient::Corrected(linkage) => return linkage.smallness(order, audit),
         Coefficient::Rod(_) | Coefficient::Torque(_) => return Ok(0),
         Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),

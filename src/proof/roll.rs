@@ -46,10 +46,10 @@ pub(super) fn arms(cylinder: &Cylinder) -> Vec<Vector> {
     arms
 }
 
-/// The terms of a piston's force, whose vector stands before its coefficient with these parts.
+/// The terms of a piston's force of this order of its own motion, whose vector stands before its coefficient with these parts.
 pub(super) fn of_force(cylinder: &Cylinder, order: u32, parts: &[Vector]) -> Vec<Vector> {
     let star = phase(&cylinder.throw, &cylinder.bank, order, None);
-    let size = &cylinder.reciprocating_mass * &cylinder.crank_radius;
+    let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * cylinder.power(2);
     let arms = arms(cylinder);
     let of_part = |part: &Vector| -> Vec<Vector> {
         let vector = |arm: &Vector| Vector {
@@ -61,9 +61,9 @@ pub(super) fn of_force(cylinder: &Cylinder, order: u32, parts: &[Vector]) -> Vec
     parts.iter().flat_map(of_part).collect()
 }
 
-/// The term of the torque on a piston's crank.
+/// The term of the torque on a piston's crank, of this order of its own motion.
 pub(super) fn of_torque(cylinder: &Cylinder, order: u32) -> Vec<Vector> {
-    let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * &cylinder.crank_radius;
+    let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * &cylinder.crank_radius * cylinder.power(2);
     let weight = if is_against(cylinder) { size } else { -size };
     vec![Vector { angle: phase(&cylinder.throw, &cylinder.bank, order, None), weight }]
 }

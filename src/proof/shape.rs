@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 use super::audit::{Audit, Reason};
 use super::certificate::Certificate;
 use super::check::certify;
-use super::coefficient::Coefficient;
 use super::collected::{Collected, collect, difference_of_squares};
 use super::engine::Quantity;
 use super::judged::{Judged, JudgedGroup};
@@ -171,7 +170,7 @@ fn alone(judged: &Judged) -> Option<&JudgedGroup> {
 /// Whether a number of the motion is not known.
 fn is_open(judged: &Judged) -> bool {
     let left = [0, 1].map(|sense| judged.left(sense));
-    left.iter().flatten().any(|group| group.coefficient == Coefficient::Common)
+    left.iter().flatten().any(|group| group.coefficient.is_open())
 }
 
 /// `direct = ± conj(reverse)` where it holds for the sums before each coefficient: those of the reverse vector are the

@@ -42,25 +42,29 @@ impl Masses {
 }
 
 impl Document {
-    /// The sources of one order of a quantity by their coefficients, in the order of the first source of each: cylinders,
-    /// then turning masses of either sense. One group without sources where there is none.
+    /// The sources of one order of a quantity by their coefficients, in the order of the first source of each: cylinders
+    /// whose crankshaft has part in it, then turning masses of either sense. One group without sources where there is none.
     pub(super) fn groups(&self, quantity: Quantity, order: u32) -> Vec<Group<'_>> {
         let mut groups = Groups::default();
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
-        for cylinder in cylinders {
+        for (cylinder, own) in cylinders.filter_map(|cylinder| Some((cylinder, cylinder.own_order(order)?))) {
             let (has_force, has_torque) = match quantity {
                 Quantity::Force | Quantity::Moment => (true, false),
                 Quantity::Torque => (false, true),
                 Quantity::Roll => (!roll::arms(cylinder).is_empty(), true),
             };
             if has_force {
-                for force in Factor::of_force(&cylinder.rod, order) {
-                    groups.add(force.coefficient, force.is_zero, Source::Cylinder(cylinder, force.parts));
+                for force in Factor::of_force(&cylinder.rod, own) {
+                    groups.add(
+                        force.coefficient.geared(cylinder.speed),
+                        force.is_zero,
+                        Source::Cylinder(cylinder, force.parts),
+                    );
                 }
             }
             if has_torque {
-                let torque = Factor::of_torque(&cylinder.rod, order);
-                groups.add(torque.coefficient, torque.is_zero, Source::Torque(cylinder));
+                let torque = Factor::of_torque(&cylinder.rod, own);
+                groups.add(torque.coefficient.geared(cylinder.speed), torque.is_zero, Source::Torque(cylinder));
             }
         }
         // The roll moment of an engine with links is not judged.
@@ -87,7 +91,7 @@ impl Document {
     }
 
     /// Names and terms of a group in one sense (theory, section 3): weights m r, the moment's times the arm, the torque's
-    /// times r; `2k²` times the mass-radius of a mass that turns. Those of the roll moment: [`roll`].
+    /// times r, and the square, of the torque the cube, of its crankshaft's speed; `2k²` times the mass-radius of a mass that turns. Those of the roll moment: [`roll`].
     pub(super) fn terms(
         &self,
         group: &Group<'_>,
@@ -100,12 +104,15 @@ impl Document {
             Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
         };
         let is_roll = quantity == Quantity::Roll;
+        // Only cylinders that have part in the order are among the sources.
+        let own = |cylinder: &Cylinder| cylinder.own_order(order).unwrap_or(order);
         let terms = |source: &Source<'_>| match source {
             Source::Cylinder(cylinder, parts) if is_roll => {
-                (cylinder.name.clone(), roll::of_force(cylinder, order, parts))
+                (cylinder.name.clone(), roll::of_force(cylinder, own(cylinder), parts))
             }
             Source::Cylinder(cylinder, parts) => {
-                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * lever(&cylinder.position);
+                let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * lever(&cylinder.position);
+                let (weight, order) = (size * cylinder.power(2), own(cylinder));
                 let angle = phase(&cylinder.throw, &cylinder.bank, order, sense);
                 let vectors = parts.iter().map(|part| turned(&angle, &weight, part, sense));
                 (cylinder.name.clone(), vectors.collect())
@@ -117,10 +124,11 @@ impl Document {
                 let angle = phase(&cylinder.throw, &master, order, sense) + &link.angle + &link.correction;
                 (knuckle_name(cylinder), vec![Vector { angle, weight }])
             }
-            Source::Torque(cylinder) if is_roll => (cylinder.name.clone(), roll::of_torque(cylinder, order)),
+            Source::Torque(cylinder) if is_roll => (cylinder.name.clone(), roll::of_torque(cylinder, own(cylinder))),
             Source::Torque(cylinder) => {
-                let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius * &cylinder.crank_radius;
-                let angle = phase(&cylinder.throw, &cylinder.bank, order, None);
+                let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * &cylinder.crank_radius;
+                let weight = size * cylinder.power(3);
+                let angle = phase(&cylinder.throw, &cylinder.bank, own(cylinder), None);
                 (cylinder.name.clone(), vec![Vector { angle, weight }])
             }
             Source::Turning(mass, sign) if is_roll => (mass.name.clone(), roll::of_turning(mass, sign)),

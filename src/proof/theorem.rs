@@ -75,6 +75,9 @@ pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &A
     if document.turning_masses.iter().any(|mass| mass.order > 1) {
         return Err("a statement on every order needs masses that turn with the crank or not at all".into());
     }
+    if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
+        return Err("a statement on every order needs crankshafts that turn equally fast".into());
+    }
     check_period(document, &claim.period)?;
     check_orders(claim)?;
     for verdict in &claim.verdicts {

@@ -11,7 +11,7 @@ use num_traits::Signed;
 
 use super::rounded::{is_of_link, leaves_little, rounded};
 use super::{Corrected, Remedy, Shaft, Weight};
-use crate::engine::{Balancer, Counterweight, Engine};
+use crate::engine::{Balancer, Counterweight, Cylinder, Engine};
 use crate::exact::{Term, Turn};
 use crate::file::{
     Beside, LayoutError, balancer_table, comment, counterweight_in_multiples, counterweight_table, parse_beside,
@@ -27,6 +27,8 @@ pub enum FileError {
     NoFile,
     /// A weight against what links leave cannot be written in decimals that leave little enough.
     OfLinks,
+    /// A shaft stands before a number of a crank that turns faster than the reference, which no key of a file names.
+    OfFasterCrank,
     /// The file with the weights behind it is not read.
     Layout(Box<LayoutError>),
     /// It is read as an engine that is not the corrected one.
@@ -43,6 +45,9 @@ impl fmt::Display for FileError {
             }
             FileError::OfLinks => f.write_str(
                 "shafts against what links on a master rod leave have no exact size, and no decimals leave less than 10^-6 of the load",
+            ),
+            FileError::OfFasterCrank => f.write_str(
+                "shafts against what pistons of a crankshaft leave that turns faster than the reference are sums before numbers of its own orders, which a layout file has no key for",
             ),
             FileError::Layout(error) => {
                 write!(f, "the layout file does not take the weights of the remedy; {RIGHT}: {error}")
@@ -77,12 +82,29 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result
     if of_links.iter().any(|weight| rounded(&remedy.subject, weight).is_none()) {
         return Err(FileError::OfLinks);
     }
+    if remedy.weights().iter().any(|weight| weight.vector.parts().keys().any(is_of_faster_crank)) {
+        return Err(FileError::OfFasterCrank);
+    }
     let text = with_tables(remedy, source);
     let read = parse_beside(name, &text, beside).map_err(|error| FileError::Layout(Box::new(error)))?;
     match (is_meant(remedy, &read, &of_links), leaves_little(remedy, &read)) {
         (true, true) => Ok(CorrectedFile { text, is_rounded: !of_links.is_empty() }),
         (true, false) => Err(FileError::OfLinks),
         (false, _) => Err(FileError::AnotherEngine),
+    }
+}
+
+fn is_of_faster_crank(factor: &Factor) -> bool {
+    match factor {
+        Factor::Geared(..) => true,
+        Factor::One
+        | Factor::Motion(_)
+        | Factor::Torque(_)
+        | Factor::Side(_)
+        | Factor::Open
+        | Factor::OpenTorque
+        | Factor::Linkage(_)
+        | Factor::Corrected(..) => false,
     }
 }
 
@@ -93,6 +115,7 @@ fn is_meant(remedy: &Remedy, read: &Engine, of_links: &[Weight]) -> bool {
     let same = read.cylinders() == engine.cylinders()
         && read.dimensions() == engine.dimensions()
         && read.reference_plane() == engine.reference_plane()
+        && read.geared_cranks() == engine.geared_cranks()
         && read.bearings() == engine.bearings();
     let sum = |judged: &Corrected| {
         let whole = order::all_masses(read, judged.quantity, judged.order, judged.sense);
@@ -207,10 +230,11 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
 fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
     let one = BigRational::from_integer(1.into());
     match factor {
-        // Weights against what links leave are not written by their terms.
-        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) => (None, one),
+        // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
+        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
-            let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| cylinder.link().is_none());
+            let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
+            let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));
             let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));
             let found = found.into_iter().find(|(_, (own, _))| own == factor);
             found.map_or((None, one), |(index, (_, sign))| (Some(index), sign))

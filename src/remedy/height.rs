@@ -39,7 +39,15 @@ pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
     let alike = engine.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
     let upright = first.bank.turns().is_zero();
     let same_rods = engine.rods().all(|other: &Rod| other == rod);
-    if !alike || !upright || !same_rods || !rod.offset.is_zero() || rod.ratio.is_zero() || order == 0 || order % 2 == 1
+    let faster = engine.faster_crank().is_some();
+    if faster
+        || !alike
+        || !upright
+        || !same_rods
+        || !rod.offset.is_zero()
+        || rod.ratio.is_zero()
+        || order == 0
+        || order % 2 == 1
     {
         return None;
     }

@@ -28,7 +28,7 @@ pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, LEAST, Shaft, is_slight, shaft, shafts};
 pub use weight::{Weight, with_counterweights};
 
-use crate::engine::{Engine, throws};
+use crate::engine::{Engine, GearedCrank, throws};
 use crate::exact::Turn;
 use crate::loads::Missing;
 use crate::proof::Sense;
@@ -104,6 +104,8 @@ pub enum RemedyError {
     PlanesCoincide(BigRational),
     /// A plane at this position lies beyond the ends of the crankshaft.
     BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
+    /// Balance factors where a crankshaft turns otherwise than the first, whose throws they are about.
+    Bays,
     /// Neither one value for all nor one per throw.
     TooMany {
         /// What is given.
@@ -130,6 +132,9 @@ impl fmt::Display for RemedyError {
                     ends[0], ends[1]
                 )
             }
+            RemedyError::Bays => f.write_str(
+                "balance factors are of crankshafts that all turn as the first one does; leave them out: then weights in two planes are proposed",
+            ),
             RemedyError::TooMany { what, given, throws } => {
                 write!(f, "{given} {what} for {throws} throws; give one for all, or one per throw")
             }
@@ -160,6 +165,10 @@ pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, RemedyError> {
         if given > 1 && given != count {
             return Err(RemedyError::TooMany { what, given, throws: count });
         }
+    }
+    let turns_as_the_first = |crank: &GearedCrank| (crank.speed, crank.sense) == (1, Sense::Direct);
+    if !wish.factors.is_empty() && !engine.geared_cranks().iter().all(turns_as_the_first) {
+        return Err(RemedyError::Bays);
     }
     let planes = match &wish.planes {
         Some([first, second]) if first == second => return Err(RemedyError::PlanesCoincide(first.clone())),

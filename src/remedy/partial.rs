@@ -53,7 +53,9 @@ impl Partial {
                 angle: order::phase(cylinder, 1, Some(sense)),
                 weight: order::mass_radius(engine, cylinder),
             };
-            PhasorSum::new(PhasorSum::new(engine.cylinders().iter().map(term).collect()).collected())
+            // A crank that turns faster has no part in order 1.
+            let cylinders = engine.cylinders().iter().filter(|cylinder| engine.own_order(cylinder, 1).is_some());
+            PhasorSum::new(PhasorSum::new(cylinders.map(term).collect()).collected())
         };
         engine.is_centric().then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }

@@ -20,9 +20,13 @@ const DIGITS: usize = 11;
 pub(super) fn is_of_link(weight: &Weight) -> bool {
     weight.vector.parts().keys().any(|factor| match factor {
         Factor::Linkage(_) | Factor::Corrected(..) => true,
-        Factor::One | Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
-            false
-        }
+        Factor::One
+        | Factor::Motion(_)
+        | Factor::Torque(_)
+        | Factor::Side(_)
+        | Factor::Open
+        | Factor::OpenTorque
+        | Factor::Geared(..) => false,
     })
 }
 

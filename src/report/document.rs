@@ -9,11 +9,11 @@ use crate::motion::Component;
 use crate::numbers;
 use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
-    self, Coefficient, CrankClaim, Cylinder, Document, Format, KnuckleClaim, LinkClaim, LinkageClaim, OrderClaim,
-    Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim, WholeClaim,
-    WholeOutcome,
+    self, Coefficient, CrankClaim, Cylinder, Document, Format, GearedClaim, KnuckleClaim, LinkClaim, LinkageClaim,
+    OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim,
+    WholeClaim, WholeOutcome,
 };
-use crate::verdict::{self, Class, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
+use crate::verdict::{self, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
 /// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order stand in it where they
 /// are given.
@@ -100,6 +100,7 @@ fn cylinder(engine: &Engine, cylinder: &engine::Cylinder, with_roll: bool) -> Cy
         crank_radius: cylinder.crank_radius.clone(),
         rod: rod_statement(cylinder),
         knuckle_weight: knuckle_weight(cylinder),
+        speed: engine.speed_of(cylinder),
         crankshaft: crank.map(|crank| CrankClaim { sense: crank.sense, axis: vectors(&crank.axis) }),
     }
 }
@@ -145,6 +146,9 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
             knuckle: linkage.knuckle.clone(),
             apart: linkage.apart.turns().clone(),
         }),
+        Factor::Geared(speed, of) => {
+            Coefficient::Geared(GearedClaim { speed: *speed, of: Box::new(coefficient_claim(of)) })
+        }
         Factor::Corrected(linkage, component) => Coefficient::Corrected(KnuckleClaim {
             ratio: linkage.ratio.clone(),
             knuckle: linkage.knuckle.clone(),
@@ -166,16 +170,15 @@ pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
 
 /// The verdicts on one quantity of an order, by what their sums stand before.
 fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<VerdictClaim> {
-    let claim = |verdict: &Verdict, class: &Option<Class>| verdict_claim(engine, verdict, class.is_some());
     match quantity {
         Quantity::Torque | Quantity::Roll => {
-            let parts = order.about_the_axis(quantity).into_iter().flat_map(|torque| &torque.parts);
-            parts.map(|part| claim(&part.verdict, &part.class)).collect()
+            let parts: Vec<_> = order.about_the_axis(quantity).into_iter().flat_map(|torque| &torque.parts).collect();
+            parts.iter().map(|part| verdict_claim(engine, &part.verdict, parts.len() > 1)).collect()
         }
         Quantity::Force | Quantity::Moment => {
             let of_part = |part: &verdict::OrderBalance| {
                 let balance = if quantity == Quantity::Force { &part.force } else { &part.moment };
-                balance.verdicts().map(|verdict| claim(verdict, &part.class))
+                balance.verdicts().map(|verdict| verdict_claim(engine, verdict, order.parts.len() > 1))
             };
             order.parts.iter().flat_map(of_part).collect()
         }

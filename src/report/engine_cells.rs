@@ -39,6 +39,7 @@ pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [Text; 2] {
         Err(NoTheorem::PeriodTooLong(_)) => "not stated: long period",
         Err(NoTheorem::Offset) => "not stated: pin offset",
         Err(NoTheorem::Shaft(_)) => "not stated: balancer shafts",
+        Err(NoTheorem::FasterCrank(_)) => "not stated: crankshafts of several speeds",
         Err(NoTheorem::RodsDiffer) => "not stated: rods differ",
     };
     [not_stated.into(), not_stated.into()]

@@ -53,9 +53,13 @@ pub fn shape_name(shape: Shape) -> &'static str {
 pub fn order_name(order: &OrderBalance) -> String {
     match &order.class {
         None => order.order.to_string(),
-        Some(class) => format!("{} ({})", order.order, class_words(class)),
+        Some(class) => format!("{} ({})", order.order, class_words(class, order.order)),
     }
 }
+
+/// What crankshafts of several speeds have in which order, and what their sums are counted in.
+pub(super) const SPEED_LEGEND: &str = "A crankshaft that turns ν times while the reference turns once has part in the orders that ν divides: order k of the engine is order k/ν \
+                                       of its own, and its sums stand before $c_{k/\\nu}$, of its first order before 1, each with ν² in it.";
 
 /// `= 0.25`, `≈ 0.2748`.
 fn equals(value: &BigRational) -> String {
@@ -64,8 +68,9 @@ fn equals(value: &BigRational) -> String {
 }
 
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
-fn class_words(class: &Class) -> String {
-    let rod = match &class.factor {
+fn class_words(class: &Class, order: u32) -> String {
+    let (factor, own_order) = class.factor.own(order);
+    let rod = match factor {
         Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
             Mechanism::SliderCrank(rod) => {
                 let offset = match rod.offset.is_zero() {
@@ -86,9 +91,10 @@ fn class_words(class: &Class) -> String {
             };
             format!(", Δ = ±{apart}, ε = ±{correction}, {part}")
         }
-        Factor::One | Factor::Open | Factor::OpenTorque => String::new(),
+        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
     };
-    format!("{}{rod}", class_sources(class))
+    let own = if own_order == order { String::new() } else { format!(", order {own_order} of its own crankshaft") };
+    format!("{}{own}{rod}", class_sources(class))
 }
 
 /// More masses that turn than this are counted, not named.
@@ -179,10 +185,15 @@ pub fn roll(roll: &TorqueVerdict) -> Text {
 
 /// Whether a part of the roll moment is of torques; else of forces with their arms.
 pub(super) fn is_of_torques(part: &TorquePart) -> bool {
-    match part.class.as_ref().map(|class| &class.factor) {
-        Some(Factor::Torque(_) | Factor::OpenTorque) | None => true,
-        Some(Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open) => false,
-        Some(Factor::Linkage(_) | Factor::Corrected(..)) => false,
+    part.class.as_ref().is_none_or(|class| is_of_torque(&class.factor))
+}
+
+fn is_of_torque(factor: &Factor) -> bool {
+    match factor {
+        Factor::Geared(_, own) => is_of_torque(own),
+        Factor::Torque(_) | Factor::OpenTorque => true,
+        Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open => false,
+        Factor::Linkage(_) | Factor::Corrected(..) => false,
     }
 }
 
@@ -263,11 +274,10 @@ pub(super) fn why_not(masses: Masses) -> &'static str {
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
 pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
-    let classes = || judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
-    // Links with a corrected knuckle angle have a part of their order 1 there, and their own words for it.
-    let has_corrected = classes().any(|class| class.factor.may_be_zero());
-    let is_apart = |class: &&Class| class.factor == Factor::One && !(has_corrected && class.turning.is_empty());
-    classes().find(is_apart).map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
+    let mut classes = judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
+    // Links with a corrected knuckle angle, and crankshafts of several speeds, have a part of pistons there, and their own words for it.
+    let is_apart = |class: &&Class| class.factor == Factor::One && !class.turning.is_empty();
+    classes.find(is_apart).map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
 }
 
 /// In words with places for size and shape; without them in both alone.

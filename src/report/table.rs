@@ -155,7 +155,7 @@ type Parts<'a> = [(i64, &'a BigRational); 2];
 
 /// The vector-star table of order k: how each phase comes about, and the sums.
 pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
-    if engine.has_links() {
+    if engine.has_links() || engine.faster_crank().is_some() {
         return term_by_term(engine, order);
     }
     let k = i64::from(order.order);

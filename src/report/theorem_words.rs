@@ -58,6 +58,11 @@ pub(super) fn no_theorem(reason: &NoTheorem) -> Text {
         NoTheorem::RodsDiffer => {
             "No statement is made on every order at once: the rods differ, so that no order is a single sum.".into()
         }
+        NoTheorem::FasterCrank(speed) => phrase!(
+            "No statement is made on every order at once: a crankshaft turns {} times while the reference turns once, so that its pistons have \
+             other orders than those of the reference.",
+            *speed
+        ),
         NoTheorem::Shaft(order) => phrase!(
             "No statement is made on every order at once: a balancer shaft turns at order {}, which the pattern of the cylinders \
              does not know; judge the reciprocating masses alone.",

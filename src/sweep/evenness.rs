@@ -117,8 +117,12 @@ impl<'a> Choices<'a> {
     }
 }
 
-/// Top dead centres after that of the first cylinder over their common denominator, which is a turn.
+/// Top dead centres after that of the first cylinder over their common denominator, which is a turn; none where a crankshaft turns faster
+/// than the reference, whose cylinders have several in a revolution.
 fn top_dead_centres(engine: &Engine) -> Option<(Vec<i64>, i64)> {
+    if engine.faster_crank().is_some() {
+        return None;
+    }
     let first = engine.cylinders().first()?.top_dead_centre();
     let centres: Vec<BigRational> =
         engine.cylinders().iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();

@@ -49,10 +49,10 @@ pub(super) struct Pair {
 }
 
 impl IntegerEngine {
-    /// The engine in words; none where it has no reciprocating masses, rods differ, or a number is too long.
+    /// The engine in words; none where it has no reciprocating masses, rods or the speeds of crankshafts differ, or a number is too long.
     pub fn new(engine: &Engine) -> Option<Self> {
         let weightless = engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
-        if weightless || engine.mechanisms().len() > 1 {
+        if weightless || engine.mechanisms().len() > 1 || engine.faster_crank().is_some() {
             return None;
         }
         let turning = order::turning_masses(engine).into_iter().map(|mass| mass.order).collect();

@@ -152,6 +152,10 @@ pub(super) fn judge_with(
 ) -> Result<SweptEngine, Missing> {
     order::comparable(engine)?;
     engine::are_orders(orders)?;
+    // Without rods amplitudes are in multiples of c_k, which is another number for each speed.
+    if engine.faster_crank().is_some() && engine.mechanisms().is_empty() {
+        return Err(Missing::Rods);
+    }
     let whole = IntegerEngine::new(engine);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
@@ -247,14 +251,14 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
         (false, false) => [Path::has_nothing_along(&direct, &reverse), Path::has_nothing_across(&direct, &reverse)],
         _ => [false, false],
     };
-    let mut coefficient = |factor: &Factor| match factor {
-        Factor::Motion(mechanism) => motions.coefficient(mechanism, order, highest),
-        Factor::Linkage(linkage) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
-        Factor::Corrected(..) => motions.corrected(factor, order),
+    let mut coefficient = |factor: &Factor| match factor.own(order) {
+        (Factor::Motion(mechanism), order) => motions.coefficient(mechanism, order, highest),
+        (Factor::Linkage(linkage), order) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
+        (Factor::Corrected(..), order) => motions.corrected(factor, order),
         // Of rods that are not given, amplitudes are in multiples of c_k.
-        Factor::One | Factor::Open | Factor::OpenTorque => Complex::new(1.0, 0.0),
-        Factor::Torque(_) | Factor::Side(_) => {
-            unreachable!("shaking forces have no coefficient of torque or side force")
+        (Factor::One | Factor::Open | Factor::OpenTorque, _) => Complex::new(1.0, 0.0),
+        (Factor::Torque(_) | Factor::Side(_) | Factor::Geared(..), _) => {
+            unreachable!("shaking forces have no coefficient of torque or side force, nor a gear of gears")
         }
     };
     let mut value = |sum: &OrderSum| -> Complex<f64> {

@@ -195,7 +195,8 @@ fn find(open: &engine::Family, quantity: Quantity, order: u32, verdicts: &[OpenV
 /// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
 fn has_order(engine: &Engine, order: u32) -> bool {
     let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
-    balanced || engine.pistons_have_order(Quantity::Force, order)
+    let geared = engine.geared_cranks().iter().any(|crank| crank.speed == order);
+    balanced || geared || engine.pistons_have_order(Quantity::Force, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.

@@ -109,7 +109,8 @@ pub(super) fn compared(direct: &PhasorSum, reverse: &PhasorSum) -> (Shape, Certi
     (if certificate.claims_zero() { Shape::Planar } else { Shape::Elliptical }, certificate)
 }
 
-/// Sources of an order whose terms stand before one number, where an engine has several such numbers in the order.
+/// Sources of an order whose terms stand before one number, where an engine has several such numbers in the order, or crankshafts of
+/// several speeds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Class {
     /// The number.
@@ -123,7 +124,24 @@ pub struct Class {
 }
 
 impl Class {
-    pub(super) fn new(sources: &Sources, group: &Group) -> Self {
+    /// That of a group of an order among so many; none of the only one, but where it is of a crankshaft that turns faster than the
+    /// reference: there it tells before which number the sum stands.
+    pub(super) fn of(sources: &Sources, group: &Group, groups: usize, order: u32) -> Option<Self> {
+        let is_of_faster = match &group.factor {
+            Factor::Geared(..) => true,
+            Factor::One => order > 1 && sources.engine().faster_crank().is_some() && !group.sources.is_empty(),
+            Factor::Motion(_)
+            | Factor::Torque(_)
+            | Factor::Side(_)
+            | Factor::Linkage(_)
+            | Factor::Corrected(..)
+            | Factor::Open
+            | Factor::OpenTorque => false,
+        };
+        (groups > 1 || is_of_faster).then(|| Class::new(sources, group))
+    }
+
+    fn new(sources: &Sources, group: &Group) -> Self {
         let (pistons, others): (Vec<Source>, Vec<Source>) =
             group.sources.iter().partition(|source| source.piston().is_some());
         let names = |of: Vec<Source>| of.into_iter().map(|source| source.name(sources.engine())).collect();

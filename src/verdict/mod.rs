@@ -47,7 +47,7 @@ pub struct OrderBalance {
     pub order: u32,
     /// Whether the number is not zero; else force and moment are 0 whatever the sums are.
     pub exists: bool,
-    /// Which sources it is about; none where it is about all.
+    /// Which sources it is about; none where it is about all, before the number of this order.
     pub class: Option<Class>,
     /// The shaking force.
     pub force: Balance,
@@ -132,7 +132,7 @@ fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coef
     let about_the_axis = |quantity| quantities.contains(&quantity).then(|| one_vector(sources, quantity, order, known));
     let terms = sources.force_terms(order);
     let groups = terms.groups();
-    let class = |group: &Group| (groups.len() > 1).then(|| Class::new(sources, group));
+    let class = |group: &Group| Class::of(sources, group, groups.len(), order);
     let part = |group: &Group| OrderBalance {
         order,
         exists: group.exists,
@@ -187,7 +187,7 @@ fn one_vector(sources: &Sources, quantity: Quantity, order: u32, known: &Coeffic
     let groups = terms.groups();
     let part = |group: &Group| TorquePart {
         exists: group.exists,
-        class: (groups.len() > 1).then(|| Class::new(sources, group)),
+        class: Class::of(sources, group, groups.len(), order),
         verdict: Verdict::new(&terms, group, quantity, None),
     };
     let parts: Vec<TorquePart> = groups.iter().map(part).collect();

@@ -50,6 +50,8 @@ pub enum NoTheorem {
     Offset,
     /// The rods differ, so that the cylinders have no coefficient in common.
     RodsDiffer,
+    /// A crankshaft turns so many times while the reference turns once: its pistons have other orders.
+    FasterCrank(u32),
     /// A balancer shaft turns at this order, beside pistons that have another coefficient.
     Shaft(u32),
 }
@@ -64,6 +66,10 @@ impl fmt::Display for NoTheorem {
                 "with a pin offset every order exists, and the statement is about order 1 and the even ones",
             ),
             NoTheorem::RodsDiffer => f.write_str("the rods differ, so that no order is a single sum"),
+            NoTheorem::FasterCrank(speed) => write!(
+                f,
+                "a crankshaft turns {speed} times while the reference turns once, so that its pistons have other orders than those of the reference"
+            ),
             NoTheorem::Shaft(order) => write!(
                 f,
                 "a balancer shaft turns at order {order}, which the pattern of the cylinders does not know; judge the reciprocating masses alone"
@@ -88,6 +94,9 @@ pub fn period(engine: &Engine) -> BigInt {
 pub fn theorem(engine: &Engine, masses: Masses) -> Result<Theorem, NoTheorem> {
     if engine.mechanisms().len() > 1 || engine.has_links() {
         return Err(NoTheorem::RodsDiffer);
+    }
+    if let Some(crank) = engine.faster_crank() {
+        return Err(NoTheorem::FasterCrank(crank.speed));
     }
     if engine.has_offset() {
         return Err(NoTheorem::Offset);

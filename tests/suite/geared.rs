@@ -214,6 +214,11 @@ fn six_rows_of_a_delta_leave_an_elliptical_couple() {
 
 /// A layout of cranks and cylinders as it happens, with rods, offsets and masses that turn.
 pub(crate) fn any_engine(dice: &mut Dice) -> String {
+    any_engine_at(dice, 1)
+}
+
+/// The same, whose crankshafts turn up to so many times while the first turns once.
+pub(crate) fn any_engine_at(dice: &mut Dice, fastest: u64) -> String {
     let part = |dice: &mut Dice, most: u64| dice.below(most) as i64 - (most / 2) as i64;
     let cranks = 2 + dice.below(2);
     let mut text = String::from("effects = ['torque']\n");
@@ -225,7 +230,12 @@ pub(crate) fn any_engine(dice: &mut Dice) -> String {
             _ => format!("offset = '{} mm'", 10 * part(dice, 20)),
         };
         let phase = dice.below(12) * 30;
-        text += &format!("[[crankshaft]]\nname = 'c{crank}'\nsense = '{sense}'\n{axis}\nphase = {phase}\n");
+        let speed = match fastest {
+            1 => String::new(),
+            _ if crank == 0 => "speed = 1\n".to_owned(),
+            _ => format!("speed = {}\n", 1 + dice.below(fastest)),
+        };
+        text += &format!("[[crankshaft]]\nname = 'c{crank}'\nsense = '{sense}'\n{speed}{axis}\nphase = {phase}\n");
     }
     let cylinders = 1 + dice.below(5);
     for cylinder in 0..cylinders {
@@ -262,7 +272,7 @@ fn float(number: &BigRational) -> f64 {
 }
 
 /// Force, moment, torque at the reference crank and roll moment on the frame at a crank angle, in multiples of m r ω² and m r² ω².
-fn bodies(engine: &Engine, theta: f64) -> (Complex<f64>, Complex<f64>, f64, f64) {
+pub(crate) fn bodies(engine: &Engine, theta: f64) -> (Complex<f64>, Complex<f64>, f64, f64) {
     let zero = Complex::new(0.0, 0.0);
     let (mut force, mut moment, mut output, mut roll) = (zero, zero, 0.0, 0.0);
     let cross = |a: Complex<f64>, b: Complex<f64>| (a.conj() * b).im;
@@ -273,21 +283,23 @@ fn bodies(engine: &Engine, theta: f64) -> (Complex<f64>, Complex<f64>, f64, f64)
     for cylinder in engine.cylinders() {
         let crank = engine.crank_of(cylinder).expect("a crankshaft");
         let sign = if crank.sense == crankstar::proof::Sense::Direct { 1.0 } else { -1.0 };
+        // How fast it turns, beside the reference.
+        let speed = f64::from(crank.speed);
         let (shaft, up) = (axis(&crank.axis), direction(&cylinder.bank));
         let rod = cylinder.rod().expect("a rod");
         let length = 1.0 / float(&rod.ratio);
         // The file's offset, on the side of ψ = 90° of the crank as it stands.
         let aside = sign * float(&rod.offset) * length;
-        let pin = Complex::cis(sign * theta) * direction(&engine.pin_angle(cylinder));
+        let pin = Complex::cis(sign * speed * theta) * direction(&engine.pin_angle(cylinder));
         let local = pin * up.conj();
-        // The rod's length fixes the piston; its first two derivatives by the crank's own angle.
+        // The rod's length fixes the piston; its acceleration by the crank's own angle, which grows so fast.
         let (cos, sin) = (local.re, local.im);
         let x = sin - aside;
         let root = (length * length - x * x).sqrt();
         let place = cos + root;
         let acceleration = -cos - (cos * cos - x * sin) / root - (x * cos) * (x * cos) / (root * root * root);
         let mass = float(&order::mass_radius(engine, cylinder));
-        let inertia = up * (-mass * acceleration);
+        let inertia = up * (-mass * acceleration * speed * speed);
         let piston = shaft + up * (place + Complex::i() * aside);
         let along_rod = (piston - (shaft + pin)) / length;
         // Inertia, rod and wall are in balance at the piston.
@@ -299,7 +311,8 @@ fn bodies(engine: &Engine, theta: f64) -> (Complex<f64>, Complex<f64>, f64, f64)
         let torque = cross(pin, on_pin);
         force += inertia;
         moment += inertia * float(&engine.arm(cylinder));
-        output += sign * torque;
+        // The gears hand on power.
+        output += sign * speed * torque;
         // Walls at the pistons, shafts in their bearings.
         roll += cross(piston, -wall) + cross(shaft, on_pin);
     }

@@ -48,6 +48,7 @@ mod gas_files;
 mod gas_in_every_form;
 mod geared;
 mod geared_drawings;
+mod geared_speeds;
 mod german_figures;
 mod grigoryev;
 mod ground_truth;

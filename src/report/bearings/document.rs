@@ -209,6 +209,7 @@ fn coefficient(factor: &Factor) -> String {
         // Without an offset it is all there is of n_k in an odd order.
         Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
         Factor::Side(mechanism) => ("u_k", mechanism),
+        Factor::Geared(speed, own) => return format!("{} of order k/{speed}", coefficient(own)),
         Factor::Linkage(linkage) => return format!("g_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
         Factor::Corrected(linkage, _) => return format!("h_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
     };

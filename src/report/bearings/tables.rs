@@ -109,6 +109,7 @@ fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
         Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) | Factor::Corrected(..) => None,
         Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => mechanism.rod(),
+        Factor::Geared(_, own) => rod(own),
     }
 }
 
@@ -121,6 +122,7 @@ pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),
+        Factor::Geared(_, own) => before(own),
         Factor::Corrected(..) => Some('h'),
     }
 }

@@ -57,6 +57,12 @@ pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, St
             "\\begin{aligned} T(\\theta) &= K\\,r\\; \\mathrm{Re} \\sum_k t_k\\, Q_k\\, e^{ik\\theta}, \\\\ Q_k &= \\sum_j \\frac{m_j\\, r_j^2}{m\\,r^2}\\, e^{ik(\\beta_j - \\alpha_j)}, \\qquad \\mathrm{Re} \\sum_k t_k\\, e^{ik\\psi} = -\\frac{s'\\,s''}{r^2} \\end{aligned}".to_owned(),
         ));
     }
+    if engine.faster_crank().is_some() {
+        equations.push((
+            "A crankshaft that turns ν times while the reference turns once adds to the orders that ν divides alone, with ν² before its vectors and ν³ before its torque at the reference crankshaft,",
+            "\\psi = \\nu\\theta + \\beta - \\alpha, \\qquad V_{\\nu j}^{\\pm} \\mathrel{+}= \\nu^2\\, V_j^{\\pm}, \\qquad t_{\\nu j}\\, Q_{\\nu j} \\mathrel{+}= \\nu^3\\, t_j\\, Q_j".to_owned(),
+        ));
+    }
     // The proofs hold (1) and (2).
     equations.into_iter().zip(3..).map(|((words, tex), number)| (words, tex, number)).collect()
 }

@@ -134,6 +134,9 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
     ];
+    let faster = engine.faster_crank();
+    let speeds = faster
+        .map(|_| row("crankshafts of several speeds", true, "given: each has the orders that its speed divides", ""));
     let corrected = engine.has_corrected_links();
     let others = others.into_iter().chain(corrected.then(|| row(CORRECTED, true, "given: odd orders appear", "none")));
     let effects = engine.effects();
@@ -153,7 +156,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         asked("gas", effects.gas, engine.gas().is_some()),
         asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some()),
     ];
-    masses.chain(others).chain(sections).collect()
+    masses.chain(others).chain(speeds).chain(sections).collect()
 }
 
 /// Where the numbers end.

@@ -15,6 +15,9 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| !order.exists())) {
         notes.push(WHY_NOT.into());
     }
+    if engines.iter().any(|engine| engine.engine.faster_crank().is_some()) {
+        notes.push(residual::SPEED_LEGEND.into());
+    }
     notes.extend(engines.iter().filter_map(without_gas));
     let [with, without] = [true, false].map(|wanted| names(engines, |engine| engine.has_newtons() == wanted));
     if !with.is_empty() && !without.is_empty() {

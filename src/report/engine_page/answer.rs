@@ -5,9 +5,9 @@ use super::super::{residual, table};
 use super::{articulated, conventions, cures};
 use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
 use crate::loads::{self, Loads};
-use crate::order::{self, Masses};
+use crate::order::{self, Factor, Masses};
 use crate::page::{Block, Document, Piece, Table, Text, phrase};
-use crate::proof::{Quantity, Shape};
+use crate::proof::{Quantity, Sense, Shape};
 use crate::verdict::{Judgement, OrderVerdict, Outcome, Theorem, WholeOrder};
 
 /// The lines of the box that a report opens with.
@@ -26,7 +26,7 @@ pub(super) fn lines(
     let cures = cures::cures(engine, judged, &existing);
     if !cures.is_empty() {
         lines.push(phrase!("**What cures it.** {}", Text::joined(cures, " ")));
-        lines.push(phrase!("**What no crankshaft cures.** {}", beyond_counterweights(&existing)));
+        lines.push(phrase!("**What no crankshaft cures.** {}", beyond_counterweights(engine, &existing)));
     }
     lines.extend(rest(&judged.orders, &existing, theorem.filter(|theorem| theorem.masses == judged.masses)));
     if let Some(pistons) = &judged.pistons {
@@ -86,7 +86,10 @@ impl Sizes<'_> {
         }
         let [only] = order.parts.as_slice() else { return None };
         let balance = if quantity == Quantity::Force { &only.force } else { &only.moment };
-        let unit = multiple(self.engine, order.order, self.masses, quantity);
+        let unit = match &only.class {
+            None => multiple(self.engine, order.order, self.masses, quantity),
+            Some(class) => multiple_of(self.engine, &class.factor, order.order, quantity),
+        };
         Some(phrase!("{} {}", residual::largest(balance), unit))
     }
 }
@@ -120,7 +123,18 @@ fn in_units(engine: &Engine, loads: &Loads, order: u32, quantity: Quantity, whol
 fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Quantity) -> Text {
     let pistons = matches!(masses, Masses::Reciprocating | Masses::All);
     let coefficient = pistons && (order > 1 || engine.has_offset());
-    let coefficient = if coefficient { format!(" c_{{{order}}}") } else { String::new() };
+    in_multiples(engine, coefficient.then_some(order), quantity)
+}
+
+/// The same of the only sum of an order, which stands before this number: that of the order of its own crankshaft.
+fn multiple_of(engine: &Engine, factor: &Factor, order: u32, quantity: Quantity) -> Text {
+    let (own, order) = factor.own(order);
+    in_multiples(engine, (*own != Factor::One).then_some(order), quantity)
+}
+
+/// Before c_k of this order, or before 1.
+fn in_multiples(engine: &Engine, coefficient: Option<u32>, quantity: Quantity) -> Text {
+    let coefficient = coefficient.map_or_else(String::new, |order| format!(" c_{{{order}}}"));
     let mass = if engine.has_unit_masses() { "m\\,r\\,\\omega^2" } else { "\\mathrm{kg}\\;r\\,\\omega^2" };
     let arm = match (quantity, engine.length_unit()) {
         (Quantity::Force | Quantity::Torque | Quantity::Roll, _) => "",
@@ -137,7 +151,10 @@ pub(super) fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
 }
 
 /// What counterweights on the crankshaft cannot reach.
-fn beyond_counterweights(orders: &[&OrderVerdict]) -> Text {
+fn beyond_counterweights(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
+    if engine.faster_crank().is_some() {
+        return beyond_several(engine, orders);
+    }
     let against = orders.iter().any(|order| order.order == 1 && left_vectors(order)[1]);
     let higher: Vec<String> = orders
         .iter()
@@ -153,6 +170,23 @@ fn beyond_counterweights(orders: &[&OrderVerdict]) -> Text {
         }
         (true, several) => {
             phrase!("What turns against the crank at order 1, and all of {}.", residual::orders_in_words(several))
+        }
+    }
+}
+
+/// The same where crankshafts turn at different speeds: each has counterweights for its own first order, in its own sense.
+fn beyond_several(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
+    let turns =
+        |order: u32, sense| engine.geared_cranks().iter().any(|crank| (crank.speed, crank.sense) == (order, sense));
+    let is_beyond = |order: &&&OrderVerdict| {
+        let senses = [Sense::Direct, Sense::Reverse].into_iter().zip(left_vectors(order));
+        senses.into_iter().any(|(sense, left)| left && !turns(order.order, sense))
+    };
+    let names: Vec<String> = orders.iter().filter(is_beyond).map(|order| order.order.to_string()).collect();
+    match names.as_slice() {
+        [] => "Nothing at these orders: all that is left turns as some crankshaft does.".into(),
+        several => {
+            phrase!("Not all that is left of {} turns as a crankshaft does.", residual::orders_in_words(several))
         }
     }
 }
@@ -253,6 +287,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     page.blocks.extend(conventions::links(engine).into_iter().map(|words| Block::Note(words.into())));
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
     page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
+    page.blocks.extend(engine.faster_crank().map(|_| Block::Note(residual::SPEED_LEGEND.into())));
     page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());

@@ -1,7 +1,7 @@
 //! What do angles, signs and units mean, and what do the verdicts rest on?
 
 use super::super::convention::{differs, seen};
-use super::super::table;
+use super::super::{residual, table};
 use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::page::{Block, Text, phrase};
 
@@ -33,7 +33,8 @@ pub(super) fn units(engine: &Engine) -> Text {
         LengthUnit::Spacing => "moments in that times a, the unit of the positions (the cylinder spacing).".into(),
     };
     let signs = forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS);
-    links(engine).into_iter().fold(signs, |signs, words| signs.and(" ").and(words))
+    let speeds = engine.faster_crank().map(|_| residual::SPEED_LEGEND);
+    links(engine).into_iter().chain(speeds).fold(signs, |signs, words| signs.and(" ").and(words))
 }
 
 /// What the rows of links count in, for those that the engine has.
@@ -63,6 +64,10 @@ fn assumed(engine: &Engine) -> Text {
     }
     let unequal = engine.mechanisms().len() > 1;
     match (unequal, engine.has_offset()) {
+        _ if engine.faster_crank().is_some() => {
+            let orders = if engine.has_offset() { EVERY_OWN_ORDER } else { CENTRIC_OWN_ORDERS };
+            Text::from(RIGID).and(if unequal { RODS_DIFFER } else { "" }).and(" ").and(orders)
+        }
         (false, false) => ASSUMED.into(),
         (unequal, offset) => {
             let orders = if offset { EVERY_ORDER } else { CENTRIC_ORDERS };
@@ -75,6 +80,10 @@ const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the 
 const ARTICULATED: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder, each rod as two masses, links on the master rod as the layout file says.";
 const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
+const EVERY_OWN_ORDER: &str =
+    "The cylinder axes miss the crankshaft, so that every order of each crankshaft exists, multiplied by its speed.";
+const CENTRIC_OWN_ORDERS: &str =
+    "Orders of centric cranks are 1 and the even ones, multiplied by the speed of their crankshaft.";
 const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every order may exist.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 

@@ -1,7 +1,7 @@
 //! Which crankshafts has the engine, and how are those that turn against the reference judged?
 
 use super::super::typeset;
-use crate::engine::Engine;
+use crate::engine::{Engine, GearedCrank};
 use crate::page::{Block, Table, Text, phrase};
 use crate::proof::Sense;
 
@@ -22,7 +22,7 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
         });
         table.push(vec![
             crank.name.clone().into(),
-            turns(crank.sense).into(),
+            turns(crank),
             if crank.axis.is_empty() { "in the middle".into() } else { Text::joined(axis, " + ") },
             typeset::names(&names).into(),
             pins.join(", ").into(),
@@ -37,20 +37,33 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
                 .into(),
         ));
     }
-    blocks.push(Block::Paragraph(
-        "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
-         what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
-         turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
-         torque that changes; with one flywheel at the reference crankshaft the frame feels the torque turned round in place of the sum of \
-         those on the cranks."
-            .into(),
-    ));
+    if engine.faster_crank().is_some() {
+        blocks.push(Block::Paragraph(
+            "A crankshaft that turns ν times while the reference turns once has part in the orders that ν divides alone: its own order j is \
+             order νj of the engine, with ν² times the force. Its masses that turn have order ν."
+                .into(),
+        ));
+    }
+    let words = if engine.faster_crank().is_none() { TORQUE_AND_ROLL } else { AT_SEVERAL_SPEEDS };
+    blocks.push(Block::Paragraph(words.into()));
     blocks
 }
 
-fn turns(sense: Sense) -> &'static str {
-    match sense {
-        Sense::Direct => "with the reference",
-        Sense::Reverse => "against the reference",
+const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
+         what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
+         turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
+         torque that changes; with one flywheel at the reference crankshaft the frame feels the torque turned round in place of the sum of \
+         those on the cranks.";
+const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is \
+         what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
+         turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
+         torque that changes.";
+
+fn turns(crank: &GearedCrank) -> Text {
+    match (crank.sense, crank.speed) {
+        (Sense::Direct, 1) => "with the reference".into(),
+        (Sense::Reverse, 1) => "against the reference".into(),
+        (Sense::Direct, speed) => phrase!("{} times as fast, with the reference", speed),
+        (Sense::Reverse, speed) => phrase!("{} times as fast, against the reference", speed),
     }
 }

@@ -119,7 +119,7 @@ pub fn engine_page(subject: Contents) -> Document {
     page.blocks.extend(accuracy.into_iter().flat_map(|case| accuracy_section(engine, std::slice::from_ref(case))));
     page.blocks.extend(family.into_iter().flat_map(|(family, orders)| family_page::section(family, orders)));
     page.blocks.extend(theorem::section(engine, &theorem));
-    if engine.mechanisms().len() < 2 {
+    if engine.mechanisms().len() < 2 && engine.faster_crank().is_none() {
         page.blocks.extend(firmness::section(engine, judged.pistons.as_ref().unwrap_or(&judged.orders)));
     }
     page.blocks.extend(orders::section(engine, &stars));

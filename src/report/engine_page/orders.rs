@@ -70,6 +70,9 @@ const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}
 const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
                      ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
 
+const SPEEDS: &str = "A crankshaft that turns ν times while the reference turns once has its own order k/ν at order k of the engine: in its terms k/ν stands for k, with \
+                      ν² before them. What turns on it has order ν, with ν² times the weight.";
+
 /// The proofs, order by order.
 pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
@@ -82,7 +85,8 @@ pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
         Block::Formula(PHASES.to_owned(), Some(2)),
         paragraph("The moment has the same sums with each term multiplied by its arm z; they are called C."),
     ]);
-    blocks.extend(has_banks.then(|| paragraph(BANKS)));
+    blocks.extend((has_banks && engine.faster_crank().is_none()).then(|| paragraph(BANKS)));
+    blocks.extend(engine.faster_crank().map(|_| paragraph(SPEEDS)));
     for star in stars {
         blocks.extend(proof(engine, star));
     }

@@ -11,6 +11,10 @@ use crate::verdict::{self, Judgement, TorquePart};
 const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j \\mp t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
 
+const TORQUE_SPEEDS: &str = "with k/ν for k and ν³ before the terms of a crankshaft that turns ν times while the reference turns once: ν² for the forces, ν for the gear.";
+const ROLL_SPEEDS: &str =
+    "A crankshaft that turns ν times while the reference turns once has k/ν for k, and ν² before its terms.";
+
 /// The verdicts: at the orders that it has numbers of, else at the first and those of force and moment; one per mechanism where
 /// they differ.
 fn verdicts(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Vec<TorquePart> {
@@ -40,19 +44,24 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
     };
     let argued = parts.iter().map(|part| argued(engine, part)).collect();
     let certificates = verdicts.iter().map(|verdict| certified(verdict)).collect();
-    vec![
+    let speeds = engine.faster_crank().map(|_| Block::Paragraph(TORQUE_SPEEDS.into()));
+    let mut blocks = vec![
         Block::Heading(1, "Inertia torque".into()),
         Block::Paragraph(
             "The inertia torque of order k has the amplitude of the star, in multiples of the layout's mass and crank radius,".into(),
         ),
         Block::Formula(TORQUE.to_owned(), None),
+    ];
+    blocks.extend(speeds);
+    blocks.extend([
         stars.into(),
         Block::List(argued),
         Block::Folded(Fold {
             summary: "Inertia torque: the certificates".into(),
             blocks: vec![Block::List(certificates)],
         }),
-    ]
+    ]);
+    blocks
 }
 
 /// Torque and roll moment of crankshafts that are geared together, order by order; nothing where there is one.
@@ -77,7 +86,7 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         return Vec::new();
     }
     let certificates = parts.iter().map(|part| certified(&part.verdict)).collect();
-    vec![
+    let mut blocks = vec![
         Block::Heading(1, "Roll moment".into()),
         Block::Paragraph(
             "The roll moment of order k about the middle of the engine, in multiples of m r² ω², with arms in crank radii; the upper sign is \
@@ -85,12 +94,16 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
                 .into(),
         ),
         Block::Formula(ROLL.to_owned(), None),
+    ];
+    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(ROLL_SPEEDS.into())));
+    blocks.extend([
         Block::List(parts.iter().map(|part| roll_argued(engine, part)).collect()),
         Block::Folded(Fold {
             summary: "Roll moment: the certificates".into(),
             blocks: vec![Block::List(certificates)],
         }),
-    ]
+    ]);
+    blocks
 }
 
 fn roll_argued(engine: &Engine, part: &TorquePart) -> Text {

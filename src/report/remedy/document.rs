@@ -64,6 +64,7 @@ fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
 fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
     let engine = subject.engine();
     let cylinders = engine.cylinders().iter().map(|cylinder| RodCylinder {
+        speed: engine.speed_of(cylinder),
         throw: cylinder.throw.turns().clone(),
         bank: cylinder.bank.turns().clone(),
         position: cylinder.position.clone(),

@@ -87,18 +87,24 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
     match (weight.vector.only(), weight.decimals(&remedy.subject)) {
         (Some((factor, sum)), _) => {
             let amount = amount(residual::modulus_of(sum).decimal);
-            match factor {
+            let (own, order) = factor.own(weight.order);
+            match own {
                 Factor::One => phrase!("{} $m\\,r$", amount),
                 Factor::Linkage(_) => {
-                    let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", weight.order));
+                    let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", order));
                     phrase!("{} {}", amount, unit)
                 }
                 Factor::Corrected(..) => match weight.decimals(&remedy.subject) {
                     Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
                     None => depends(weight),
                 },
-                Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
-                    let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", weight.order));
+                Factor::Motion(_)
+                | Factor::Torque(_)
+                | Factor::Side(_)
+                | Factor::Open
+                | Factor::OpenTorque
+                | Factor::Geared(..) => {
+                    let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", order));
                     phrase!("{} {}", amount, unit)
                 }
             }

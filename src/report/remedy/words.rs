@@ -5,6 +5,7 @@ use num_traits::ToPrimitive;
 
 use super::super::typeset;
 use super::weights;
+use crate::engine::GearedCrank;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Kind, PairHeight, Remedy, Shaft};
@@ -34,6 +35,10 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     }
     lines.extend(remedy.left_out.iter().map(left_out));
     lines.push(proof(remedy));
+    if remedy.subject.engine().faster_crank().is_some() {
+        lines.extend(on_crankshafts(remedy));
+        return lines;
+    }
     match on_a_crankshaft(remedy) {
         Some((crank, others)) => {
             lines.push(phrase!(
@@ -54,6 +59,37 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
             "No crankshaft can do what these shafts do: its counterweights reach only what turns with the crank at order 1."
                 .into(),
         ),
+    }
+    lines
+}
+
+/// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
+fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
+    let mut lines = Vec::new();
+    let mut others = 0;
+    for shaft in &remedy.shafts {
+        let turns_so = |crank: &&GearedCrank| (crank.speed, crank.sense) == (shaft.order, shaft.sense);
+        let Some(crank) = remedy.subject.engine().geared_cranks().iter().find(turns_so) else {
+            others += 1;
+            continue;
+        };
+        let words = match shaft.sense {
+            Sense::Direct => {
+                "What has to turn at {}× with the crank may stand on crankshaft {}, which turns so, at the same position and angle, and needs no shaft \
+                 of its own: force and moment are the same wherever across the engine its axis stands, the roll moment is not."
+            }
+            Sense::Reverse => {
+                "What has to turn at {}× against the crank may stand on crankshaft {}, which turns so, at the same position and angle, and needs no shaft \
+                 of its own: force and moment are the same wherever across the engine its axis stands, the roll moment is not."
+            }
+        };
+        lines.push(phrase!(words, shaft.order, crank.name.clone()));
+    }
+    if others > 0 {
+        lines.push(match lines.is_empty() {
+            true => "No crankshaft can do what these shafts do: its counterweights reach only its own first order, in the sense in which it turns.".into(),
+            false => "No crankshaft can do what the other shafts do: its counterweights reach only its own first order, in the sense in which it turns.".into(),
+        });
     }
     lines
 }

@@ -32,9 +32,11 @@ fn drawn(engine: &Engine, units: Units) -> Figure {
     let has_labels = all.len() <= MOST_LABELS;
     let from = engine.convention().turns_anticlockwise_from();
     let mut whole = Figure::new(0.0, 0.0);
-    for (own, (crank, axis)) in all.chunk_by(|a, b| a.crank == b.crank).zip(axes.into_iter().enumerate()) {
+    for own in all.chunk_by(|a, b| a.crank == b.crank) {
+        let crank = own[0].crank;
         let sense = engine.geared_cranks().get(crank).map_or(Sense::Direct, |crank| crank.sense);
         let heads = !engine.form().has_two_pistons_in_a_cylinder();
+        let axis = axes.get(crank).copied().unwrap_or_default();
         whole.place(of_crankshaft(own, sense, from, heads, has_labels), axis);
     }
     let mut figure = cropped(whole);

@@ -5,7 +5,7 @@ use num_traits::Zero;
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
 
-/// For each cylinder its mirror image across the reference plane: equal throw, bank, mass and rod, opposite arm.
+/// For each cylinder its mirror image across the reference plane: equal throw, bank, mass, rod and speed, opposite arm.
 ///
 /// `None` where some cylinder has none. A cylinder in the plane is its own image.
 pub fn mirror_partners(engine: &Engine) -> Option<Vec<usize>> {
@@ -14,6 +14,7 @@ pub fn mirror_partners(engine: &Engine) -> Option<Vec<usize>> {
         engine.arm(a) == -engine.arm(b)
             && (&a.throw, &a.bank, a.weight()) == (&b.throw, &b.bank, b.weight())
             && (&a.mechanism, &a.knuckle_mass) == (&b.mechanism, &b.knuckle_mass)
+            && engine.speed_of(a) == engine.speed_of(b)
     };
     for (index, cylinder) in engine.cylinders().iter().enumerate() {
         if partners[index].is_some() {

@@ -5,8 +5,8 @@ use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::evaluate;
 use crankstar::proof::{
-    Coefficient, Cylinder, Document, Format, Masses, MirrorClaim, Quantity, RodClaim, RodStatement, Sense, Shape,
-    ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
+    Coefficient, Cylinder, Document, Format, GearedClaim, Masses, MirrorClaim, Quantity, RodClaim, RodStatement, Sense,
+    Shape, ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -26,6 +26,7 @@ pub fn cylinder(name: &str, [throw, bank, position]: [&str; 3], rod: Option<[&st
         crank_radius: BigRational::one(),
         rod: rod.map_or(RodStatement::Unknown, known),
         knuckle_weight: BigRational::zero(),
+        speed: 1,
         crankshaft: None,
     }
 }
@@ -124,10 +125,21 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
     if matches!(document.masses, Masses::Reciprocating | Masses::All) {
-        for cylinder in &document.cylinders {
-            let (coefficient, is_zero, sign) = before(&cylinder.rod, quantity, order);
+        // A crank that turns faster has the orders that its speed divides, each as the order of its own motion.
+        for cylinder in document.cylinders.iter().filter(|cylinder| order.is_multiple_of(cylinder.speed)) {
+            let (speed, own) = (cylinder.speed, order / cylinder.speed);
+            let (coefficient, is_zero, sign) = before(&cylinder.rod, quantity, own);
+            let coefficient = match (coefficient, speed) {
+                (Coefficient::One, _) => Coefficient::One,
+                (of, 1) => of,
+                (of, speed) => Coefficient::Geared(GearedClaim { speed, of: Box::new(of) }),
+            };
+            let (k, faster) = (i64::from(own), i64::from(speed));
             let radius = &cylinder.crank_radius;
-            let by = if quantity == Quantity::Torque { radius.clone() } else { arm(&cylinder.position) };
+            let by = match quantity {
+                Quantity::Torque => radius * whole(faster * faster * faster),
+                _ => arm(&cylinder.position) * whole(faster * faster),
+            };
             let weight = &cylinder.reciprocating_mass * radius * by * whole(sign);
             let (b, a) = (Turn::new(cylinder.throw.clone()), Turn::new(cylinder.bank.clone()));
             let term = |sense: Option<Sense>| {
@@ -186,6 +198,7 @@ pub fn number(coefficient: &Coefficient, order: u32) -> Option<Complex<f64>> {
         Coefficient::Common | Coefficient::CommonTorque => None,
         Coefficient::Rod(rod) => Some(crank(rod).coefficient(order).to_complex()),
         Coefficient::Linkage(_) | Coefficient::Corrected(_) => panic!("documents by hand have no links"),
+        Coefficient::Geared(geared) => number(&geared.of, order / geared.speed),
         Coefficient::Torque(rod) => Some(crank(rod).torque_coefficient(order).to_complex()),
     }
 }
