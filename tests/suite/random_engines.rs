@@ -80,6 +80,10 @@ fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
             Quantity::Torque => mass * radius * radius,
             Quantity::Roll => unreachable!("it is not asked for"),
         };
+        // Cylinders whose axes pass the shaft on either side are judged together: odd c_k above 1 change their sign with the offset.
+        let is_mirrored = verdict.sense.is_some() && verdict.order > 1 && verdict.order % 2 == 1;
+        let offset = cylinder.rod().map(|rod| rod.offset.clone()).unwrap_or_default();
+        let weight = if is_mirrored && offset.is_negative() { -weight } else { weight };
         (angle, weight)
     };
     of.iter().map(vector).collect()
