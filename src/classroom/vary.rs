@@ -186,8 +186,10 @@ pub(super) fn escaped(text: &str) -> String {
     for letter in text.chars() {
         match letter {
             '"' | '\\' => out.extend(['\\', letter]),
-            letter if letter.is_control() => out.push_str(&format!("\\u{:04X}", u32::from(letter))),
-            letter => out.push(letter),
+            ' ' => out.push(' '),
+            letter if letter.is_ascii_graphic() || letter.is_alphanumeric() => out.push(letter),
+            // What is no letter might turn the line round for its reader.
+            letter => out.push_str(&format!("\\U{:08X}", u32::from(letter))),
         }
     }
     out

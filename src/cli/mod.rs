@@ -102,7 +102,7 @@ enum Command {
     Verify(verify::Verify),
     /// Check claims about engines: of books, of homework
     Check(check::Check),
-    /// Write an exercise with its solutions, for each student other numbers
+    /// Write an exercise with solutions, other numbers for each student
     Exercise(exercise::Exercise),
     /// Mark the tables that a class hands in
     Mark(mark::Mark),

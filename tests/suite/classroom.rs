@@ -373,10 +373,14 @@ fn phases_count_modulo_a_turn_and_within_their_own_digits() {
     for right in ["1/7 turn", "360/7", "51.43", "51,4", "51.4°", "-308.57", "411.4286", "2/7 pi rad"] {
         assert_eq!(counts(right).right, 1, "{right}");
     }
-    for wrong in ["51", "51.44", "51.428", "308.57", "-51.43", "0"] {
+    for wrong in ["51", "51.44", "51.428", "52.43", "0"] {
         assert_eq!(counts(wrong).wrong, 1, "{wrong}");
     }
     assert_eq!(counts("51.4.3").unreadable, 1);
+    // The mirror image is another convention, which is not declared.
+    let row = "[[table]]\norder = 1\nrows = [{ cylinder = 2, direct = \"-51.43\" }]";
+    let sheet = marked(&exercise, row);
+    assert!(sheet.counts().right == 1 && sheet.undeclared[0].clockwise);
 }
 
 #[test]

@@ -304,6 +304,54 @@ fn no_text_of_a_claims_file_acts() {
     }
 }
 
+/// Names of students, what they write, and what their files are called.
+#[test]
+fn no_text_of_a_class_acts() {
+    let folder = scratch("hostile-class");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
+    // Its lines are names of their own; one that is read wrongly is named by its file.
+    fs::write(folder.join("class.txt"), format!("{HARM}of-name\nBob\nCarl\n")).expect("a file");
+    for format in formats() {
+        let out = format!("out-{format}");
+        answered(&[
+            "exercise",
+            "V2-90",
+            "--students",
+            &path("class.txt"),
+            "--format",
+            &format,
+            "--output",
+            &path(&out),
+        ]);
+        let handed_in = folder.join(format!("in-{format}"));
+        fs::create_dir_all(&handed_in).expect("a folder");
+        let table = |whose: &str| {
+            format!(
+                "{whose}\n[[table]]\norder = 1\nrows = [{{ cylinder = 1, direct = {}, reverse = \"<b>\" }}]\nsums = {{ force_direct = {} }}\n",
+                quoted("`a` | <script>alert(1)</script>"),
+                harm("of-entry")
+            )
+        };
+        fs::write(handed_in.join("bob.toml"), table("student = 'Bob'")).expect("a file");
+        fs::write(handed_in.join("carl.toml"), format!("student = 'Carl'\n[convention]\nsense = {}", harm("of-sense")))
+            .expect("a file");
+        fs::write(handed_in.join("<b>`x` | y.toml"), table(&format!("student = {}", harm("of-student"))))
+            .expect("a file");
+        let key = path(&format!("{out}/exercise.toml"));
+        let marks = path(&format!("marks-{format}"));
+        let arguments =
+            ["mark", handed_in.to_str().expect("UTF-8"), "--exercise", &key, "--format", &format, "--output", &marks];
+        let told = answered(&arguments);
+        for word in ["of-name", "of-sense", "of-student"] {
+            assert!(told.contains(word), "{word} is not shown:\n{told}");
+        }
+        csv_is_inert("the marks", &fs::read_to_string(Path::new(&marks).join("marks.csv")).expect("a table"));
+        for file in source_files(&folder.join(&out)).into_iter().chain(source_files(Path::new(&marks))) {
+            file_is_harmless(&file);
+        }
+    }
+}
+
 /// Every value and every key of the file in turn is harm: the message that repeats it does nothing.
 #[test]
 fn no_message_acts_whatever_is_wrong_in_the_file() {
@@ -393,6 +441,8 @@ fn every_field_of_a_persons_text_is_tried_here() {
         "claim/file.rs: engine", "claim/file.rs: says", "claim/student.rs: engine",
         "claim/study.rs: title", "claim/study.rs: source", "claim/study.rs: in_line", "claim/study.rs: text",
         "claim/provenance.rs: source", "claim/provenance.rs: place", "claim/provenance.rs: words", "claim/study.rs: conclusion", "claim/study.rs: engine", "claim/study.rs: claim",
+        "claim/handwritten.rs: text", "claim/star_marks.rs: written",
+        "classroom/students.rs: name", "classroom/exercise.rs: name", "classroom/results.rs: files",
         "sweep/run.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title",
     ]);
     assert_eq!(found_in_source(field), known);

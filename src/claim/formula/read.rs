@@ -75,7 +75,12 @@ impl Rest<'_> {
             Some(function) => {
                 // sin² θ is the square of sin θ.
                 let exponent = self.exponent()?;
-                let of = Formula::Of(function, Box::new(self.argument()?));
+                // √2 m is √2 times m, cos 2θ is of 2θ.
+                let argument = match function {
+                    Function::Root => self.simple()?,
+                    Function::Sine | Function::Cosine | Function::Tangent => self.argument()?,
+                };
+                let of = Formula::Of(function, Box::new(argument));
                 match exponent {
                     Some(exponent) => Formula::Power(Box::new(of), exponent),
                     None => of,
