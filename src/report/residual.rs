@@ -93,8 +93,9 @@ fn class_words(class: &Class, order: u32) -> String {
         }
         Factor::One | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
     };
-    let own = if own_order == order { String::new() } else { format!(", order {own_order} of its own crankshaft") };
-    format!("{}{own}{rod}", class_sources(class))
+    let own = (own_order != order).then(|| format!("order {own_order} of its own crankshaft"));
+    let named: Vec<String> = [class_sources(class)].into_iter().chain(own).collect();
+    format!("{}{rod}", named.join(", "))
 }
 
 /// More masses that turn than this are counted, not named.
