@@ -72,7 +72,7 @@ pub fn with_wrong_phases(engine: &Engine, order: u32, places: usize, off: impl F
 
 /// The mirror image: every phase has the other sign.
 pub fn mirrored(answer: &Answer) -> Answer {
-    let negative = |phase: &String| format!("-{phase}");
+    let negative = |phase: &String| phase.strip_prefix('-').map_or_else(|| format!("-{phase}"), str::to_owned);
     Answer { phases: answer.phases.iter().map(|phases| phases.each_ref().map(negative)).collect(), ..answer.clone() }
 }
 
