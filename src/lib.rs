@@ -27,9 +27,10 @@
 //! # The rooms
 //!
 //! ```text
-//! cli
+//! cli  web  python
 //! report
 //! page
+//! classroom
 //! claim  optimise
 //! journal
 //! accuracy  remedy  sweep  search  torque  torsion
@@ -39,7 +40,7 @@
 //! order  numbers  gas
 //! file
 //! engine
-//! exact
+//! exact  table
 //! proof  motion  beam  text
 //! ```
 //!
@@ -48,12 +49,15 @@
 //!
 //! # Features
 //!
-//! All are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
+//! The first three are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
 //! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
 //!
 //! - `report`: the rooms `page` and `report`, pages and documents.
 //! - `optimise`: the room `optimise`, with its solver for convex problems.
+//! - `web`: the room `web`, what the page in a browser asks for; it takes `report` along.
 //! - `cli`: the program; it takes `report` along.
+//! - `xlsx`, `parquet`: tables of data ([`table`]) as workbooks and as Parquet, besides CSV.
+//! - `python`: the room `python`, the module that `pip install .` builds; it takes `report` along.
 //!
 //! Comments cite the theory by section: `docs/theory.md` has the formulas, and whose they are.
 
@@ -82,6 +86,8 @@ pub mod verdict;
 pub mod accuracy;
 #[allow(clippy::disallowed_types)]
 pub mod claim;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod classroom;
 #[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]
@@ -100,6 +106,9 @@ pub mod optimise;
 #[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod page;
+#[cfg(feature = "python")]
+#[allow(clippy::disallowed_types)]
+mod python;
 #[allow(clippy::disallowed_types)]
 pub mod remedy;
 #[cfg(feature = "report")]
@@ -110,9 +119,14 @@ pub mod search;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
 #[allow(clippy::disallowed_types)]
+pub mod table;
+#[allow(clippy::disallowed_types)]
 pub mod torque;
 #[allow(clippy::disallowed_types)]
 pub mod torsion;
+#[cfg(feature = "web")]
+#[allow(clippy::disallowed_types)]
+pub mod web;
 
 pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
 pub use exact::{PhasorSum, Turn};
@@ -121,6 +135,8 @@ pub use order::Masses;
 pub use proof::{
     AnyDocument, Certificate, Checked, Fault, Quantity, Refusal, Sense, Unreadable, check_certificate, read_document,
 };
+#[cfg(feature = "report")]
+pub use report::data;
 pub use verdict::classify;
 
 /// The numbers of an engine: positions, masses, ratios.

@@ -1,10 +1,15 @@
 //! Do the reports look right where they are read: in LaTeX, in Typst, on a Markdown page, in a browser?
 //!
+//! `pages/data.rs` asks it of tables: read by openpyxl and DuckDB for Python, where the features `xlsx` and `parquet` are on.
+//!
 //! These tests need pdflatex, Typst for Python, pdftotext, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
 
 #![allow(clippy::disallowed_types)]
 
+#[cfg(any(feature = "xlsx", feature = "parquet"))]
+#[path = "pages/data.rs"]
+mod data;
 #[path = "pages/moving.rs"]
 mod moving;
 

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use super::absolute::Absolute;
 use super::forces::{Agreement, LargestOf};
 use super::possible::Witness;
+use super::shaking::Term;
 use crate::engine::CycleOrder;
 use crate::exact::PhasorSum;
 use crate::firing::{FiringStar, StarOrder};
@@ -137,6 +138,8 @@ pub enum Finding {
     Largest(LargestOf),
     /// How far a formula of one cylinder is off.
     Agreement(Agreement),
+    /// The terms of a series.
+    Terms(Vec<Term>),
     /// Counterweights, found for a claim that some can do it.
     Witness(Box<Witness>),
     /// Nothing could be found out, for this reason.

@@ -26,6 +26,7 @@ pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Nu
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
         | Statement::LargestLoad(..)
+        | Statement::ShakingForce(_)
         | Statement::Formula(_)
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => Answer::nothing(match engine.faster_crank() {

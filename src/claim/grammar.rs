@@ -2,7 +2,7 @@
 
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
-use super::{forces, gas_torque, possible, shafts};
+use super::{everyday, forces, gas_torque, possible, shafts, shaking};
 use crate::engine::HIGHEST_ORDER;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
@@ -49,11 +49,19 @@ const SHAPES: [(&str, Shape); 5] = [
 /// ```
 ///
 /// # Errors
-/// The first word that fits nowhere, with what would fit.
+/// The first word that fits nowhere, with what would fit; or what a sentence that may mean two things has to say.
 pub fn parse_statement(text: &str) -> Result<Statement, ClaimError> {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = words.trim_end_matches('.');
+    strict(words).or_else(|error| everyday::parse(words).unwrap_or(Err(error)))
+}
+
+/// The words of the README.
+pub(super) fn strict(words: &str) -> Result<Statement, ClaimError> {
     let lower = words.to_lowercase();
+    if let Some(claim) = shaking::parse(words) {
+        return claim;
+    }
     if let Some(claim) = gas_torque::parse(&lower).or_else(|| forces::parse(words)).or_else(|| shafts::parse(&lower)) {
         return claim;
     }
@@ -208,7 +216,7 @@ fn quantity(word: &str) -> Option<Quantity> {
 }
 
 /// `second`, `2nd`; none for another word.
-fn ordinal(word: &str) -> Option<Result<u32, ClaimError>> {
+pub(super) fn ordinal(word: &str) -> Option<Result<u32, ClaimError>> {
     if let Some(index) = ORDINALS.iter().position(|name| *name == word) {
         return Some(Ok(index as u32 + 1));
     }

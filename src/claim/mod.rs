@@ -12,6 +12,7 @@ mod classes;
 mod compare;
 mod condition;
 mod every;
+mod everyday;
 mod file;
 mod firing;
 mod flywheel;
@@ -20,15 +21,19 @@ mod formula;
 mod free;
 mod gas_torque;
 mod grammar;
+mod handwritten;
 mod masses;
 mod moving_parts;
 mod order;
 mod possible;
 mod provenance;
 mod shafts;
+mod shaking;
+mod star_marks;
 mod statement;
-mod student;
+pub(crate) mod student;
 mod study;
+mod symbols;
 mod written_value;
 
 use crate::engine::Engine;
@@ -38,13 +43,16 @@ pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
 pub use flywheel::{Evened, Flywheels};
 pub use forces::{Agreement, LargestOf};
-pub use formula::{Formula, Letter, Measured};
+pub use formula::{Formula, Letter, Measured, Powers, Series, Wave};
 pub use grammar::{ClaimError, parse_statement};
+pub use handwritten::{Agrees, WrittenAngle, WrittenLength};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
+pub use shaking::{Term, TermVerdict};
+pub use star_marks::{Filled, Judged, Marked, Place, RightEntry, SENSES, SUMS, Star, mark};
 pub use statement::{
-    Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, Statement, Subject,
-    Tolerance, Topic, Unit, Value,
+    Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, ShakingForce,
+    Statement, Subject, Tolerance, Topic, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
 pub use study::{Checked, Found, Said, Studied, Study, study};
@@ -68,6 +76,7 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         Statement::BearingLoad(value) => masses::bearing_load(engine, value),
         Statement::WorstBearings(numbers) => masses::worst_bearings(engine, numbers),
         Statement::LargestLoad(of, value) => forces::largest(engine, *of, value),
+        Statement::ShakingForce(says) => shaking::answer(engine, says),
         Statement::Formula(says) => forces::formula(engine, says),
         Statement::GasTorque { orders, says, weights } => gas_torque::answer(engine, orders, *says, weights),
         Statement::FiresEvenly { evenly } => firing::answer(engine, *evenly),

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::formula::{Formula, Measured};
+use super::formula::{Formula, Measured, Series};
 use crate::engine::CycleOrder;
 use crate::firing::Weights;
 use crate::numbers::Form;
@@ -29,7 +29,8 @@ impl Statement {
             Statement::Order { .. } | Statement::Vanish { .. } => Topic::Orders,
             Statement::NoFreeMoment => Topic::FreeMoment,
             Statement::Formula(_) | Statement::LargestLoad(..) => Topic::Forces,
-            Statement::Shafts { .. }
+            Statement::ShakingForce(_)
+            | Statement::Shafts { .. }
             | Statement::CanBalance(_)
             | Statement::CrankshaftMass(_)
             | Statement::BearingLoad(_)
@@ -76,6 +77,8 @@ pub enum Statement {
     WorstBearings(Vec<usize>),
     /// A largest load of gas and masses together through the cycle.
     LargestLoad(Loaded, Value),
+    /// The shaking force of the pistons as a Fourier series.
+    ShakingForce(ShakingForce),
     /// A formula of one cylinder, through its cycle.
     Formula(OfCylinder),
     /// Orders of the gas torque, for every pressure law that the cylinders share.
@@ -116,6 +119,15 @@ pub struct OfCylinder {
     pub formula: Formula,
     /// How far it may be off, as a part of the largest value; none where it is said to be equal.
     pub within: Option<BigRational>,
+}
+
+/// The shaking force of the pistons, as a series.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ShakingForce {
+    /// Whether the part across the reference direction is meant, to the left, or that along it; none where the claim does not say.
+    pub across: Option<bool>,
+    /// The series.
+    pub series: Series,
 }
 
 /// What is said of orders of the gas torque.

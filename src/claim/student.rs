@@ -1,16 +1,16 @@
 //! Is a student's vector-star table right? The first wrong entry is told, and what it should be.
 
-use num_rational::BigRational;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::file::{Find, engine};
+use super::handwritten::{WrittenAngle, WrittenLength};
+use super::star_marks::{self, Filled, Judged, Marked, Place, RightEntry, Star};
 use crate::engine::Engine;
 use crate::exact::Turn;
+use crate::file::LayoutError;
 use crate::file::written::{Table, Text, place};
-use crate::file::{LayoutError, parse_number, units};
-use crate::numbers::{self, Form};
-use crate::order;
+use crate::numbers::Form;
 use crate::proof::{Quantity, Sense};
 use crate::text::Untrusted;
 
@@ -23,10 +23,8 @@ pub struct StarTable {
     pub layout: Engine,
     /// The order k.
     pub order: u32,
-    /// Phases: cylinder by index, sense, the angle written.
-    pub phases: Vec<(usize, Sense, Turn)>,
-    /// Lengths of sums: quantity, sense, what was written, and as a number.
-    pub sums: Vec<(Quantity, Sense, String, Form)>,
+    /// What is filled in.
+    pub filled: Filled,
 }
 
 /// The answer to a student's table.
@@ -41,7 +39,7 @@ pub enum Verdict {
         /// Direct or reverse.
         sense: Sense,
         /// What was written.
-        written: Turn,
+        written: Untrusted,
         /// What it should be.
         right: Turn,
     },
@@ -52,7 +50,7 @@ pub enum Verdict {
         /// Direct or reverse.
         sense: Sense,
         /// What was written.
-        written: String,
+        written: Untrusted,
         /// The length in closed form, where there is one, and in decimals.
         right: (Option<Form>, f64),
     },
@@ -77,7 +75,7 @@ pub(super) struct Written {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Row {
+pub(crate) struct Row {
     cylinder: Text,
     direct: Option<Text>,
     reverse: Option<Text>,
@@ -85,7 +83,7 @@ struct Row {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Sums {
+pub(crate) struct Sums {
     force_direct: Option<Text>,
     force_reverse: Option<Text>,
     moment_direct: Option<Text>,
@@ -101,69 +99,133 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
             "an engine whose crankshafts turn equally fast: the others have a star for each speed",
         ));
     }
-    let order = table.order.get_ref().0.parse().ok().filter(|order| (1..=crate::engine::HIGHEST_ORDER).contains(order));
-    let order = order.ok_or_else(|| {
-        misread("order", &table.order, &format!("a whole number from 1 to {}", crate::engine::HIGHEST_ORDER))
-    })?;
-    let mut phases = Vec::new();
-    for row in table.rows.iter().flatten().map(|row| &row.get_ref().0) {
+    if layout.has_links() {
+        let right = "an engine whose rods all stand on the crankpin: a link has several vectors";
+        return Err(LayoutError::new("a vector-star table has a row per cylinder", right, place(&table.layout)));
+    }
+    let order = order(&table.order)?;
+    let filled = filled(&layout, table.rows.iter().flatten(), table.sums.as_ref())?;
+    let unread = filled.phases.iter().filter_map(|(_, _, written)| written.as_ref().err());
+    let unread = unread.chain(filled.sums.iter().filter_map(|(_, _, written)| written.as_ref().err())).next();
+    match unread {
+        None => Ok(StarTable { engine: table.layout.get_ref().untrusted(), layout, order, filled }),
+        Some((words, right)) => {
+            let mut cells = table.cells();
+            let wrong = cells.find(|(_, text)| *words == text.get_ref().0.as_str());
+            let (what, text) = wrong.unwrap_or(("order", &table.order));
+            Err(misread(what, text, right))
+        }
+    }
+}
+
+impl Written {
+    /// What is filled in, with what it is called.
+    fn cells(&self) -> impl Iterator<Item = (&'static str, &Text)> {
+        let rows = self.rows.iter().flatten().map(|row| &row.get_ref().0);
+        let phases = rows.flat_map(|row| [&row.direct, &row.reverse]).flatten().map(|text| ("phase", text));
+        let sums = self.sums.iter().flat_map(|Table(sums)| sums.entries()).filter_map(|(_, _, text)| text.as_ref());
+        phases.chain(sums.map(|text| ("length", text)))
+    }
+}
+
+impl Row {
+    /// Whether nothing is written in it.
+    pub(crate) fn is_empty(&self) -> bool {
+        [&self.direct, &self.reverse].into_iter().flatten().filter_map(entry).next().is_none()
+    }
+}
+
+impl Sums {
+    /// Whether nothing is written in them.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.entries().into_iter().filter_map(|(_, _, text)| text.as_ref().and_then(entry)).next().is_none()
+    }
+
+    fn entries(&self) -> [(Quantity, Sense, &Option<Text>); 4] {
+        [
+            (Quantity::Force, Sense::Direct, &self.force_direct),
+            (Quantity::Force, Sense::Reverse, &self.force_reverse),
+            (Quantity::Moment, Sense::Direct, &self.moment_direct),
+            (Quantity::Moment, Sense::Reverse, &self.moment_reverse),
+        ]
+    }
+}
+
+/// The order of a table.
+pub(crate) fn order(text: &Text) -> Result<u32, LayoutError> {
+    let order = text.get_ref().0.parse().ok().filter(|order| (1..=crate::engine::HIGHEST_ORDER).contains(order));
+    order.ok_or_else(|| misread("order", text, &format!("a whole number from 1 to {}", crate::engine::HIGHEST_ORDER)))
+}
+
+/// What is filled in: an entry without words is none, and one that cannot be read is kept as such.
+pub(crate) fn filled<'a>(
+    engine: &Engine,
+    rows: impl IntoIterator<Item = &'a Spanned<Table<Row>>>,
+    sums: Option<&Table<Sums>>,
+) -> Result<Filled, LayoutError> {
+    let mut filled = Filled::default();
+    for row in rows.into_iter().map(|row| &row.get_ref().0) {
         let name = &row.cylinder.get_ref().0;
-        let index = layout.cylinders().iter().position(|cylinder| cylinder.name == *name);
+        let index = engine.cylinders().iter().position(|cylinder| cylinder.name == *name);
         let index = index.ok_or_else(|| misread("cylinder", &row.cylinder, "the name of a cylinder of the engine"))?;
+        if filled.phases.iter().any(|(there, ..)| *there == index) {
+            let message = format!("cylinder `{name}` has a row before");
+            return Err(LayoutError::new(message, "one row per cylinder", place(&row.cylinder)));
+        }
         for (sense, text) in [(Sense::Direct, &row.direct), (Sense::Reverse, &row.reverse)] {
-            let Some(text) = text else { continue };
-            let angle = units::angle(&text.get_ref().0).map_err(|right| misread("phase", text, &right))?;
-            phases.push((index, sense, Turn::new(angle)));
+            if let Some(words) = text.as_ref().and_then(entry) {
+                filled.phases.push((index, sense, kept(words, WrittenAngle::read(words))));
+            }
         }
     }
-    let mut sums = Vec::new();
-    if let Some(Table(written)) = &table.sums {
-        let entries = [
-            (Quantity::Force, Sense::Direct, &written.force_direct),
-            (Quantity::Force, Sense::Reverse, &written.force_reverse),
-            (Quantity::Moment, Sense::Direct, &written.moment_direct),
-            (Quantity::Moment, Sense::Reverse, &written.moment_reverse),
-        ];
-        for (quantity, sense, text) in entries {
-            let Some(text) = text else { continue };
-            let form = Form::parse(&text.get_ref().0);
-            let form = form.ok_or_else(|| misread("length", text, "a number such as 4, 1.732 or \"2√3\""))?;
-            sums.push((quantity, sense, text.get_ref().0.clone(), form));
+    for (quantity, sense, text) in sums.into_iter().flat_map(|Table(sums)| sums.entries()) {
+        if let Some(words) = text.as_ref().and_then(entry) {
+            filled.sums.push((quantity, sense, kept(words, WrittenLength::read(words))));
         }
     }
-    Ok(StarTable { engine: table.layout.get_ref().untrusted(), layout, order, phases, sums })
+    Ok(filled)
+}
+
+/// The words of an entry, where there are any.
+fn entry(text: &Text) -> Option<&str> {
+    Some(text.get_ref().0.as_str()).filter(|words| !words.trim().is_empty())
+}
+
+/// An entry, or its words with what would be right.
+pub(crate) fn kept<T>(words: &str, read: Result<T, String>) -> star_marks::Written<T> {
+    read.map_err(|right| (Untrusted::new(words), right))
 }
 
 fn misread(what: &str, text: &Text, right: &str) -> LayoutError {
     LayoutError::new(format!("cannot read the {what} `{}`", text.get_ref().0), right, place(text))
 }
 
-/// Phases first, row by row, then the sums.
-pub(super) fn judge(table: &StarTable) -> Verdict {
-    for (cylinder, sense, written) in &table.phases {
-        let right = order::phase(&table.layout.cylinders()[*cylinder], table.order, Some(*sense));
-        if *written != right {
-            return Verdict::WrongPhase { cylinder: *cylinder, sense: *sense, written: written.clone(), right };
-        }
+impl StarTable {
+    /// Its entries with their judgements; those that are missing too.
+    pub fn marks(&self) -> Vec<Marked> {
+        star_marks::mark(&Star::of(&self.layout, self.order), &self.filled)
     }
-    for (quantity, sense, written, form) in &table.sums {
-        let sum = order::star(&table.layout, *quantity, table.order, Some(*sense));
-        let right = match sum.vanishes() {
-            true => (Some(Form::rational(BigRational::from_integer(0.into()))), 0.0),
-            false => (numbers::modulus(&sum), numbers::evaluate(&sum).norm()),
-        };
-        if right.0.as_ref() != Some(form) && !is_rounded(written, right.1) {
-            return Verdict::WrongSum { quantity: *quantity, sense: *sense, written: written.clone(), right };
-        }
-    }
-    Verdict::Right(table.phases.len() + table.sums.len())
 }
 
-/// Whether decimals are those of a value that is not zero, rounded.
-fn is_rounded(written: &str, value: f64) -> bool {
-    let Some((_, places)) = written.split_once('.') else { return false };
-    let Ok(number) = parse_number(written) else { return false };
-    let places = i32::try_from(places.len()).unwrap_or(i32::MAX);
-    let float = num_traits::ToPrimitive::to_f64(&number).unwrap_or(f64::NAN);
-    value != 0.0 && float != 0.0 && (float - value).abs() <= 0.5 * 10_f64.powi(-places)
+/// Phases first, row by row, then the sums.
+pub(super) fn judge(table: &StarTable) -> Verdict {
+    let marks = table.marks();
+    let is_wrong = |mark: &&Marked| match mark.judged {
+        Judged::Wrong | Judged::Consequential | Judged::Unreadable => true,
+        Judged::Right | Judged::Missing => false,
+    };
+    let right = marks.iter().filter(|mark| mark.judged == Judged::Right).count();
+    let Some(wrong) = marks.into_iter().find(|mark| is_wrong(&mark)) else { return Verdict::Right(right) };
+    let written = wrong.written.unwrap_or_default();
+    match (wrong.place, wrong.right) {
+        (Place::Phase(cylinder, sense), RightEntry::Angle(right)) => {
+            Verdict::WrongPhase { cylinder, sense, written, right }
+        }
+        (Place::Sum(quantity, sense), RightEntry::Length(exact, decimal)) => {
+            Verdict::WrongSum { quantity, sense, written, right: (exact, decimal) }
+        }
+        (Place::Phase(..), RightEntry::Length(..)) | (Place::Sum(..), RightEntry::Angle(_)) => {
+            unreachable!("a phase is an angle, a sum has a length")
+        }
+    }
 }

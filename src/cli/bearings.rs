@@ -3,11 +3,11 @@
 use crankstar::file::Layout;
 use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
-use crankstar::report;
+use crankstar::report::{self, data};
 
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::Pages;
-use super::{EngineAndOrders, print_json};
+use super::{EngineAndOrders, json};
 
 /// Arguments of `bearings`.
 #[derive(clap::Args)]
@@ -15,15 +15,16 @@ pub struct Bearings {
     #[command(flatten)]
     about: EngineAndOrders,
     /// Print the loads as JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 impl Bearings {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        let wanted = self.answer.wanted("bearings")?;
         let (layout, orders) = self.about.read_for_bearings()?;
         let Layout::Known(engine, _) = layout else {
             return Err(Failure::new("bearing loads need an engine without unknowns; give them values below [values]"));
@@ -32,21 +33,28 @@ impl Bearings {
         let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
         // What nobody asks for costs nothing.
         let complete = engine.effects().gas.then(|| cycle_loads(&engine));
-        if self.json {
+        let with_gas = complete.as_ref().and_then(|complete| complete.as_ref().ok());
+        let document = || {
             let document = report::bearings_document(&engine, &continuous, &determinate);
-            return print_json(&match &complete {
-                Some(Ok(loads)) => document.with_gas(report::CycleLoadsDocument::new(&engine, loads)),
-                Some(Err(_)) | None => document,
-            });
+            match with_gas {
+                Some(loads) => document.with_gas(report::CycleLoadsDocument::new(&engine, loads)),
+                None => document,
+            }
+        };
+        if let Some(wanted) = wanted {
+            return wanted.give(data::bearings(&engine, [&continuous, &determinate], &document(), with_gas));
+        }
+        if self.json || self.answer.is_json() {
+            return self.answer.show_json("bearings", json(&document())?);
         }
         let answer = || report::bearings_answer(&engine, &continuous, &determinate);
         let page = || report::bearings_page(&engine, &continuous, &determinate);
         match &complete {
-            None => self.pages.show(&answer(), page),
+            None => self.answer.show(&answer(), page),
             Some(Err(lack)) => {
-                self.pages.show(&report::without_gas(answer(), lack), || report::without_gas(page(), lack))
+                self.answer.show(&report::without_gas(answer(), lack), || report::without_gas(page(), lack))
             }
-            Some(Ok(loads)) => self.pages.show(&report::complete_bearings_answer(&engine, loads), || {
+            Some(Ok(loads)) => self.answer.show(&report::complete_bearings_answer(&engine, loads), || {
                 report::complete_bearings_page(&engine, loads, &continuous)
             }),
         }

@@ -4,13 +4,15 @@ use crankstar::engine::Family;
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads;
-use crankstar::report;
+use crankstar::page::Document;
+use crankstar::report::{self, data};
 use crankstar::verdict;
 
+use super::answer::DataAnswer;
 use super::failure::Failure;
 use super::firing::{self, ModeShape};
 use super::masses::Masses;
-use super::pages::shown;
+use super::pages::{Measures, shown};
 use super::spoken::Spoken;
 use super::verify::proved;
 use super::{EngineAndOrders, layouts, write};
@@ -23,10 +25,10 @@ pub struct Classify {
     #[command(flatten)]
     masses: Masses,
     /// Print the verdicts with their certificates as JSON
-    #[arg(long)]
+    #[arg(long, conflicts_with = "format")]
     json: bool,
     /// Prove what vanishes at every order: adds the statements with one period of verdicts to the JSON
-    #[arg(long, requires = "json")]
+    #[arg(long)]
     all_orders: bool,
     /// Judge the inertia torque too
     #[arg(long)]
@@ -37,14 +39,22 @@ pub struct Classify {
     #[command(flatten)]
     mode: ModeShape,
     #[command(flatten)]
+    data: DataAnswer,
+    #[command(flatten)]
+    measures: Measures,
+    #[command(flatten)]
     spoken: Spoken,
 }
 
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
+        let wanted = self.data.wanted("classify", &self.measures)?;
+        if self.all_orders && !self.is_json() {
+            return Err(Failure::misuse("--all-orders adds to the JSON document; add --json"));
+        }
         if self.firing {
-            return self.run_firing();
+            return self.run_firing(wanted.is_some());
         }
         if self.mode.is_given() {
             return Err(Failure::new("--mode-shape weighs firing stars; add --firing"));
@@ -52,6 +62,9 @@ impl Classify {
         let (layout, orders) = self.about.read()?;
         let engine = match layout {
             Layout::Known(engine, _) => engine,
+            Layout::Open(_) if wanted.is_some() => {
+                return Err(Failure::new("tables need an engine without unknowns; give them values below [values]"));
+            }
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
         if self.torque && engine.has_links() {
@@ -59,35 +72,50 @@ impl Classify {
         }
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
-        if !self.json {
-            return write::to_stdout(&shown(&report::engine_answer(&engine, &judged), self.spoken.language()));
+        if let Some(wanted) = wanted {
+            let document = report::document(&engine, judged.masses, &judged.orders, &quantities, None);
+            return wanted.give(data::classify(&engine, &judged, &document));
+        }
+        if !self.is_json() {
+            return self.show(&report::engine_answer(&engine, &judged));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
         let document = report::document(&engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
-        write::to_stdout(&proved(&document)?)
+        self.data.show_json("classify", proved(&document)?)
     }
 
-    fn run_firing(&self) -> Result<(), Failure> {
+    fn is_json(&self) -> bool {
+        self.json || self.data.is_json()
+    }
+
+    fn show(&self, answer: &Document) -> Result<(), Failure> {
+        write::to_stdout(&shown(answer, self.spoken.language(), self.measures.units()))
+    }
+
+    fn run_firing(&self, as_tables: bool) -> Result<(), Failure> {
+        if as_tables {
+            return Err(Failure::misuse("firing stars have no tables of data; leave out --firing, or take --json"));
+        }
         let engine = match layouts::read(&self.about.layout)? {
             Layout::Known(engine, _) => engine,
             Layout::Open(family) => return self.run_open_firing(&family),
         };
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
-        match self.json {
-            true => write::to_stdout(&proved(&report::firing_document(&study, self.all_orders))?),
-            false => write::to_stdout(&shown(&report::firing_answer(&study), self.spoken.language())),
+        match self.is_json() {
+            true => self.data.show_json("classify", proved(&report::firing_document(&study, self.all_orders))?),
+            false => self.show(&report::firing_answer(&study)),
         }
     }
 
     fn run_open_firing(&self, family: &Family) -> Result<(), Failure> {
-        if self.json {
+        if self.is_json() {
             return Err(Failure::new(
                 "--json of firing stars needs an engine without unknowns; give them values below [values], or leave --json out",
             ));
         }
         let study = firing::open_study(family, &self.about.orders, &self.mode)?;
-        write::to_stdout(&shown(&report::open_firing_answer(&study), self.spoken.language()))
+        self.show(&report::open_firing_answer(&study))
     }
 
     fn run_open(&self, family: &Family, orders: &[u32]) -> Result<(), Failure> {
@@ -98,9 +126,9 @@ impl Classify {
         }
         family::comparable(family).map_err(Failure::new)?;
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
-        match self.json {
-            true => write::to_stdout(&proved(&report::open_document(family, &verdicts))?),
-            false => write::to_stdout(&shown(&report::family_answer(family, &verdicts), self.spoken.language())),
+        match self.is_json() {
+            true => self.data.show_json("classify", proved(&report::open_document(family, &verdicts))?),
+            false => self.show(&report::family_answer(family, &verdicts)),
         }
     }
 }

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{self, CompareDocument, Compared};
+use crankstar::report::{self, CompareDocument, Compared, data};
 use crankstar::text::Untrusted;
 
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::Pages;
+use super::layouts;
 use super::verify::proved_or_without;
-use super::{layouts, write};
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]
@@ -23,10 +23,10 @@ pub struct Compare {
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// Print the comparison as JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 /// More engines than this do not stand beside each other.
@@ -35,6 +35,7 @@ const MOST_ENGINES: usize = 24;
 impl Compare {
     /// Prints the table, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        let wanted = self.answer.wanted("compare")?;
         let engines = self.read()?;
         let mut orders = match self.orders.as_slice() {
             [] => engines.iter().flat_map(|(_, engine)| usual_orders(engine)).collect(),
@@ -44,11 +45,15 @@ impl Compare {
         orders.dedup();
         let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
         let compared = compared.collect::<Result<Vec<Compared>, _>>().map_err(Failure::new)?;
-        if self.json {
-            let document = report::compare_document(&compared);
-            return write::to_stdout(&proved_or_without(document, CompareDocument::without_evidence)?);
+        if let Some(wanted) = wanted {
+            return wanted.give(data::compare(&compared));
         }
-        self.pages.show(&report::compare_answer(&compared), || report::compare_page(&compared))
+        if self.json || self.answer.is_json() {
+            let document = report::compare_document(&compared);
+            let text = proved_or_without(document, CompareDocument::without_evidence)?;
+            return self.answer.show_json("compare", text);
+        }
+        self.answer.show(&report::compare_answer(&compared), || report::compare_page(&compared))
     }
 
     /// The engines with short names; with their arguments where two would have the same.

@@ -1,6 +1,6 @@
 //! `figure`: how does one drawing get into a document of one's own?
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 
@@ -8,7 +8,7 @@ use crankstar::engine::{Engine, Family};
 use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::loads::{Method, bearing_loads, bearing_orders};
-use crankstar::page::{Alone, File};
+use crankstar::page::Alone;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Contents, NamedPicture};
 use crankstar::text::harmless;
@@ -86,7 +86,7 @@ impl Figure {
         match &self.output {
             None => write::to_stdout(&text),
             Some(path) => {
-                put(path, text)?;
+                folder::write_file(path, text.as_bytes(), "star.svg")?;
                 write::to_stdout(&format!("Written: {}\n", layouts::shown(path)))
             }
         }
@@ -154,15 +154,4 @@ impl Figure {
         }
         Ok(report::figures(&pages))
     }
-}
-
-/// Writes a file whole.
-fn put(path: &Path, text: String) -> Result<(), Failure> {
-    let name = path.file_name().filter(|_| !path.is_dir());
-    let Some(name) = name.and_then(|name| name.to_str()) else {
-        let path = layouts::shown(path);
-        return Err(Failure::new(format!("`{path}` is no name of a file; --output names one, such as star.svg")));
-    };
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    folder::write(parent, &[File { name: name.to_owned(), text }])
 }

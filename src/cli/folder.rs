@@ -15,8 +15,28 @@ use super::layouts::shown;
 /// Marks folders and files that are not finished.
 const ENDING: &str = "crankstar-partial";
 
+/// The name of a file, and what it holds.
+type Content<'a> = (&'a str, &'a [u8]);
+
 /// Writes the files into a folder, the first of which is the page that leads to the others.
 pub fn write(folder: &Path, files: &[File]) -> Result<(), Failure> {
+    let contents: Vec<Content> = files.iter().map(|file| (file.name.as_str(), file.text.as_bytes())).collect();
+    write_contents(folder, &contents)
+}
+
+/// Writes one file whole; `example` is a name that `--output` could have.
+pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Failure> {
+    let name = path.file_name().filter(|_| !path.is_dir());
+    let Some(name) = name.and_then(|name| name.to_str()) else {
+        let path = shown(path);
+        return Err(Failure::new(format!("`{path}` is no name of a file; --output names one, such as {example}")));
+    };
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    write_contents(parent, &[(name, content)])
+}
+
+/// The same of any files.
+pub fn write_contents(folder: &Path, files: &[Content]) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write the folder `{}`: {error}", shown(folder)));
     if folder.exists() && !folder.is_dir() {
         return Err(Failure::new(format!("`{}` is a file; --output names a folder", shown(folder))));
@@ -39,7 +59,7 @@ pub fn written(folder: &Path, files: &[File]) -> String {
 }
 
 /// Fills a folder beside the wanted one, and gives it the name when it is whole.
-fn new_folder(folder: &Path, parent: &Path, name: &str, files: &[File]) -> io::Result<()> {
+fn new_folder(folder: &Path, parent: &Path, name: &str, files: &[Content]) -> io::Result<()> {
     clear_abandoned(parent, name);
     let (staging, lock) = staging(parent, name)?;
     let outcome = fill_locked(&staging, files).and_then(|()| match fs::rename(&staging, folder) {
@@ -90,18 +110,21 @@ fn clear_abandoned(parent: &Path, name: &str) {
 }
 
 /// Replaces the files of a folder that is there, one writer at a time.
-fn fill(folder: &Path, files: &[File]) -> io::Result<()> {
+fn fill(folder: &Path, files: &[Content]) -> io::Result<()> {
     let lock = lock(folder)?;
     let outcome = fill_locked(folder, files);
     drop(lock);
     outcome
 }
 
-fn fill_locked(folder: &Path, files: &[File]) -> io::Result<()> {
+fn fill_locked(folder: &Path, files: &[Content]) -> io::Result<()> {
     let partial = folder.join(format!(".{ENDING}"));
     let Some((first, others)) = files.split_first() else { return Ok(()) };
-    for file in others.iter().chain([first]) {
-        let placed = put(&partial, &folder.join(&file.name), &file.text);
+    for (name, content) in others.iter().chain([first]) {
+        let place = folder.join(name);
+        // A name may lead into a folder inside this one.
+        let inside = place.parent().filter(|inside| *inside != folder);
+        let placed = inside.map_or(Ok(()), fs::create_dir_all).and_then(|()| put(&partial, &place, content));
         if placed.is_err() {
             let _ = fs::remove_file(&partial);
         }
@@ -111,14 +134,14 @@ fn fill_locked(folder: &Path, files: &[File]) -> io::Result<()> {
 }
 
 /// Writes a file under another name, and gives it its own when it is on the disk.
-fn put(partial: &Path, place: &Path, text: &str) -> io::Result<()> {
+fn put(partial: &Path, place: &Path, content: &[u8]) -> io::Result<()> {
     // A killed run may have left one; it is not written through, for it may be a link by now.
     match fs::remove_file(partial) {
         Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
         _ => {}
     }
     let mut file = Handle::create_new(partial)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(content)?;
     file.sync_all()?;
     fs::rename(partial, place)
 }

@@ -1,6 +1,7 @@
 //! `list`: which engines are known by name, and what does each leave first?
 
 use crankstar::file;
+use crankstar::page::Units;
 use crankstar::report;
 
 use super::failure::Failure;
@@ -18,6 +19,6 @@ pub struct List {
 impl List {
     /// Prints the catalogue, a row per engine.
     pub fn run(&self) -> Result<(), Failure> {
-        write::to_stdout(&shown(&report::catalogue_answer(&file::catalogue()?), self.spoken.language()))
+        write::to_stdout(&shown(&report::catalogue_answer(&file::catalogue()?), self.spoken.language(), Units::Si))
     }
 }

@@ -5,12 +5,12 @@ use std::ffi::{OsStr, OsString};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
-use crankstar::report::{self, LoadsDocument, Numbers};
+use crankstar::report::{self, LoadsDocument, Numbers, data};
 
+use super::EngineAndOrders;
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::Pages;
 use super::verify::proved_or_without;
-use super::{EngineAndOrders, write};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -21,12 +21,12 @@ pub struct Loads {
     #[command(flatten)]
     about: EngineAndOrders,
     /// Print the loads as JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
     auto: Auto,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 /// The choice of the orders by a wanted accuracy.
@@ -71,21 +71,22 @@ impl Auto {
 impl Loads {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        let wanted = self.answer.wanted("loads")?;
         let (layout, orders) = self.about.read()?;
         let Layout::Known(engine, _) = layout else {
             return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
         };
         let needed = self.auto.needed(&engine)?;
         let numbers = Numbers::new(&engine, &orders, needed.as_ref()).map_err(Failure::new)?;
-        match self.json {
-            true => {
-                let document = report::loads_document(&engine, &numbers, needed.as_ref());
-                write::to_stdout(&proved_or_without(document, LoadsDocument::without_evidence)?)
-            }
-            false => {
-                let answer = report::loads_answer(&engine, &numbers, needed.as_ref());
-                self.pages.show(&answer, || report::loads_page(&engine, &numbers, needed.as_ref()))
-            }
+        let document = || report::loads_document(&engine, &numbers, needed.as_ref());
+        if let Some(wanted) = wanted {
+            return wanted.give(data::loads(&engine, &numbers, &document()));
         }
+        if self.json || self.answer.is_json() {
+            let text = proved_or_without(document(), LoadsDocument::without_evidence)?;
+            return self.answer.show_json("loads", text);
+        }
+        let answer = report::loads_answer(&engine, &numbers, needed.as_ref());
+        self.answer.show(&answer, || report::loads_page(&engine, &numbers, needed.as_ref()))
     }
 }

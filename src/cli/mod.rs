@@ -1,11 +1,13 @@
 //! What can be asked on the command line?
 
 mod accuracy;
+mod answer;
 mod atlas;
 mod bearings;
 mod check;
 mod classify;
 mod compare;
+mod exercise;
 mod failure;
 mod figure;
 mod firing;
@@ -13,6 +15,7 @@ mod folder;
 mod layouts;
 mod list;
 mod loads;
+mod mark;
 mod masses;
 mod notation;
 mod optimise;
@@ -24,6 +27,7 @@ mod report;
 mod search;
 mod spoken;
 mod sweep;
+mod tables;
 mod torque;
 mod torsion;
 mod verify;
@@ -98,6 +102,10 @@ enum Command {
     Verify(verify::Verify),
     /// Check claims about engines: of books, of homework
     Check(check::Check),
+    /// Write an exercise with solutions, other numbers for each student
+    Exercise(exercise::Exercise),
+    /// Mark the tables that a class hands in
+    Mark(mark::Mark),
     /// Find the crank stars that balance best
     Search(search::Search),
     /// Put engines side by side
@@ -196,6 +204,8 @@ pub fn run() -> ExitCode {
         Command::Figure(figure) => figure.run().map(done),
         Command::Verify(verify) => verify.run().map(done),
         Command::Check(check) => check.run(),
+        Command::Exercise(exercise) => exercise.run().map(done),
+        Command::Mark(mark) => mark.run().map(done),
         Command::Search(search) => search.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),

@@ -29,7 +29,7 @@ pub struct Look {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX or Typst without a preamble, as a piece of a document that is there; LaTeX with captions and labels
+    /// Write LaTeX, Typst or HTML without what stands around it, as a piece of a document that is there; LaTeX with captions and labels
     #[arg(long)]
     fragment: bool,
     /// What the labels of the fragment begin with [default: the title]
@@ -48,13 +48,30 @@ pub struct Reader {
     /// Name program and version at the foot of a page, or in a comment of a drawing
     #[arg(long)]
     stamp: bool,
-    /// The units of forces, lengths and masses on pages and in answers; JSON and CSV stay in those of the SI
-    #[arg(long, value_enum, default_value = "si")]
-    units: System,
+    #[command(flatten)]
+    measures: Measures,
     #[command(flatten)]
     notation: Notation,
     #[command(flatten)]
     spoken: Spoken,
+}
+
+/// In which units a person wants to read.
+#[derive(clap::Args)]
+pub struct Measures {
+    /// The units of forces, lengths and masses on pages and in answers; JSON stays in those of the SI
+    #[arg(long, value_enum, default_value = "si")]
+    units: System,
+}
+
+impl Measures {
+    /// The units.
+    pub fn units(&self) -> Units {
+        match self.units {
+            System::Si => Units::Si,
+            System::Inch => Units::Inch,
+        }
+    }
 }
 
 impl Reader {
@@ -62,10 +79,7 @@ impl Reader {
     pub fn options(&self) -> Result<Options, Failure> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
         let (symbols, language) = (self.notation.read()?, self.spoken.language());
-        let units = match self.units {
-            System::Si => Units::Si,
-            System::Inch => Units::Inch,
-        };
+        let units = self.measures.units();
         Ok(Options { stamp, symbols, language, units, ..Options::default() })
     }
 }
@@ -144,9 +158,9 @@ impl Look {
         Ok(shown_with(answer, &Options { stamp: None, ..self.reader.options()? }))
     }
 
-    /// Whether a folder is named.
-    pub fn has_folder(&self) -> bool {
-        self.output.is_some()
+    /// In which units a page is to be.
+    pub fn measures(&self) -> &Measures {
+        &self.reader.measures
     }
 
     /// The folder that is named.
@@ -161,6 +175,16 @@ impl Look {
 }
 
 impl Pages {
+    /// The folder that is named.
+    pub fn folder(&self) -> Option<&Path> {
+        self.look.folder()
+    }
+
+    /// Writes these files into the folder; says what was written.
+    pub fn write_files(&self, files: &[File]) -> Result<String, Failure> {
+        self.look.write(|| Ok(files.to_vec()))
+    }
+
     /// Whether the page runs scripts.
     pub fn runs_scripts(&self) -> bool {
         self.format == Format::Html
@@ -206,8 +230,8 @@ const USUAL_WIDTH: usize = 80;
 const WIDEST: usize = 140;
 
 /// A document for the terminal that this runs in; colours are taken away where nobody sees them.
-pub fn shown(document: &Document, language: Language) -> String {
-    shown_with(document, &Options { language, ..Options::default() })
+pub fn shown(document: &Document, language: Language, units: Units) -> String {
+    shown_with(document, &Options { language, units, ..Options::default() })
 }
 
 fn shown_with(document: &Document, options: &Options) -> String {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use clap::Command;
 
 /// The questions, each with the commands that answer it.
-const QUESTIONS: [(&str, &[&str]); 8] = [
+const QUESTIONS: [(&str, &[&str]); 9] = [
     ("Which engine?", &["list", "atlas"]),
     ("How does it balance?", &["classify", "firing", "report", "figure"]),
     ("How large is it?", &["loads", "bearings", "torque", "torsion", "accuracy"]),
@@ -13,6 +13,7 @@ const QUESTIONS: [(&str, &[&str]); 8] = [
     ("How does it change?", &["sweep"]),
     ("Which is best?", &["compare", "search"]),
     ("Is it true?", &["check", "verify"]),
+    ("In the classroom?", &["exercise", "mark"]),
     ("In a shell", &["completions"]),
 ];
 

@@ -42,6 +42,10 @@ pub struct Remedy {
     pages: Pages,
 }
 
+/// What is said of a file whose weights are not all exact.
+const ROUNDED: &str = "The weights against what links on a master rod leave have no exact size: in the file they are decimals, and leave less than 10^-6 of \
+                       the load.\n";
+
 impl Remedy {
     /// Prints the remedy, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
@@ -62,13 +66,15 @@ impl Remedy {
     fn write_corrected(&self, remedy: &remedy::Remedy, file: &Path) -> Result<String, Failure> {
         let layout = &self.about.layout;
         let beside = |path: &str| layouts::beside(layout, path);
-        let text = remedy::corrected_file(remedy, &layouts::shown(file), Beside::new(&beside)).map_err(Failure::new)?;
+        let corrected =
+            remedy::corrected_file(remedy, &layouts::shown(file), Beside::new(&beside)).map_err(Failure::new)?;
         if file.exists() && layout.canonicalize().ok() == file.canonicalize().ok() {
             return Err(Failure::new("--write names the layout file itself, which stays as it is; name another file"));
         }
-        std::fs::write(file, text)
+        std::fs::write(file, &corrected.text)
             .map_err(|error| Failure::new(format!("cannot write `{}`: {error}", layouts::shown(file))))?;
-        Ok(format!("Written: {}\n", layouts::shown(file)))
+        let rounded = if corrected.is_rounded { ROUNDED } else { "" };
+        Ok(format!("Written: {}\n{rounded}", layouts::shown(file)))
     }
 
     /// The balance factor of each throw that is asked for.

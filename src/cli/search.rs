@@ -9,13 +9,13 @@ use crankstar::engine;
 use crankstar::exact::Turn;
 use crankstar::file::parse_angle;
 use crankstar::page::Document;
-use crankstar::report;
+use crankstar::report::{self, data};
 use crankstar::search::{self, Options, Problem, Progress};
 
+use super::answer::Answer;
 use super::failure::Failure;
 use super::firing::ModeShape;
-use super::pages::Pages;
-use super::{print_json, progress};
+use super::{json, progress};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -54,10 +54,10 @@ pub struct Search {
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Print the front as JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -80,6 +80,7 @@ impl From<Cycle> for engine::Cycle {
 impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        let wanted = self.answer.wanted("search")?;
         let problem = self.problem()?;
         if self.mode.is_given() && !self.torsion {
             return Err(Failure::new("--mode-shape weighs the firing stars of firing orders; add --torsion"));
@@ -105,13 +106,18 @@ impl Search {
             page.blocks.extend(torsion.iter().flat_map(|torsion| report::search_torsion(&front, torsion)));
             page
         };
-        match (self.json, &torsion) {
-            (true, Some(torsion)) => print_json(&search::document(&front).with_torsion(torsion)),
-            (true, None) => print_json(&search::document(&front)),
-            (false, _) => self
-                .pages
-                .show(&with_torsion(report::search_answer(&front)), || with_torsion(report::search_page(&front))),
+        if let Some(wanted) = wanted {
+            return wanted.give(data::search(&front, torsion.as_ref()));
         }
+        if self.json || self.answer.is_json() {
+            let document = search::document(&front);
+            let document = match &torsion {
+                Some(torsion) => document.with_torsion(torsion),
+                None => document,
+            };
+            return self.answer.show_json("search", json(&document)?);
+        }
+        self.answer.show(&with_torsion(report::search_answer(&front)), || with_torsion(report::search_page(&front)))
     }
 
     fn problem(&self) -> Result<Problem, Failure> {

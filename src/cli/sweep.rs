@@ -2,20 +2,16 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
-
-use clap::ValueEnum;
-use clap::builder::PossibleValue;
 
 use crankstar::engine::CycleOrder;
 use crankstar::file::{Beside, Template};
 use crankstar::page::File;
-use crankstar::report;
+use crankstar::report::{self, data};
 use crankstar::sweep::{self, Geometry, Parameter};
 
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::{self, Look};
-use super::{layouts, progress, write};
+use super::{json, layouts, progress};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args)]
@@ -30,11 +26,8 @@ pub struct Sweep {
     /// Judge the firing stars, the orders of the gas torque, too: 1/2,1,3/2
     #[arg(long, value_delimiter = ',', value_name = "ORDERS")]
     firing_orders: Vec<CycleOrder>,
-    /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
-    #[arg(long, value_enum)]
-    format: Option<Format>,
     #[command(flatten)]
-    look: Look,
+    answer: Answer,
 }
 
 /// The values that are swept.
@@ -63,60 +56,21 @@ pub struct Ranges {
     set: Vec<String>,
 }
 
-/// Data, or a page in any of its formats.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Format {
-    Csv,
-    Json,
-    Page(pages::Format),
-}
-
-impl ValueEnum for Format {
-    fn value_variants<'a>() -> &'a [Self] {
-        static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
-            let pages = pages::Format::value_variants().iter().copied().map(Format::Page);
-            [Format::Csv, Format::Json].into_iter().chain(pages).collect()
-        });
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Format::Csv => Some(PossibleValue::new("csv").help("One row per point")),
-            Format::Json => Some(PossibleValue::new("json").help("The points, and the exact zeros")),
-            Format::Page(format) => format.to_possible_value(),
-        }
-    }
-}
-
 impl Sweep {
     /// Prints the points, or writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        let wanted = self.answer.wanted("sweep")?;
         let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders)?;
-        match self.format {
-            Some(format) if !self.look.has_folder() => write::to_stdout(&self.files(&sweep, format)?[0].text),
-            format => {
-                let written =
-                    self.look.write(|| self.files(&sweep, format.unwrap_or(Format::Page(pages::Format::Markdown))))?;
-                write::to_stdout(&(self.look.shown(&report::sweep_answer(&sweep))? + &written))
-            }
+        if let Some(wanted) = wanted {
+            return wanted.give(data::sweep(&sweep));
         }
-    }
-
-    /// The files of a format; beside a page stand the table and the data.
-    fn files(&self, sweep: &sweep::Sweep, format: Format) -> Result<Vec<File>, Failure> {
-        let csv = || report::sweep_csv(sweep);
-        let json =
-            || Ok::<_, Failure>(File { name: "sweep.json".into(), text: super::json(&report::sweep_document(sweep))? });
-        match format {
-            Format::Csv => Ok(vec![csv()]),
-            Format::Json => Ok(vec![json()?]),
-            Format::Page(format) => {
-                let mut files = self.look.files(&report::sweep_page(sweep), format)?;
-                files.extend([csv(), json()?]);
-                Ok(files)
-            }
+        let document = || json(&report::sweep_document(&sweep));
+        if self.answer.is_json() {
+            return self.answer.show_json("sweep", document()?);
         }
+        // Beside a page stand the points and the data.
+        let beside = || Ok(vec![report::sweep_csv(&sweep), File { name: "sweep.json".into(), text: document()? }]);
+        self.answer.show_with(&report::sweep_answer(&sweep), || report::sweep_page(&sweep), beside)
     }
 }
 

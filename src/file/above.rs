@@ -27,7 +27,18 @@ pub(super) enum Throws {
     Follow {
         /// Whether the file, or the form, says how the throws of one pin stand to each other.
         splits_given: bool,
+        /// How each pin stands to its throw, one per cylinder; empty where pins stand at their throws.
+        splays: Vec<Splay>,
     },
+}
+
+/// How the pin of a cylinder in a narrow V stands to its throw, in the sense of rotation.
+#[derive(Clone)]
+pub(super) struct Splay {
+    /// How far it is turned with its bank.
+    pub pin: Linear,
+    /// How much of that is more than the bank itself is turned: what the dead centre of an offset axis asks for, as it is rounded.
+    pub beyond: Linear,
 }
 
 impl Throws {
@@ -35,7 +46,7 @@ impl Throws {
     pub fn of(list: &Option<List>, splits_given: bool) -> Self {
         match list {
             Some(_) => Throws::Listed,
-            None => Throws::Follow { splits_given },
+            None => Throws::Follow { splits_given, splays: Vec::new() },
         }
     }
 }

@@ -43,7 +43,7 @@ pub(super) fn expand(
     let throws = match without {
         None => Throws::Listed,
         Some(_) if tables.iter().all(|table| table.get_ref().0.throw.is_none()) && above.firing_place().is_some() => {
-            Throws::Follow { splits_given: false }
+            Throws::Follow { splits_given: false, splays: Vec::new() }
         }
         Some(table) => {
             let right =

@@ -43,6 +43,18 @@ impl LayoutError {
         &self.right
     }
 
+    /// The name of the file that the message is about.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Line and column where the mistake stands, both from 1 on, the column in characters; none where the whole file is meant.
+    pub fn place(&self) -> Option<(usize, usize)> {
+        let before = self.source.get(..self.span.as_ref()?.start)?;
+        let line = before.rfind('\n').map_or(before, |end| &before[end + 1..]);
+        Some((before.matches('\n').count() + 1, line.chars().count() + 1))
+    }
+
     /// Bytes of the file that the message is about.
     pub fn span(&self) -> Option<Range<usize>> {
         self.span.clone()

@@ -15,11 +15,17 @@ use crate::engine::{Cylinder, Linear};
 /// # Errors
 /// A firing that the form cannot have, or that the same form with its banks exchanged could have with pins nearer together.
 pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), LayoutError> {
-    let splits_given = match expanded.throws {
+    let (splits_given, splays) = match &expanded.throws {
         Throws::Listed => return Ok(()),
-        Throws::Follow { splits_given } => splits_given,
+        Throws::Follow { splits_given, splays } => (*splits_given, splays.as_slice()),
     };
-    let (cylinders, geared) = (&mut expanded.cylinders, &expanded.geared);
+    let geared = &expanded.geared;
+    let mut aligned = expanded.cylinders.clone();
+    // A pin that is splayed beyond its bank meets the dead centre of an offset axis: as if the bank stood there, and met the shaft.
+    for (cylinder, splay) in aligned.iter_mut().zip(splays) {
+        cylinder.bank = cylinder.bank.plus(&splay.beyond);
+    }
+    let cylinders = &mut aligned;
     for (index, cylinder) in cylinders.iter_mut().enumerate().filter(|(_, cylinder)| cylinder.name.is_empty()) {
         cylinder.name = (index + 1).to_string();
     }
@@ -66,7 +72,11 @@ pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), L
             ));
         }
     }
-    cylinders.iter_mut().zip(throws).for_each(|(cylinder, throw)| cylinder.throw = throw);
+    // Of a narrow V it is the throw that counts from the first, as one would list it, and not the splayed pin.
+    let first = splays.first().map_or_else(Linear::default, |splay| splay.pin.clone());
+    for ((cylinder, aligned), throw) in expanded.cylinders.iter_mut().zip(aligned).zip(throws) {
+        *cylinder = Cylinder { throw: reduced(throw.plus(&first)), name: aligned.name, ..cylinder.clone() };
+    }
     Ok(())
 }
 

@@ -234,7 +234,7 @@ impl Radial {
             (_, None) => return Err(missing("row_throw")),
         };
         let follows = rows > 1 && self.row_throw.is_none();
-        let throws = if follows { Throws::Follow { splits_given: true } } else { Throws::Listed };
+        let throws = if follows { Throws::Follow { splits_given: true, splays: Vec::new() } } else { Throws::Listed };
         // The cylinders of a row follow each other in the sense of rotation, however the engine is drawn.
         let turn = above.convention.in_the_sense_of_rotation(one());
         let spacing = optional_length(&self.row_spacing, unit_length(), &mut unit)?;

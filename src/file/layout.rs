@@ -310,8 +310,8 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     forms.extend(file.flat.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.boxer.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.fan.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
-    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
-    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
+    forms.extend(file.vr.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
+    forms.extend(file.w.as_ref().map(|form| (form.span(), form.get_ref().0.expand(form.span(), above))));
     forms.extend(file.radial.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above))));
     forms.extend(file.opposed_piston.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     forms.extend(file.u.as_ref().map(|form| (form.span(), form.get_ref().0.side_by_side(above.convention))));

@@ -6,9 +6,10 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
+use super::measured::{Column, Reading};
 use super::quantities::misread;
 use super::units;
-use super::written::{self, Text, Values, place};
+use super::written::{self, Text, place};
 use crate::engine::{Cylinder, Dimensions, Given, Linear, Measure, Mechanism, Rod};
 use crate::text::Untrusted;
 
@@ -34,12 +35,6 @@ pub(super) struct Keys {
     rotating_mass: Option<written::Column>,
 }
 
-/// One key, read: a value per cylinder, with the place of each.
-struct Column {
-    values: Vec<BigRational>,
-    places: Vec<Text>,
-}
-
 impl Keys {
     /// Reads the table for these cylinders, whose masses and crank radii it sets.
     pub fn read(
@@ -48,7 +43,7 @@ impl Keys {
         masses_given: bool,
         offsets_of_form: Option<&written::Column>,
     ) -> Result<Dimensions, LayoutError> {
-        let mut table = Reading { count: cylinders.len(), given: Vec::new() };
+        let mut table = Reading::new(cylinders.len());
         let half = BigRational::new(1.into(), 2.into());
         let radii = match (&self.stroke, &self.crank_radius) {
             (Some(_), Some(radius)) => return Err(twice("stroke", "crank_radius", radius)),
@@ -286,76 +281,4 @@ pub(super) fn speed(text: &Text) -> Result<(BigRational, Given), LayoutError> {
         written: Untrusted::new(written.as_str()),
     };
     Ok((value, given))
-}
-
-/// What has been read of the table.
-struct Reading {
-    count: usize,
-    given: Vec<Given>,
-}
-
-impl Reading {
-    fn column(&mut self, list: &Option<written::Column>, quantity: Measure) -> Result<Option<Column>, LayoutError> {
-        let Some(list) = list else { return Ok(None) };
-        let texts: Vec<Text> = match list.get_ref() {
-            Values::One(text) => vec![Text::new(list.span(), text.clone())],
-            Values::Each(texts) if texts.len() != self.count => {
-                let message = format!("{} values for {} cylinders", texts.len(), self.count);
-                return Err(LayoutError::new(
-                    message,
-                    "one value for all, or a list with one per cylinder",
-                    place(list),
-                ));
-            }
-            Values::Each(texts) => texts.clone(),
-        };
-        let values = texts.iter().map(|text| quantity.read(text)).collect::<Result<Vec<_>, _>>()?;
-        let of_all = matches!(list.get_ref(), Values::One(_));
-        for (index, (value, text)) in values.iter().zip(&texts).enumerate() {
-            let written = text.get_ref().0.clone();
-            let cylinder = (!of_all).then_some(index);
-            self.given.push(Given { quantity, cylinder, value: value.clone(), written: Untrusted::new(written) });
-        }
-        let spread = |index: usize| if of_all { 0 } else { index };
-        Ok(Some(Column {
-            values: (0..self.count).map(|index| values[spread(index)].clone()).collect(),
-            places: (0..self.count).map(|index| texts[spread(index)].clone()).collect(),
-        }))
-    }
-}
-
-impl Measure {
-    /// Reads a value in the unit of this quantity.
-    pub(super) fn read(self, text: &Text) -> Result<BigRational, LayoutError> {
-        let written = &text.get_ref().0;
-        let metres = |text: &str| units::length(text).map(|length| length.value);
-        let pure = |text: &str| super::parse_number(text).map_err(|error| error.to_string());
-        use Measure::*;
-        let (name, value, smallest) = match self {
-            Speed => ("speed", units::speed(written), "a speed is 0 or more"),
-            Stroke => ("stroke", metres(written), "a length above 0"),
-            CrankRadius => ("crank radius", metres(written), "a length above 0"),
-            RodLength => ("rod length", metres(written), "a length above 0"),
-            RodRatio => ("rod ratio", pure(written), "r/l, from 0 up to 1"),
-            PinOffset => ("pin offset", metres(written), ""),
-            OffsetRatio => ("offset ratio", pure(written), ""),
-            KnuckleRadius => ("knuckle radius", metres(written), "a length above 0"),
-            KnuckleRatio => ("knuckle ratio", pure(written), "a number above 0"),
-            LinkLength => ("link length", metres(written), "a length above 0"),
-            LinkRatio => ("link ratio", pure(written), "a number above 0"),
-            ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass | RotatingMass
-            | KnuckleMass => ("mass", units::mass(written), "a mass is 0 or more"),
-            RodCentre => ("distance of the centre of gravity", metres(written), "a length of 0 or more"),
-        };
-        let value = value.map_err(|right| misread(name, written, right, text))?;
-        let fits = match self {
-            Stroke | CrankRadius | RodLength | KnuckleRadius | KnuckleRatio | LinkLength | LinkRatio => {
-                value.is_positive()
-            }
-            PinOffset | OffsetRatio => true,
-            Speed | RodRatio | ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass
-            | RodCentre | RotatingMass | KnuckleMass => !value.is_negative(),
-        };
-        if fits { Ok(value) } else { Err(misread(name, written, smallest.to_owned(), text)) }
-    }
 }

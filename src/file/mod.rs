@@ -28,11 +28,13 @@ mod known_firing;
 mod knuckle_keys;
 mod layout;
 mod linear;
+mod measured;
 mod mechanism_keys;
 mod narrow;
 mod number;
 mod numbering;
 mod quantities;
+mod replaced;
 mod rewritten;
 mod template;
 mod title_block_keys;
@@ -46,6 +48,7 @@ pub use error::LayoutError;
 pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};
+pub use replaced::with_value;
 pub use rewritten::{
     balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_counterweights,
 };

@@ -33,6 +33,31 @@ pub(super) fn along(numbering: Option<&Column>) -> Result<Along, LayoutError> {
     }
 }
 
+/// The narrow V and the throw of each cylinder of an engine with narrow banks, in the order in which they are numbered; a list
+/// names them along the crankshaft, one V after the other.
+pub(super) fn along_narrow(
+    numbering: Option<&Column>,
+    vees: usize,
+    throws: usize,
+) -> Result<Vec<(usize, usize)>, LayoutError> {
+    let mut all: Vec<(usize, usize)> = (0..vees).flat_map(|vee| (0..throws).map(move |throw| (vee, throw))).collect();
+    let Some(numbering) = numbering else { return Ok(all) };
+    if let Values::One(text) = numbering.get_ref() {
+        match text.0.as_str() {
+            "along the shaft" => {}
+            // The banks of a narrow V take turns along its throws.
+            "per bank" => all.sort_by_key(|&(vee, throw)| (vee, throw % 2, throw)),
+            "alternating" => all.sort_by_key(|&(vee, throw)| (throw, vee)),
+            other => {
+                let right = "\"along the shaft\", \"per bank\" or \"alternating\", or a list";
+                let text = Text::new(numbering.span(), text.clone());
+                return Err(misread("numbering", other, right.to_owned(), &text));
+            }
+        }
+    }
+    Ok(all)
+}
+
 /// Names the cylinders as the list says, bank after bank from the free end.
 pub(super) fn name(
     mut cylinders: Vec<Cylinder<Linear, Linear>>,

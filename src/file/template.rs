@@ -123,6 +123,13 @@ impl<'a> Template<'a> {
         }
     }
 
+    /// What the file holds at a key of the form `vee.bank_angle`, as written, where that is a number or a text.
+    pub fn value(&self, key: &str) -> Option<String> {
+        let (table, name) = key.split_once('.')?;
+        let keys = self.table.get_ref().get(table)?.get_ref().as_table()?;
+        keys.get(name)?.get_ref().as_str().map(str::to_owned)
+    }
+
     /// The same file without some keys, of the form `speed` or `mechanism.rod_length`.
     pub fn without(&self, keys: &[&str]) -> Self {
         let mut rest = self.clone();

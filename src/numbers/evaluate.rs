@@ -47,9 +47,15 @@ pub fn float(value: &BigRational) -> f64 {
     value.to_f64().unwrap_or(f64::NAN)
 }
 
-/// The direction of a vector in degrees, in (−180, 180], also where the decimals of one just past half a turn round to it.
+/// The length of a vector, with the same last digit on every machine.
+pub fn length(vector: Complex<f64>) -> f64 {
+    libm::hypot(vector.re, vector.im)
+}
+
+/// The direction of a vector in degrees, in (−180, 180], also where the decimals of one just past half a turn round to it; with the
+/// same last digit on every machine.
 pub fn degrees(vector: Complex<f64>) -> f64 {
-    let degrees = vector.arg().to_degrees();
+    let degrees = libm::atan2(vector.im, vector.re).to_degrees();
     if degrees == -180.0 { 180.0 } else { degrees }
 }
 

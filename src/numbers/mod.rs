@@ -23,7 +23,7 @@ mod written;
 pub use budget::Budget;
 pub use closed::{modulus, modulus_within, plainer, real, real_within};
 pub use direction::{Direction, direction_of};
-pub use evaluate::{degrees, direction, enclose, evaluate, float};
+pub use evaluate::{degrees, direction, enclose, evaluate, float, length};
 pub use form::{Form, Root};
 pub use known::known_cosine;
 pub use radicals::{as_sum, number, square_as_sum};

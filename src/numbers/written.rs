@@ -32,10 +32,11 @@ impl Form {
     /// assert!(Form::parse("2√").is_none());
     /// ```
     ///
-    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)`, `sin(…°)` and brackets are understood; `None` for all
-    /// else, and for the root of a negative number.
+    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)`, `sin 36°` or `sin 36 deg`, and brackets are understood;
+    /// `None` for all else, and for the root of a negative number.
     pub fn parse(text: &str) -> Option<Form> {
-        let spaced = text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)");
+        let spaced =
+            text.replace("sqrt", "√").replace('−', "-").replace('·', "*").replace('½', "(1/2)").replace("deg", "°");
         let mut parser =
             Parser { letters: spaced.chars().filter(|letter| !letter.is_whitespace()).collect(), at: 0, depth: 0 };
         let form = parser.sum()?;
@@ -215,11 +216,12 @@ impl Parser {
             let inside = self.sum()?;
             return self.takes(')').then_some(inside);
         }
-        for (name, is_sine) in [("cos(", false), ("sin(", true)] {
-            if self.letters[self.at..].iter().copied().take(4).eq(name.chars()) {
-                self.at += 4;
+        for (name, is_sine) in [("cos", false), ("sin", true)] {
+            if self.letters[self.at..].iter().copied().take(3).eq(name.chars()) {
+                self.at += 3;
+                let bracket = self.takes('(');
                 let degrees = self.number()?;
-                (self.takes('°') && self.takes(')')).then_some(())?;
+                (self.takes('°') && (!bracket || self.takes(')'))).then_some(())?;
                 let angle = Turn::from_degrees(&degrees);
                 let angle = if is_sine { &Turn::fraction(1, 4) - &angle } else { angle };
                 return Some(Form::cosine(BigRational::one(), angle));

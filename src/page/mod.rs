@@ -30,4 +30,4 @@ pub use text::{Piece, Text};
 pub use tikz::tikz;
 pub use unit::{Unit, Units};
 pub(crate) use write::say;
-pub use write::{Alone, File, Format, Math, Options, text_in, write};
+pub use write::{Alone, File, Format, Math, Options, blocks_in, text_in, write};

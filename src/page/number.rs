@@ -153,6 +153,16 @@ pub(crate) fn given(value: &BigRational) -> super::Text {
     }
 }
 
+/// The same in this unit, which stands elsewhere.
+pub(crate) fn given_in(value: &BigRational, unit: super::Unit) -> super::Text {
+    super::Piece::Shortly(value.clone(), unit).into()
+}
+
+/// The same with the unit behind it.
+pub(crate) fn given_with(value: &BigRational, unit: super::Unit) -> super::Text {
+    super::text::phrase!("{} {}", given_in(value, unit), unit)
+}
+
 /// A length: exact where a closed form is known, and in decimals.
 #[derive(Clone, Debug)]
 pub struct Amount {

@@ -37,6 +37,8 @@ pub enum Piece {
     Measured(f64, Unit, fn(f64) -> String),
     /// An exact number whose unit stands elsewhere.
     Exactly(BigRational, Unit),
+    /// The same in little room: a long number in decimals after ≈.
+    Shortly(BigRational, Unit),
     /// The name of a unit alone.
     Unit(Unit),
     /// A formula in TeX.
@@ -120,6 +122,7 @@ impl Text {
                 | Piece::Quantity(..)
                 | Piece::Measured(..)
                 | Piece::Exactly(..)
+                | Piece::Shortly(..)
                 | Piece::Unit(_)
                 | Piece::Formula(_)
                 | Piece::Code(_) => {}

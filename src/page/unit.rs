@@ -113,6 +113,18 @@ impl Unit {
     pub const HORSEPOWER: Unit = Unit { name: "hp", tex: "hp" };
     /// Pounds-force on a square inch.
     pub const PSI: Unit = Unit { name: "psi", tex: "psi" };
+    /// Feet a second.
+    pub const FOOT_PER_SECOND: Unit = Unit { name: "ft/s", tex: "ft/s" };
+    /// Feet a second, each second.
+    pub const FOOT_PER_SQUARE_SECOND: Unit = Unit { name: "ft/s²", tex: "ft/s^2" };
+    /// Newton metres a radian, of a shaft that twists.
+    pub const NEWTON_METRE_PER_RADIAN: Unit = Unit { name: "N·m/rad", tex: "N\\,m/rad" };
+    /// Pounds-force times feet a radian.
+    pub const POUND_FORCE_FOOT_PER_RADIAN: Unit = Unit { name: "lbf·ft/rad", tex: "lbf\\,ft/rad" };
+    /// Moments in multiples of m r ω² at an arm of one metre.
+    pub const MULTIPLE_METRE: Unit = Unit { name: "m r ω²·1 m", tex: "m\\,r\\,\\omega^2\\,m" };
+    /// The same at an arm of one inch.
+    pub const MULTIPLE_INCH: Unit = Unit { name: "m r ω²·1 in", tex: "m\\,r\\,\\omega^2\\,in" };
 
     /// What stands in its place where inches are asked for, and how much of this unit that is, exactly; none for what both
     /// systems share.
@@ -120,7 +132,7 @@ impl Unit {
         // An inch is 25.4 mm, a pound 0.45359237 kg, a pound-force 4.4482216152605 N.
         const POUND_FORCE: i64 = 44_482_216_152_605;
         const POUND: i64 = 45_359_237;
-        let known: [(Unit, Unit, (i64, i64)); 13] = [
+        let known: [(Unit, Unit, (i64, i64)); 17] = [
             (Unit::NEWTON, Unit::POUND_FORCE, (POUND_FORCE, 10_000_000_000_000)),
             (Unit::NEWTON_METRE, Unit::POUND_FORCE_FOOT, (13_558_179_483_314_004, 10_000_000_000_000_000)),
             (Unit::NEWTON_SPACING, Unit::POUND_FORCE_SPACING, (POUND_FORCE, 10_000_000_000_000)),
@@ -128,6 +140,14 @@ impl Unit {
             (Unit::KILOGRAM_METRE, Unit::OUNCE_INCH, (POUND * 254, 16_000_000_000_000)),
             (Unit::KILOGRAM_MILLIMETRE, Unit::OUNCE_INCH, (POUND * 254, 16_000_000_000)),
             (Unit::METRE, Unit::INCH, (254, 10_000)),
+            (Unit::MULTIPLE_METRE, Unit::MULTIPLE_INCH, (254, 10_000)),
+            (Unit::METRE_PER_SECOND, Unit::FOOT_PER_SECOND, (3048, 10_000)),
+            (Unit::METRE_PER_SQUARE_SECOND, Unit::FOOT_PER_SQUARE_SECOND, (3048, 10_000)),
+            (
+                Unit::NEWTON_METRE_PER_RADIAN,
+                Unit::POUND_FORCE_FOOT_PER_RADIAN,
+                (13_558_179_483_314_004, 10_000_000_000_000_000),
+            ),
             (Unit::MILLIMETRE, Unit::INCH, (254, 10)),
             (Unit::CUBIC_CENTIMETRE, Unit::CUBIC_INCH, (16_387_064, 1_000_000)),
             (Unit::JOULE, Unit::FOOT_POUND, (13_558_179_483_314_004, 10_000_000_000_000_000)),

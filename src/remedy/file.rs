@@ -9,9 +9,10 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::rounded::{is_of_link, leaves_little, rounded};
 use super::{Corrected, Remedy, Shaft, Weight};
 use crate::engine::{Balancer, Counterweight, Cylinder, Engine};
-use crate::exact::Term;
+use crate::exact::{Term, Turn};
 use crate::file::{
     Beside, LayoutError, balancer_table, comment, counterweight_in_multiples, counterweight_table, parse_beside,
     without_counterweights,
@@ -24,7 +25,7 @@ use crate::proof::Sense;
 pub enum FileError {
     /// The engine was not read from a layout file.
     NoFile,
-    /// A shaft stands before a number of a link, which no key of a file names.
+    /// A weight against what links leave cannot be written in decimals that leave little enough.
     OfLinks,
     /// A shaft stands before a number of a crank that turns faster than the reference, which no key of a file names.
     OfFasterCrank,
@@ -43,7 +44,7 @@ impl fmt::Display for FileError {
                 f.write_str("the engine was not read from a layout file, to which weights could be added")
             }
             FileError::OfLinks => f.write_str(
-                "shafts against what links on a master rod leave are sums before numbers of their motion, which a layout file has no key for",
+                "shafts against what links on a master rod leave have no exact size, and no decimals leave less than 10^-6 of the load",
             ),
             FileError::OfFasterCrank => f.write_str(
                 "shafts against what pistons of a crankshaft leave that turns faster than the reference are sums before numbers of its own orders, which a layout file has no key for",
@@ -58,17 +59,27 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
+/// A layout file with the weights of a remedy.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CorrectedFile {
+    /// What is written.
+    pub text: String,
+    /// Whether weights in it are decimals, as those against what links leave are; else all of them are exact.
+    pub is_rounded: bool,
+}
+
 /// The layout file of the engine with the counterweights and balancer shafts of the remedy; `name` is what messages call it.
 ///
 /// # Errors
 /// Why the file cannot be written.
-pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result<String, FileError> {
+pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result<CorrectedFile, FileError> {
     let engine = remedy.subject.engine();
     let source = engine.file().written();
     if source.trim().is_empty() {
         return Err(FileError::NoFile);
     }
-    if remedy.weights().iter().any(|weight| weight.vector.parts().keys().any(is_of_link)) {
+    let of_links: Vec<Weight> = remedy.weights().into_iter().filter(is_of_link).collect();
+    if of_links.iter().any(|weight| rounded(&remedy.subject, weight).is_none()) {
         return Err(FileError::OfLinks);
     }
     if remedy.weights().iter().any(|weight| weight.vector.parts().keys().any(is_of_faster_crank)) {
@@ -76,22 +87,10 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result
     }
     let text = with_tables(remedy, source);
     let read = parse_beside(name, &text, beside).map_err(|error| FileError::Layout(Box::new(error)))?;
-    match is_meant(remedy, &read) {
-        true => Ok(text),
-        false => Err(FileError::AnotherEngine),
-    }
-}
-
-fn is_of_link(factor: &Factor) -> bool {
-    match factor {
-        Factor::Linkage(_) | Factor::Corrected(..) => true,
-        Factor::One
-        | Factor::Motion(_)
-        | Factor::Torque(_)
-        | Factor::Side(_)
-        | Factor::Open
-        | Factor::OpenTorque
-        | Factor::Geared(..) => false,
+    match (is_meant(remedy, &read, &of_links), leaves_little(remedy, &read)) {
+        (true, true) => Ok(CorrectedFile { text, is_rounded: !of_links.is_empty() }),
+        (true, false) => Err(FileError::OfLinks),
+        (false, _) => Err(FileError::AnotherEngine),
     }
 }
 
@@ -109,8 +108,9 @@ fn is_of_faster_crank(factor: &Factor) -> bool {
     }
 }
 
-/// Whether it is the corrected engine: the same but for the weights, and each sum is zero that was proved to be.
-fn is_meant(remedy: &Remedy, read: &Engine) -> bool {
+/// Whether it is the corrected engine: the same but for the weights, and each sum is zero that was proved to be, unless its weights
+/// were rounded.
+fn is_meant(remedy: &Remedy, read: &Engine, of_links: &[Weight]) -> bool {
     let engine = remedy.subject.engine();
     let same = read.cylinders() == engine.cylinders()
         && read.dimensions() == engine.dimensions()
@@ -121,7 +121,9 @@ fn is_meant(remedy: &Remedy, read: &Engine) -> bool {
         let whole = order::all_masses(read, judged.quantity, judged.order, judged.sense);
         whole.parts().contains_key(&judged.factor) != judged.vanishes()
     };
-    same && remedy.corrected.iter().all(sum)
+    let is_rounded =
+        |judged: &Corrected| of_links.iter().any(|weight| (weight.order, weight.sense) == (judged.order, judged.sense));
+    same && remedy.corrected.iter().filter(|judged| !is_rounded(judged)).all(sum)
 }
 
 fn with_tables(remedy: &Remedy, source: &str) -> String {
@@ -142,6 +144,9 @@ fn with_tables(remedy: &Remedy, source: &str) -> String {
     if !remedy.weights().is_empty() {
         text += &format!("\n{}", comment(&head));
     }
+    if remedy.weights().iter().any(is_of_link) {
+        text += &comment(ROUNDED);
+    }
     let bays = remedy.bays.iter().flat_map(|weight| tables(remedy, weight));
     text.extend(bays);
     for shaft in remedy.crankshaft.iter().chain(&remedy.shafts) {
@@ -150,6 +155,9 @@ fn with_tables(remedy: &Remedy, source: &str) -> String {
     }
     text
 }
+
+/// What is said of weights that are not exact.
+const ROUNDED: &str = "Against what links on a master rod leave there is no exact size: those weights are decimals, and leave less than 10^-6 of the load.";
 
 fn heading(shaft: &Shaft) -> String {
     match (shaft.order, shaft.sense) {
@@ -174,11 +182,7 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
     let engine = remedy.subject.engine();
     let (radius, unit) = (engine.unit_radius(), engine.unit_mass() * engine.unit_radius());
     let is_known = remedy.subject.scale().is_some();
-    let table = |(factor, term): (&Factor, &Term)| {
-        let (coefficient_of, sign) = coefficient(engine, factor, weight.order);
-        let size = &term.weight * &unit * sign;
-        let angle = if size.is_negative() { term.angle.opposite() } else { term.angle.clone() };
-        let size = size.abs();
+    let table = |coefficient_of: Option<usize>, size: BigRational, angle: Turn| {
         if (weight.order, weight.sense, coefficient_of) == (1, Sense::Direct, None) {
             let mass = &size / &radius;
             let weight = Counterweight {
@@ -206,15 +210,27 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
         };
         balancer_table(engine, &shaft, (!is_known).then_some(&unit))
     };
+    if is_of_link(weight) {
+        let as_written = |size: BigRational| if is_known { size } else { size * &unit };
+        let rounded = rounded(&remedy.subject, weight);
+        return rounded.map(|(size, angle)| table(None, as_written(size), angle)).into_iter().collect();
+    }
     let parts = weight.vector.parts().iter();
-    parts.flat_map(|(factor, sum)| sum.terms().iter().map(move |term| (factor, term))).map(table).collect()
+    let terms = parts.flat_map(|(factor, sum)| sum.terms().iter().map(move |term| (factor, term)));
+    let exact = terms.map(|(factor, term): (&Factor, &Term)| {
+        let (coefficient_of, sign) = coefficient(engine, factor, weight.order);
+        let size = &term.weight * &unit * sign;
+        let angle = if size.is_negative() { term.angle.opposite() } else { term.angle.clone() };
+        table(coefficient_of, size.abs(), angle)
+    });
+    exact.collect()
 }
 
 /// The cylinder whose coefficient a factor is, and the sign between the two; none for 1.
 fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
     let one = BigRational::from_integer(1.into());
     match factor {
-        // Of a link, or a faster crank, no file is written.
+        // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
         Factor::One | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;

@@ -10,6 +10,7 @@ mod counterweights;
 mod file;
 mod height;
 mod partial;
+mod rounded;
 mod shafts;
 mod weight;
 
@@ -21,7 +22,7 @@ use num_traits::ToPrimitive;
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
-pub use file::{FileError, corrected_file};
+pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, LEAST, Shaft, is_slight, shaft, shafts};

@@ -207,7 +207,7 @@ pub(super) fn decimals(star: JudgedStar<'_>) -> (f64, Option<f64>) {
         true => (0.0, None),
         false => {
             let sum = numbers::evaluate(star.sum);
-            (sum.norm(), Some(numbers::degrees(sum)))
+            (numbers::length(sum), Some(numbers::degrees(sum)))
         }
     }
 }

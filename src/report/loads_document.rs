@@ -26,17 +26,17 @@ pub struct LoadsDocument {
     scale: Option<ScaleEntry>,
     effects: Vec<&'static str>,
     coefficients: Vec<CoefficientEntry>,
-    orders: Vec<OrderEntry>,
-    torque: Vec<TorqueEntry>,
+    pub(super) orders: Vec<OrderEntry>,
+    pub(super) torque: Vec<TorqueEntry>,
     /// On the frame: −torque and the balancer shafts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    roll: Vec<TorqueEntry>,
+    pub(super) roll: Vec<TorqueEntry>,
     /// Of the exact motion, all orders.
-    largest: LargestEntries,
+    pub(super) largest: LargestEntries,
     /// Of the orders that are listed.
     peaks: Peaks,
     /// What is not listed adds at most this, as a part of each peak; null where it might be all of it.
-    left_out: LeftOutEntry,
+    pub(super) left_out: LeftOutEntry,
     coefficients_computed: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     auto: Option<AutoEntry>,
@@ -70,39 +70,39 @@ struct CoefficientEntry {
 
 /// One order of the force or the moment.
 #[derive(Clone, Debug, Serialize)]
-struct OrderEntry {
-    quantity: &'static str,
-    order: u32,
+pub(super) struct OrderEntry {
+    pub(super) quantity: &'static str,
+    pub(super) order: u32,
     /// Whether some piston or shaft has the order at all.
-    exists: bool,
+    pub(super) exists: bool,
     /// `true` proved zero, `false` proved not zero, null not decided.
-    vanishes: Option<bool>,
-    direct: VectorEntry,
-    reverse: VectorEntry,
-    largest: f64,
-    smallest: f64,
-    direction_deg: Option<f64>,
-    along: f64,
-    across: f64,
+    pub(super) vanishes: Option<bool>,
+    pub(super) direct: VectorEntry,
+    pub(super) reverse: VectorEntry,
+    pub(super) largest: f64,
+    pub(super) smallest: f64,
+    pub(super) direction_deg: Option<f64>,
+    pub(super) along: f64,
+    pub(super) across: f64,
     /// The largest length in multiples of m r ω² (times the unit of the positions).
     dimensionless: f64,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct VectorEntry {
-    amplitude: f64,
-    angle_deg: Option<f64>,
-    vanishes: Option<bool>,
+pub(super) struct VectorEntry {
+    pub(super) amplitude: f64,
+    pub(super) angle_deg: Option<f64>,
+    pub(super) vanishes: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    below: Option<f64>,
+    pub(super) below: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct TorqueEntry {
-    order: u32,
-    vanishes: Option<bool>,
-    amplitude: f64,
-    phase_deg: Option<f64>,
+pub(super) struct TorqueEntry {
+    pub(super) order: u32,
+    pub(super) vanishes: Option<bool>,
+    pub(super) amplitude: f64,
+    pub(super) phase_deg: Option<f64>,
     dimensionless: f64,
 }
 
@@ -135,34 +135,34 @@ struct AutoEntry {
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct LargestEntries {
-    force: LargestEntry,
-    moment: LargestEntry,
+pub(super) struct LargestEntries {
+    pub(super) force: LargestEntry,
+    pub(super) moment: LargestEntry,
     #[serde(skip_serializing_if = "Option::is_none")]
-    inertia_torque: Option<LargestEntry>,
+    pub(super) inertia_torque: Option<LargestEntry>,
 }
 
 /// A largest value: the truth lies within the error bound of it.
 #[derive(Clone, Debug, Serialize)]
-struct LargestEntry {
-    value: f64,
-    theta_deg: Option<f64>,
-    error_bound: f64,
+pub(super) struct LargestEntry {
+    pub(super) value: f64,
+    pub(super) theta_deg: Option<f64>,
+    pub(super) error_bound: f64,
     /// `true` proved zero at every order, `false` not zero, null not decided.
-    vanishes: Option<bool>,
+    pub(super) vanishes: Option<bool>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct LeftOutEntry {
-    force: Option<BoundEntry>,
-    moment: Option<BoundEntry>,
-    inertia_torque: Option<BoundEntry>,
+pub(super) struct LeftOutEntry {
+    pub(super) force: Option<BoundEntry>,
+    pub(super) moment: Option<BoundEntry>,
+    pub(super) inertia_torque: Option<BoundEntry>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct BoundEntry {
+pub(super) struct BoundEntry {
     /// In the unit of the load.
-    at_most: f64,
+    pub(super) at_most: f64,
     /// Of the peak; null where it might be all of it.
     part: Option<f64>,
 }

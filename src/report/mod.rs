@@ -9,8 +9,10 @@ mod bearings;
 mod calculation;
 mod catalogue;
 mod claims;
+mod classroom;
 mod compare;
 mod convention;
+pub mod data;
 mod document;
 mod engine_cells;
 mod engine_page;
@@ -54,13 +56,16 @@ pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
 pub use calculation::{Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
-pub use claims::{claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use claims::{claim_evidence, claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
 pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 pub use document::document;
-pub use engine_page::{Contents, engine_answer, engine_page};
+pub use engine_page::{Contents, engine_answer, engine_at_a_glance, engine_page, engine_proofs, engine_summary};
 pub use engines::{BuiltEngine, engines_page};
 pub use example::worked as worked_example;
-pub use family_page::{amplitudes, amplitudes_caption, family_answer, family_page, open_document};
+pub use family_page::{
+    amplitudes, amplitudes_caption, family_answer, family_page, family_proofs, family_summary, open_document,
+};
 pub use figures::{NamedPicture, figures, sweep_figures};
 pub use firing::{
     FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,
@@ -75,7 +80,11 @@ pub use optimise::{
 };
 pub use poster::{poster, poster_sheet};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
-pub use residual::{force_summary, moment_summary, order_name, whole_summary};
+pub use residual::{
+    bearing as star_bearing, class_sources, force as force_left, force_summary, largest as largest_length,
+    modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
+    torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
+};
 pub use search::{search_answer, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};

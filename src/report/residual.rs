@@ -17,28 +17,28 @@ use crate::verdict::{
 };
 
 /// `|S|` of a star.
-pub(super) fn modulus<'a>(judged: impl Into<JudgedStar<'a>>) -> Amount {
+pub fn modulus<'a>(judged: impl Into<JudgedStar<'a>>) -> Amount {
     let judged = judged.into();
     if judged.vanishes() { Amount::zero() } else { modulus_of(judged.sum) }
 }
 
 /// `|S|` of a sum that is not zero.
 pub(super) fn modulus_of(sum: &PhasorSum) -> Amount {
-    Amount { exact: numbers::modulus(sum), decimal: numbers::evaluate(sum).norm() }
+    Amount { exact: numbers::modulus(sum), decimal: numbers::length(numbers::evaluate(sum)) }
 }
 
 /// The direction of a sum that is not zero.
-pub(super) fn bearing(sum: &PhasorSum) -> Bearing {
+pub fn bearing(sum: &PhasorSum) -> Bearing {
     Bearing { exact: numbers::direction_of(sum), decimal: numbers::degrees(numbers::evaluate(sum)) }
 }
 
 /// The largest value through a revolution, `½(|P⁺| + |P⁻|)`.
-pub(super) fn largest(balance: &Balance) -> Amount {
+pub fn largest(balance: &Balance) -> Amount {
     modulus(&balance.direct).mean(&modulus(&balance.reverse))
 }
 
 /// The word for a shape.
-pub(super) fn shape_name(shape: Shape) -> &'static str {
+pub fn shape_name(shape: Shape) -> &'static str {
     match shape {
         Shape::Balanced => "balanced",
         Shape::Rotating => "rotating",
@@ -93,15 +93,16 @@ fn class_words(class: &Class, order: u32) -> String {
         }
         Factor::One | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
     };
-    let own = if own_order == order { String::new() } else { format!(", order {own_order} of its own crankshaft") };
-    format!("{}{own}{rod}", class_sources(class))
+    let own = (own_order != order).then(|| format!("order {own_order} of its own crankshaft"));
+    let named: Vec<String> = [class_sources(class)].into_iter().chain(own).collect();
+    format!("{}{rod}", named.join(", "))
 }
 
 /// More masses that turn than this are counted, not named.
 const MOST_NAMED: usize = 3;
 
 /// `cylinders 1–3`, `balancer shaft 1`, `6 masses that turn`.
-pub(super) fn class_sources(class: &Class) -> String {
+pub fn class_sources(class: &Class) -> String {
     let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
     let cylinders = match names.as_slice() {
         [] => None,
@@ -129,7 +130,7 @@ pub(super) fn whole_text(whole: &WholeOrder) -> Text {
 }
 
 /// The force and the moment of a whole order in a few words each.
-pub(super) fn whole(order: &OrderVerdict) -> [Text; 2] {
+pub fn whole(order: &OrderVerdict) -> [Text; 2] {
     match order.parts.as_slice() {
         [only] => [force(only), moment(only)],
         _ if !order.exists() => [DOES_NOT_EXIST.into(), DOES_NOT_EXIST.into()],
@@ -143,18 +144,18 @@ pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
 }
 
 /// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
-pub(super) fn force(order: &OrderBalance) -> Text {
+pub fn force(order: &OrderBalance) -> Text {
     if order.exists { summary(&order.force, None) } else { DOES_NOT_EXIST.into() }
 }
 
 /// The moment of an order in a few words: zero or `couple √10 ≈ 3.162, rotating`.
-pub(super) fn moment(order: &OrderBalance) -> Text {
+pub fn moment(order: &OrderBalance) -> Text {
     let words = if order.moment_is_couple() { "couple {}, {}" } else { "moment {}, {}" };
     if order.exists { summary(&order.moment, Some(words)) } else { DOES_NOT_EXIST.into() }
 }
 
 /// The inertia torque of an order in a few words: zero or its amplitude.
-pub(super) fn torque(torque: &TorqueVerdict) -> Text {
+pub fn torque(torque: &TorqueVerdict) -> Text {
     match torque.parts.as_slice() {
         [only] => torque_part(only),
         _ if !torque.exists() => DOES_NOT_EXIST.into(),
@@ -167,7 +168,7 @@ pub(super) fn torque(torque: &TorqueVerdict) -> Text {
 }
 
 /// The roll moment of an order in a few words: zero, or what the forces leave by their arms and what the torques leave.
-pub(super) fn roll(roll: &TorqueVerdict) -> Text {
+pub fn roll(roll: &TorqueVerdict) -> Text {
     let parts = || roll.parts.iter().filter(|part| part.exists && !part.verdict.vanishes());
     let [of_torques, of_arms] = [true, false].map(|torques| {
         let is_meant = |part: &&TorquePart| torques == is_of_torques(part);
@@ -198,7 +199,7 @@ fn is_of_torque(factor: &Factor) -> bool {
 }
 
 /// The same of one of its sums.
-pub(super) fn torque_part(part: &TorquePart) -> Text {
+pub fn torque_part(part: &TorquePart) -> Text {
     if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
 }
 

@@ -124,14 +124,14 @@ pub(super) fn position_heading(engine: &Engine) -> Text {
 /// What stands over the positions of loads.
 pub(super) fn load_heading(engine: &Engine) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => "Load at (mm)".into(),
+        LengthUnit::Metre => phrase!("Load at ({})", Unit::MILLIMETRE),
         LengthUnit::Spacing => "Load at".into(),
     }
 }
 
 fn arm_heading(engine: &Engine) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => "Arm z (mm)".into(),
+        LengthUnit::Metre => phrase!("Arm z ({})", Unit::MILLIMETRE),
         LengthUnit::Spacing => "Arm z".into(),
     }
 }

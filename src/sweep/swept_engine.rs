@@ -47,6 +47,20 @@ pub struct Amplitudes {
     pub across: Amplitude,
 }
 
+impl Amplitudes {
+    /// All of them by name, as columns and curves have them.
+    pub fn named(&self) -> [(&'static str, Amplitude); 6] {
+        [
+            ("largest", self.largest),
+            ("smallest", self.smallest),
+            ("along", self.along),
+            ("across", self.across),
+            ("direct", self.direct),
+            ("reverse", self.reverse),
+        ]
+    }
+}
+
 /// One order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweptOrder {

@@ -181,7 +181,8 @@ fn other_drawing(text: &str) -> String {
 #[test]
 fn an_engine_drawn_the_other_way_round_is_the_same_engine() {
     let mut dice = Dice::new(14);
-    for form in engines::FORMS.into_iter().filter(|form| *form != "open") {
+    // Narrow banks stand where their form draws them, the first at −φ/2 whichever way the crank turns.
+    for form in engines::FORMS.into_iter().filter(|form| !["open", "vr", "w"].contains(form)) {
         for _ in 0..40 {
             let text = engines::file(&mut dice, form);
             let Ok(engine) = parse("drawn", &text) else { continue };
@@ -227,7 +228,7 @@ fn sizes(orders: &[OrderVerdict]) -> (Sizes, Vec<Shape>) {
 fn a_mirror_image_has_equal_verdicts_lengths_and_shapes() {
     let mut dice = Dice::new(141);
     let mut compared = 0;
-    for form in engines::FORMS.into_iter().filter(|form| !["open", "radial"].contains(form)) {
+    for form in engines::FORMS.into_iter().filter(|form| !["open", "radial", "vr", "w"].contains(form)) {
         for _ in 0..8 {
             let text = engines::file(&mut dice, form);
             let (Ok(engine), Ok(mirrored)) = (parse("one", &text), parse("other", &other_drawing(&text))) else {

@@ -9,9 +9,13 @@ use crate::support::pages::document;
 use crate::support::program::call;
 
 fn fragment(options: Options) -> String {
+    fragment_in(Format::Latex, options)
+}
+
+fn fragment_in(format: Format, options: Options) -> String {
     let text = include_str!("../../reports/examples/v8-small-block/layout.toml");
     let page = document(&parse("layout.toml", text).expect("it reads"));
-    page::write(&page, Format::Latex, &Options { fragment: true, ..options }).remove(0).text
+    page::write(&page, format, &Options { fragment: true, ..options }).remove(0).text
 }
 
 fn between<'a>(text: &'a str, begin: &str) -> Vec<&'a str> {
@@ -74,4 +78,19 @@ fn a_prefix_is_one_that_latex_takes() {
     assert!(String::from_utf8_lossy(&told.stderr).contains("letters, digits"));
     let without = call(&["report", "I4", "--format", "latex", "--label", "ab"]);
     assert_eq!(without.status.code(), Some(2));
+}
+
+#[test]
+fn a_fragment_of_html_stands_in_a_page_that_is_there() {
+    let text = fragment_in(Format::Html, Options::default());
+    assert!(text.starts_with("<div class=\"crankstar\""), "{}", &text[..60]);
+    for word in ["<!DOCTYPE", "<html", "<head", "<body", "<h1"] {
+        assert!(!text.contains(word), "{word}");
+    }
+    assert_eq!(text.matches("<div").count(), text.matches("</div>").count());
+    // What it looks like is of its own parts alone.
+    let rules = text.split_once("<style>").and_then(|(_, rest)| rest.split_once("</style>")).expect("a style").0;
+    let rules = rules.lines().filter(|line| !line.trim().is_empty());
+    assert!(rules.clone().count() > 5);
+    assert_eq!(rules.filter(|line| !line.contains(".crankstar")).collect::<Vec<_>>(), Vec::<&str>::new());
 }

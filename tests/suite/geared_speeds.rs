@@ -117,10 +117,10 @@ fn remedies_of_engines_with_fast_cranks_hold() {
         match corrected_file(&remedy, "speeds.toml", file::Beside::nothing()) {
             Ok(file) => {
                 written += 1;
-                let corrected = layout(&file);
+                let corrected = layout(&file.text);
                 let orders = judged(&corrected, &[1, 2, 3], Masses::All);
                 for order in orders.iter().filter(|order| order.exists()) {
-                    assert!(order.force.is_balanced() && order.moment.is_balanced(), "{file}");
+                    assert!(order.force.is_balanced() && order.moment.is_balanced(), "{}", file.text);
                 }
             }
             Err(why) => assert!(why.to_string().contains("faster than the reference"), "{why}\n{text}"),

@@ -95,7 +95,15 @@ fn the_page_of_commands_tells_every_option() {
 #[test]
 fn links_of_the_readme_and_of_docs_lead_somewhere() {
     let mut found = 0;
-    for file in ["README.md", "CONTRIBUTING.md", "docs/commands.md", "docs/speed.md", "docs/theory.md"] {
+    for file in [
+        "README.md",
+        "CONTRIBUTING.md",
+        "docs/classroom.md",
+        "docs/commands.md",
+        "docs/data.md",
+        "docs/speed.md",
+        "docs/theory.md",
+    ] {
         let page = text(file);
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
         let folder = folder.parent().expect("a folder");

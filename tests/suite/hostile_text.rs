@@ -214,6 +214,17 @@ fn no_text_of_a_layout_file_acts_in_the_output_of_any_command() {
     typst_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "typst"]));
     html_is_whole("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "html"]));
     csv_is_inert("sweep", &answered(&["sweep", file, "--speed", "1000..3000:1000", "--format", "csv"]));
+    for command in ["classify", "loads", "bearings", "compare I4", "sweep --speed=1000..3000:1000"] {
+        let output = folder.join(format!("{}-data", command.split(' ').next().unwrap_or_default()));
+        let output = output.to_str().expect("UTF-8");
+        let arguments: Vec<&str> = command.split(' ').chain([file, "--format", "csv"]).collect();
+        csv_is_inert(command, &answered(&arguments));
+        answered(&arguments.iter().copied().chain(["--output", output]).collect::<Vec<_>>());
+        let written = fs::read_dir(output).expect("a folder").map(|entry| entry.expect("an entry").path());
+        let texts = written.map(|path| (file_is_harmless(&path), fs::read_to_string(&path).expect("a text")).1);
+        let texts = texts.collect::<String>();
+        assert!(!command.starts_with("compare") || texts.contains("'=cmd()|x"), "{command}: {texts}");
+    }
     for command in [
         "classify",
         "loads",
@@ -290,6 +301,58 @@ fn no_text_of_a_claims_file_acts() {
     markdown_is_whole("the page of claims", &page.text);
     for word in ["title", "text", "statement-source", "claim-source", "conclusion", "place", "words"] {
         assert!(page.text.contains(&format!("of-{word}")), "the text of {word} is not shown");
+    }
+}
+
+/// Names of students, what they write, and what their files are called.
+#[test]
+fn no_text_of_a_class_acts() {
+    let folder = scratch("hostile-class");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
+    // Its lines are names of their own; one that is read wrongly is named by its file.
+    fs::write(folder.join("class.txt"), format!("{HARM}of-name\nBob\nCarl\n")).expect("a file");
+    for format in formats() {
+        let out = format!("out-{format}");
+        answered(&[
+            "exercise",
+            "V2-90",
+            "--students",
+            &path("class.txt"),
+            "--format",
+            &format,
+            "--output",
+            &path(&out),
+        ]);
+        let handed_in = folder.join(format!("in-{format}"));
+        fs::create_dir_all(&handed_in).expect("a folder");
+        let table = |whose: &str| {
+            format!(
+                "{whose}\n[[table]]\norder = 1\nrows = [{{ cylinder = 1, direct = {}, reverse = \"<b>\" }}]\nsums = {{ force_direct = {} }}\n",
+                quoted("`a` | <script>alert(1)</script>"),
+                harm("of-entry")
+            )
+        };
+        fs::write(handed_in.join("bob.toml"), table("student = 'Bob'")).expect("a file");
+        fs::write(handed_in.join("carl.toml"), format!("student = 'Carl'\n[convention]\nsense = {}", harm("of-sense")))
+            .expect("a file");
+        fs::write(handed_in.join("<b>`x` | y.toml"), table(&format!("student = {}", harm("of-student"))))
+            .expect("a file");
+        let key = path(&format!("{out}/exercise.toml"));
+        let marks = path(&format!("marks-{format}"));
+        let arguments =
+            ["mark", handed_in.to_str().expect("UTF-8"), "--exercise", &key, "--format", &format, "--output", &marks];
+        let told = answered(&arguments);
+        for word in ["of-name", "of-sense", "of-student"] {
+            assert!(told.contains(word), "{word} is not shown:\n{told}");
+        }
+        csv_is_inert("the marks", &fs::read_to_string(Path::new(&marks).join("marks.csv")).expect("a table"));
+        for file in source_files(&folder.join(&out)).into_iter().chain(source_files(Path::new(&marks))) {
+            match file.extension().is_some_and(|ending| ending == "toml") {
+                // An exercise, or a table to fill in.
+                true => nothing_acts(&file.display().to_string(), &fs::read_to_string(&file).expect("a text")),
+                false => file_is_harmless(&file),
+            }
+        }
     }
 }
 
@@ -382,6 +445,8 @@ fn every_field_of_a_persons_text_is_tried_here() {
         "claim/file.rs: engine", "claim/file.rs: says", "claim/student.rs: engine",
         "claim/study.rs: title", "claim/study.rs: source", "claim/study.rs: in_line", "claim/study.rs: text",
         "claim/provenance.rs: source", "claim/provenance.rs: place", "claim/provenance.rs: words", "claim/study.rs: conclusion", "claim/study.rs: engine", "claim/study.rs: claim",
+        "claim/handwritten.rs: text", "claim/star_marks.rs: written",
+        "classroom/students.rs: name", "classroom/exercise.rs: name", "classroom/results.rs: files",
         "sweep/run.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title",
     ]);
     assert_eq!(found_in_source(field), known);
@@ -401,6 +466,10 @@ fn a_persons_text_leaves_its_type_unescaped_in_few_places() {
         "optimise/file.rs: ", "remedy/file.rs: ", "report/optimise/layouts.rs: ", "page/write/compose.rs: ",
         // a claim that is read
         "claim/file.rs: ",
+        // a value of Python, which obeys no text
+        "python/columns.rs: ", "python/engine.rs: ",
+        // a student's name in the file of an exercise, and in the table that is filled in
+        "classroom/exercise.rs: ", "classroom/answers.rs: ",
     ]);
     assert_eq!(found_in_source(file), known);
 }

@@ -12,7 +12,7 @@ const V8: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 
 /// The units of the inch in those of the SI, as handbooks print them.
-const SIZES: [(&str, &str, f64); 13] = [
+const SIZES: [(&str, &str, f64); 17] = [
     ("N", "lbf", 4.448222),
     ("N·m", "lbf·ft", 1.355818),
     ("N·a", "lbf·a", 4.448222),
@@ -26,6 +26,10 @@ const SIZES: [(&str, &str, f64); 13] = [
     ("kW", "hp", 0.7456999),
     ("bar", "psi", 0.06894757),
     ("kg·m²", "lb·ft²", 0.04214011),
+    ("m/s", "ft/s", 0.3048),
+    ("m/s²", "ft/s²", 0.3048),
+    ("N·m/rad", "lbf·ft/rad", 1.355818),
+    ("m r ω²·1 m", "m r ω²·1 in", 0.0254),
 ];
 
 #[track_caller]
@@ -64,9 +68,10 @@ fn quantities<'a>(text: &'a Text, found: &mut Vec<(&'a Piece, Unit)>) {
     for piece in text.pieces() {
         match piece {
             Piece::Phrase(_, values) => values.iter().for_each(|value| quantities(value, found)),
-            Piece::Quantity(_, unit) | Piece::Measured(_, unit, _) | Piece::Exactly(_, unit) => {
-                found.push((piece, *unit))
-            }
+            Piece::Quantity(_, unit)
+            | Piece::Measured(_, unit, _)
+            | Piece::Exactly(_, unit)
+            | Piece::Shortly(_, unit) => found.push((piece, *unit)),
             Piece::Link(text, _) => quantities(text, found),
             _ => {}
         }
@@ -142,6 +147,10 @@ fn the_table_of_units_is_that_of_the_handbooks() {
         Unit::KILOWATT,
         Unit::BAR,
         Unit::KILOGRAM_SQUARE_METRE,
+        Unit::METRE_PER_SECOND,
+        Unit::METRE_PER_SQUARE_SECOND,
+        Unit::NEWTON_METRE_PER_RADIAN,
+        Unit::MULTIPLE_METRE,
     ];
     for (unit, (name, inch, size)) in all.into_iter().zip(SIZES) {
         assert_eq!(unit.name, name);

@@ -225,3 +225,51 @@ fn what_is_not_decided_is_not_drawn_and_points_nowhere() {
     let text = pages::text(&page, Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("not decided, below") && !text.contains("The force of the orders listed"), "{text}");
 }
+
+/// Two crankshafts: the page shows the roll moment that the document has, order by order, in the units of the reader.
+#[test]
+fn the_roll_moment_of_several_crankshafts_is_on_the_page_as_in_the_document() {
+    use crankstar::page::{self, Options, Units};
+    let text = "speed = '6000 rpm'\neffects = ['torque']\n[square_four]\nin_phase = 'sides'\nsense = 'with'\ndistance = '120 mm'\nspacing = '0.1 m'\n\
+                [mechanism]\nreciprocating_mass = '0.6 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n";
+    let engine = parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let (document, json) = page(&engine);
+    let orders = json["roll"].as_array().expect("a roll moment");
+    assert!(!orders.is_empty());
+    let written = |units| {
+        let options = Options { units, ..Options::default() };
+        let text = page::write(&document, Format::PLAIN, &options)[0].text.clone();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let (si, inch) = (written(Units::Si), written(Units::Inch));
+    for words in ["Roll moment", "The roll moment is that on the frame about the middle of the engine"] {
+        assert!(si.contains(words) && inch.contains(words), "{words}: {si}");
+    }
+    let numbers = numbers(&engine, &usual_orders(&engine));
+    let roll = numbers.loads.roll.as_ref().expect("a roll moment");
+    let scale = numbers.loads.scale.as_ref().expect("a scale").torque();
+    let mut left = 0;
+    for order in roll.orders.iter().filter(|order| order.vector.value.norm() > 0.0) {
+        let size = order.vector.value.norm() * scale;
+        let shown = |size: f64| format!("≈\u{a0}{}", four_digits(size));
+        let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(si.contains(&plain(&shown(size))), "order {}: {} in {si}", order.order, shown(size));
+        assert!(inch.contains(&plain(&shown(size / 1.3558179483314004))), "order {} in {inch}", order.order);
+        left += 1;
+    }
+    assert!(left >= 2, "{left}");
+    let answer = report::loads_answer(&engine, &numbers, None);
+    let answer = page::write(&answer, Format::PLAIN, &Options::default())[0].text.clone();
+    assert!(answer.contains("Roll in N·m"), "{answer}");
+}
+
+/// Four digits, as tables have them.
+fn four_digits(value: f64) -> String {
+    match value {
+        size if size >= 999.95 => format!("{size:.0}"),
+        size if size >= 99.995 => format!("{size:.1}"),
+        size if size >= 9.9995 => format!("{size:.2}"),
+        size if size >= 0.99995 => format!("{size:.3}"),
+        size => format!("{size:.4}"),
+    }
+}

@@ -21,7 +21,7 @@ use crankstar::{family, report};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 
 const ORDERS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 const USUAL: u64 = 240;
@@ -80,6 +80,10 @@ fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
             Quantity::Torque => mass * radius * radius,
             Quantity::Roll => unreachable!("it is not asked for"),
         };
+        // Cylinders whose axes pass the shaft on either side are judged together: odd c_k above 1 change their sign with the offset.
+        let is_mirrored = verdict.sense.is_some() && verdict.order > 1 && verdict.order % 2 == 1;
+        let passes_behind = cylinder.rod().is_some_and(|rod| rod.offset.is_negative());
+        let weight = if is_mirrored && passes_behind { -weight } else { weight };
         (angle, weight)
     };
     of.iter().map(vector).collect()

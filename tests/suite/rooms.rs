@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use crate::support::imports;
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
-const STOREYS: [&[&str]; 14] = [
+const STOREYS: [&[&str]; 15] = [
     &["proof", "motion", "beam", "text"],
-    &["exact"],
+    &["exact", "table"],
     &["engine"],
     &["file"],
     &["order", "numbers", "gas"],
@@ -19,9 +19,10 @@ const STOREYS: [&[&str]; 14] = [
     &["accuracy", "remedy", "sweep", "search", "torque", "torsion"],
     &["journal"],
     &["claim", "optimise"],
+    &["classroom"],
     &["page"],
     &["report"],
-    &["cli"],
+    &["cli", "web", "python"],
 ];
 
 fn root() -> &'static Path {

@@ -49,7 +49,7 @@ pub enum Letter {
 
 impl Letter {
     /// Every way to write a letter; of two that begin alike the longer one stands first.
-    pub(super) const NAMES: [(&'static str, Letter); 30] = [
+    pub(super) const NAMES: [(&'static str, Letter); 32] = [
         ("F_ALT", Letter::Alternating),
         ("F_ROT", Letter::Centrifugal),
         ("F_g", Letter::Gas),
@@ -59,6 +59,7 @@ impl Letter {
         ("F", Letter::Effort),
         ("m_ALT", Letter::Reciprocating),
         ("m_ROT", Letter::Rotating),
+        ("m", Letter::Reciprocating),
         ("p_0", Letter::Crankcase),
         ("p", Letter::Pressure),
         ("θ", Letter::Theta),
@@ -73,6 +74,7 @@ impl Letter {
         ("delta", Letter::Delta),
         ("ω", Letter::Omega),
         ("omega", Letter::Omega),
+        ("w", Letter::Omega),
         ("r", Letter::Radius),
         ("L", Letter::Rod),
         ("l", Letter::Rod),

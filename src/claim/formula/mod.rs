@@ -2,8 +2,10 @@
 
 mod letter;
 mod read;
+mod series;
 
 pub use letter::{Letter, Measured};
+pub use series::{Powers, Series, Wave};
 
 use num_rational::BigRational;
 

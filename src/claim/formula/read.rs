@@ -1,5 +1,7 @@
 //! Which formula do these signs make? Sums of products of factors; factors may stand side by side, as on paper.
 
+use num_rational::BigRational;
+
 use super::{Formula, Function, Letter, Operation};
 use crate::file::parse_number;
 
@@ -73,7 +75,12 @@ impl Rest<'_> {
             Some(function) => {
                 // sin² θ is the square of sin θ.
                 let exponent = self.exponent()?;
-                let of = Formula::Of(function, Box::new(self.argument()?));
+                // √2 m is √2 times m, cos 2θ is of 2θ.
+                let argument = match function {
+                    Function::Root => self.simple()?,
+                    Function::Sine | Function::Cosine | Function::Tangent => self.argument()?,
+                };
+                let of = Formula::Of(function, Box::new(argument));
                 match exponent {
                     Some(exponent) => Formula::Power(Box::new(of), exponent),
                     None => of,
@@ -118,7 +125,15 @@ impl Rest<'_> {
         let digits = next.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(next.len());
         if digits > 0 {
             self.0 = &next[digits..];
-            return parse_number(&next[..digits]).map(Formula::Number).map_err(|error| error.to_string());
+            let number = parse_number(&next[..digits]).map_err(|error| error.to_string())?;
+            return Ok(match self.sign(&[("°", ())]) {
+                // Angles are in radians.
+                Some(()) => {
+                    let part = Formula::Number(number / BigRational::from_integer(180.into()));
+                    Formula::Both(Operation::Times, Box::new((part, Formula::Pi)))
+                }
+                None => Formula::Number(number),
+            });
         }
         if self.sign(&[("π", ()), ("pi", ())]).is_some() {
             return Ok(Formula::Pi);

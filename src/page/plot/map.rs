@@ -51,6 +51,30 @@ const MOST_CELLS: usize = 400;
 impl Map {
     /// The drawing, 112 mm wide and about 70 mm high, with a contour line at each tick of the scale.
     pub fn figure(&self) -> Figure {
+        let in_inches = self.in_inches().map(|map| Box::new(map.drawn()));
+        Figure { in_inches, ..self.drawn() }
+    }
+
+    /// The same in inches and pounds; none where no axis has a unit that changes.
+    fn in_inches(&self) -> Option<Map> {
+        let axes = [&self.x, &self.y, &self.value].map(|axis| (axis, axis.in_inches()));
+        if axes.iter().all(|(_, inches)| inches.is_none()) {
+            return None;
+        }
+        let [(right, x), (up, y), (factor, value)] =
+            axes.map(|(axis, inches)| inches.unwrap_or_else(|| (1.0, axis.clone())));
+        let mut map = Map { x, y, value, ..self.clone() };
+        let scale = |at: &mut (f64, f64)| *at = (at.0 * right, at.1 * up);
+        map.rows.iter_mut().flatten().for_each(|value| *value *= factor);
+        map.curves.iter_mut().flat_map(|curve| &mut curve.points).for_each(scale);
+        for mark in &mut map.marks {
+            scale(&mut mark.at);
+            mark.value = mark.value.map(|value| value * factor);
+        }
+        Some(map)
+    }
+
+    fn drawn(&self) -> Figure {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0).min(MOST_CELLS);
         let rows = self.rows.len().min(MOST_CELLS);
         let values = self.rows.iter().flatten().copied();
@@ -74,10 +98,10 @@ impl Map {
             let run = pieces(curve.points.iter().map(|point| frame.at(*point)), &frame.area);
             draw_pieces(&mut figure, run, curve, &mut labels);
         }
-        frame.axes(&mut figure, &self.x.label, &self.y.label);
+        frame.axes(&mut figure, &self.x.words(), &self.y.words());
         draw_bar(&mut figure, &frame.area, &value);
         let end = Point::new(WIDTH - 2.0, frame.area.high.im + LABEL_UP);
-        figure.text(end, self.value.label.clone(), Anchor::End);
+        figure.text(end, self.value.words(), Anchor::End);
         draw_marks(&mut figure, &self.marks, &frame, &mut labels);
         for (name, line) in contours {
             let stride = (line.len() / NAME_PLACES).max(1);

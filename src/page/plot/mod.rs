@@ -32,6 +32,7 @@ pub use polar::Polar;
 pub(crate) use stack::stacked;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use super::number::decimal;
 use curve::pieces;
 use frame::{BELOW, Frame, LABEL_ABOVE, WIDTH};
 use head::{Head, Key};
@@ -49,6 +50,8 @@ pub struct PointMark {
     pub at: (f64, f64),
     /// What is written beside it, in plain text; nothing where it is empty or has no room.
     pub label: String,
+    /// A value that is written beside it in place of a label, counted as those of its map.
+    pub value: Option<f64>,
     /// The name of its kind in the legend; none where it is empty.
     pub series: String,
     /// Colour.
@@ -60,7 +63,7 @@ pub struct PointMark {
 impl PointMark {
     /// A black dot.
     pub fn dot(at: (f64, f64), label: impl Into<String>) -> Self {
-        PointMark { at, label: label.into(), series: String::new(), ink: Ink::Black, filled: true }
+        PointMark { at, label: label.into(), value: None, series: String::new(), ink: Ink::Black, filled: true }
     }
 
     /// A black ring: exact zeros, and points that are only compared with.
@@ -71,6 +74,16 @@ impl PointMark {
     /// The same mark with a name of its kind in the legend.
     pub fn of(self, series: impl Into<String>) -> Self {
         PointMark { series: series.into(), ..self }
+    }
+
+    /// The same mark with this value of its map beside it.
+    pub fn valued(self, value: f64) -> Self {
+        PointMark { value: Some(value), ..self }
+    }
+
+    /// What is written beside it.
+    fn words(&self) -> String {
+        self.value.map_or_else(|| self.label.clone(), |value| format!("≈ {}", decimal(value)))
     }
 
     fn sign(&self, figure: &mut Figure, at: Point) {
@@ -203,7 +216,7 @@ fn draw_marks(figure: &mut Figure, marks: &[PointMark], frame: &Frame, labels: &
         mark.sign(figure, *at);
         labels.avoid_sign(*at, 0.9);
     }
-    for (mark, at) in placed.iter().filter(|(mark, _)| !mark.label.is_empty()) {
-        labels.name_point(figure, &mark.label, *at);
+    for (words, at) in placed.iter().map(|(mark, at)| (mark.words(), at)).filter(|(words, _)| !words.is_empty()) {
+        labels.name_point(figure, &words, *at);
     }
 }

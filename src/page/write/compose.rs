@@ -1,5 +1,6 @@
 //! How is a document walked? Each block is set by the template of its kind, each piece of a text by the signs of the format.
 
+use num_rational::BigRational;
 use serde::Serialize;
 
 use super::super::block::{Block, Document, Fold, Live, Picture, Table};
@@ -7,7 +8,7 @@ use super::super::language::has_comma;
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
-use super::super::{Units, block::in_si_units};
+use super::super::{Unit, Units, block::in_si_units};
 use super::columns::{Cells, Letters};
 use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
 use super::labels::{Caption, Labels, short};
@@ -81,7 +82,8 @@ impl<'a> Composer<'a> {
         self.fill("document", &whole)
     }
 
-    fn blocks(&mut self, blocks: &[Block]) -> String {
+    /// Some blocks, one after the other.
+    pub fn blocks(&mut self, blocks: &[Block]) -> String {
         let set = |block| {
             let set = self.block(block);
             self.labels.lead(matches!(block, Block::Paragraph(_)).then_some(&set));
@@ -262,14 +264,20 @@ impl<'a> Composer<'a> {
                 set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(value), number::behind(unit))))
             }
             Piece::Measured(value, unit, set) => self.numbers(&set(self.options.units.of(*value, *unit).0)),
-            Piece::Exactly(value, unit) => self.numbers(&match self.options.units {
-                Units::Si => number::number(value),
-                Units::Inch => number::in_decimals(&Units::Inch.of_exact(value, *unit).0),
-            }),
+            Piece::Exactly(value, unit) => self.numbers(&self.converted(value, *unit, number::number)),
+            Piece::Shortly(value, unit) => self.numbers(&self.converted(value, *unit, number::short)),
             Piece::Unit(unit) => self.words(&language.label(self.options.units.of(0.0, *unit).1.name)),
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
+        }
+    }
+
+    /// An exact number in the units of the reader; as it is set where they are its own.
+    fn converted(&self, value: &BigRational, unit: Unit, set: fn(&BigRational) -> String) -> String {
+        match (self.options.units, unit.inch()) {
+            (Units::Inch, Some(_)) => number::in_decimals(&Units::Inch.of_exact(value, unit).0),
+            (Units::Inch, None) | (Units::Si, _) => set(value),
         }
     }
 

@@ -14,7 +14,7 @@ mod terminal;
 mod tex;
 mod typst;
 
-use super::block::{Document, Picture};
+use super::block::{Block, Document, Picture};
 use super::symbols::Symbols;
 use super::text::Text;
 use super::{Language, Unit, Units};
@@ -46,7 +46,7 @@ pub enum Format {
     Terminal {
         /// Columns of the terminal.
         width: usize,
-        /// Whether colours are wanted.
+        /// Whether colours are wanted, which the feature `cli` has.
         colour: bool,
     },
 }
@@ -81,7 +81,7 @@ impl Format {
 /// What a person may choose of a page beside its format.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Whether LaTeX or Typst is a piece for a document that is there, without a preamble.
+    /// Whether LaTeX, Typst or HTML is a piece for a document that is there, without what stands around it.
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,
@@ -111,6 +111,11 @@ pub fn write(document: &Document, format: Format, options: &Options) -> Vec<File
     let text = composer.document(document);
     let main = File { name: format!("{}.{}", document.name, writer.ending()), text };
     [main].into_iter().chain(composer.files).collect()
+}
+
+/// Blocks by themselves, with no document around them: a part of a page that has styles and a head of its own.
+pub fn blocks_in(blocks: &[Block], format: Format, options: &Options) -> String {
+    Composer::new(format.writer().as_ref(), options).blocks(blocks)
 }
 
 /// A text by itself in a format, in English.

@@ -1,6 +1,6 @@
 //! Which signs does a terminal show? Plain text in lines that fit, tables ruled under their head, zeros in colour where there are colours.
 
-use comfy_table::{Cell, Color, ColumnConstraint, ContentArrangement, LineStyle, Table, TableStyle, Width};
+use comfy_table::{Cell, ColumnConstraint, ContentArrangement, LineStyle, Table, TableStyle, Width};
 
 use super::super::block::Picture;
 use super::columns::Cells;
@@ -28,7 +28,7 @@ impl Terminal {
         table.set_header(columns.iter().map(|&(at, _)| &cells.header[at]));
         for (row, zeros) in cells.rows.iter().zip(&cells.zeros) {
             table.add_row(columns.iter().map(|&(at, _)| match zeros[at] && self.colour {
-                true => Cell::new(&row[at]).fg(Color::Green),
+                true => green(Cell::new(&row[at])),
                 false => Cell::new(&row[at]),
             }));
         }
@@ -36,13 +36,7 @@ impl Terminal {
         table.set_constraints(columns.iter().map(|&(_, letters)| ColumnConstraint::Absolute(width(letters))));
         table.set_content_arrangement(ContentArrangement::Dynamic);
         table.set_width(u16::try_from(self.width).unwrap_or(u16::MAX));
-        // The space behind a word has no colour, so that it can be cut off.
-        table.style_text_only();
-        if self.colour {
-            table.enforce_styling();
-        } else {
-            table.force_no_tty();
-        }
+        colour(&mut table, self.colour);
         table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
     }
 
@@ -50,6 +44,31 @@ impl Terminal {
         if self.unbroken { formula.replace(' ', "\u{a0}") } else { formula }
     }
 }
+
+#[cfg(feature = "cli")]
+fn green(cell: Cell) -> Cell {
+    cell.fg(comfy_table::Color::Green)
+}
+
+/// Who has no terminal has no colours.
+#[cfg(not(feature = "cli"))]
+fn green(cell: Cell) -> Cell {
+    cell
+}
+
+#[cfg(feature = "cli")]
+fn colour(table: &mut Table, wanted: bool) {
+    // The space behind a word has no colour, so that it can be cut off.
+    table.style_text_only();
+    if wanted {
+        table.enforce_styling();
+    } else {
+        table.force_no_tty();
+    }
+}
+
+#[cfg(not(feature = "cli"))]
+fn colour(_table: &mut Table, _wanted: bool) {}
 
 impl Writer for Terminal {
     fn ending(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! What does an order of the inertia more cost and buy for the largest bearing load? Methods beside each other.
 
-use super::methods::{self, Significant};
+use super::methods;
 use crate::accuracy::{BearingMethod, BearingRow};
 use crate::engine::Engine;
 use crate::page::{Piece, Table, Text, phrase};
@@ -9,8 +9,6 @@ use crate::proof::Quantity;
 pub(super) const HOW: &str = "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
     against the closed form; what is guaranteed bounds all orders that are left out, whichever bearing they load.";
 
-/// Digits of a load in the table.
-const DIGITS: usize = 6;
 /// Errors below this are those of the search for the peak.
 const ROUNDING: f64 = 1e-9;
 
@@ -26,7 +24,7 @@ fn name(method: BearingMethod) -> Text {
 pub(super) fn table(engine: &Engine, rows: &[BearingRow]) -> Table {
     let (unit, factor) = methods::page_unit(engine, Quantity::Force);
     let timed = rows.iter().any(|row| row.time.is_some());
-    let columns = ["Method".into(), phrase!("Peak in {}", unit.name), "Error".into(), "Guaranteed".into()];
+    let columns = ["Method".into(), phrase!("Peak in {}", unit), "Error".into(), "Guaranteed".into()];
     let mut table = Table::new(columns.into_iter().chain(timed.then_some(Text::from("Time"))));
     for row in rows {
         let error = match row.method {
@@ -37,7 +35,7 @@ pub(super) fn table(engine: &Engine, rows: &[BearingRow]) -> Table {
             BearingMethod::Orders(_) | BearingMethod::Angles(_) => methods::power(row.error).into(),
         };
         let bound = row.bound.map_or_else(Text::default, |bound| methods::power(bound).into());
-        let cells = [name(row.method), format!("{:.DIGITS$}", Significant(row.value * factor)).into(), error, bound];
+        let cells = [name(row.method), methods::to_digits(row.value * factor, unit), error, bound];
         let time = timed.then(|| row.time.map_or_else(Text::default, |time| methods::time(time).into()));
         table.push(cells.into_iter().chain(time).collect());
     }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::methods::{self, Significant};
+use super::methods;
 use crate::accuracy::{Timing, measured};
 use crate::engine::{CycleOrder, Engine};
 use crate::page::{Piece, Table, Text, Unit, phrase};
@@ -11,9 +11,6 @@ use crate::torque::{self, Peak, PeakMethod};
 pub(super) const HOW: &str = "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are left out, \
     exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. What \
     a wrong pressure adds is in neither.";
-
-/// Digits of a torque in the table.
-const DIGITS: usize = 6;
 
 /// What one method finds.
 #[derive(Clone, Debug)]
@@ -54,15 +51,16 @@ fn name(method: PeakMethod) -> Text {
 
 /// The torque: a row a method, with times where they were measured.
 pub(super) fn table(rows: &[PeakRow]) -> Table {
-    table_of("Largest torque in N·m", rows)
+    table_of(phrase!("Largest torque in {}", Unit::NEWTON_METRE), Unit::NEWTON_METRE, rows)
 }
 
 /// A row a method, with what is guaranteed and times where they are known.
-pub(super) fn table_of(heading: &'static str, rows: &[PeakRow]) -> Table {
+pub(super) fn table_of(heading: Text, unit: Unit, rows: &[PeakRow]) -> Table {
     let timed = rows.iter().any(|row| row.time.is_some());
     let guaranteed = rows.iter().any(|row| row.bound.is_some());
-    let columns = ["Method", heading, "Error", "Anywhere"].into_iter();
-    let columns = columns.chain(guaranteed.then_some("Guaranteed")).chain(timed.then_some("Time"));
+    let columns = ["Method".into(), heading, "Error".into(), Text::from("Anywhere")].into_iter();
+    let more = [guaranteed.then_some("Guaranteed"), timed.then_some("Time")];
+    let columns = columns.chain(more.into_iter().flatten().map(Text::from));
     let mut table = Table::new(columns);
     for row in rows {
         let error = match row.method {
@@ -74,7 +72,7 @@ pub(super) fn table_of(heading: &'static str, rows: &[PeakRow]) -> Table {
         };
         let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
         let (farthest, bound) = (part(row.farthest), part(row.bound));
-        let cells = [name(row.method), format!("{:.DIGITS$}", Significant(row.value)).into(), error, farthest];
+        let cells = [name(row.method), methods::to_digits(row.value, unit), error, farthest];
         let cells = cells.into_iter().chain(guaranteed.then_some(bound));
         let time = timed.then(|| row.time.map_or_else(Text::default, |time| methods::time(time).into()));
         table.push(cells.chain(time).collect());

@@ -25,7 +25,7 @@ pub(super) fn rows(engine: &Engine, timing: Timing) -> Option<Vec<PeakRow>> {
 
 /// A row a method, with times where they were measured.
 pub(super) fn table(rows: &[PeakRow]) -> Table {
-    table_of("Largest load in N", rows)
+    table_of(phrase!("Largest load in {}", Unit::NEWTON), Unit::NEWTON, rows)
 }
 
 /// The largest load, and how many orders have it.

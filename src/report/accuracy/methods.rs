@@ -9,7 +9,7 @@ use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
 pub(super) use crate::page::number::power_of_ten;
-use crate::page::{Text, Unit, phrase};
+use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::Quantity;
 
 /// Unit of a load, and how many of it are one multiple.
@@ -28,8 +28,12 @@ pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
 pub(super) fn page_unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
     let (name, factor) = unit(engine, quantity);
     // The document has the names of layout files.
-    let name = if name == "N m" { Unit::NEWTON_METRE.name } else { name };
-    (Unit { name, tex: name }, factor)
+    let unit = match name {
+        "N m" => Unit::NEWTON_METRE,
+        "m r ω² · 1 m" => Unit::MULTIPLE_METRE,
+        other => Unit { name: other, tex: other },
+    };
+    (unit, factor)
 }
 
 /// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.
@@ -163,6 +167,16 @@ pub(super) fn time(time: Duration) -> String {
         _ if seconds < 1.0 => format!("{:.3} ms", Significant(seconds * 1e3)),
         _ => format!("{:.3} s", Significant(seconds)),
     }
+}
+
+/// A load in a table of methods, to nine digits: where they differ is what is compared.
+pub(super) fn to_nine_digits(value: f64, unit: Unit) -> Text {
+    Piece::Measured(value, unit, |value| format!("{:.9}", Significant(value))).into()
+}
+
+/// A load to six digits.
+pub(super) fn to_digits(value: f64, unit: Unit) -> Text {
+    Piece::Measured(value, unit, |value| format!("{:.6}", Significant(value))).into()
 }
 
 /// A decimal with as many significant digits as its precision asks for.

@@ -1,14 +1,11 @@
 //! Which tables compare the methods? All of one load with their times, or the errors alone over several rod ratios.
 
-use super::methods::{self, Significant};
+use super::methods;
 use super::{AccuracyCase, case, words};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
 use crate::page::{Block, Fold, Table, Text, phrase};
 use crate::proof::Quantity;
-
-/// Digits of a peak in a table of methods: where they differ is what is compared.
-const DIGITS: usize = 9;
 
 /// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
 pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
@@ -16,7 +13,7 @@ pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
     let front = methods::front(study);
     let mut table = Table::new([
         "Method".into(),
-        phrase!("Peak in {}", unit.name),
+        phrase!("Peak in {}", unit),
         "Error".into(),
         "Guaranteed".into(),
         "Time".into(),
@@ -25,7 +22,7 @@ pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
     for (place, row) in study.rows.iter().enumerate() {
         table.push(vec![
             methods::name_and_spans(row),
-            format!("{:.DIGITS$}", Significant(row.value * factor)).into(),
+            methods::to_nine_digits(row.value * factor, unit),
             methods::measured(study, row),
             row.bound.map_or_else(Text::default, |bound| methods::power(bound).into()),
             row.time.map_or_else(Text::default, |time| methods::time(time).into()),

@@ -23,12 +23,12 @@ pub struct BearingsDocument {
     /// Newtons a multiple of m r ω²; null where the layout does not say.
     newtons_per_multiple: Option<f64>,
     /// What the rods load the crankpins with, a row per cylinder.
-    pins: Vec<Pin>,
-    continuous: Solution,
-    determinate: Solution,
+    pub(in crate::report) pins: Vec<Pin>,
+    pub(in crate::report) continuous: Solution,
+    pub(in crate::report) determinate: Solution,
     /// Gas and masses together, where the layout asks for the gas.
     #[serde(skip_serializing_if = "Option::is_none")]
-    with_gas: Option<CycleLoadsDocument>,
+    pub(in crate::report) with_gas: Option<CycleLoadsDocument>,
 }
 
 impl BearingsDocument {
@@ -39,65 +39,65 @@ impl BearingsDocument {
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Pin {
-    cylinder: String,
-    position: String,
-    peak: PeakEntry,
+pub(in crate::report) struct Pin {
+    pub(in crate::report) cylinder: String,
+    pub(in crate::report) position: String,
+    pub(in crate::report) peak: PeakEntry,
     /// Seen from the crank: outward along the throw, and in the sense of rotation.
-    along_the_throw: PeakEntry,
-    across_the_throw: PeakEntry,
+    pub(in crate::report) along_the_throw: PeakEntry,
+    pub(in crate::report) across_the_throw: PeakEntry,
     orders: Vec<Order>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Solution {
+pub(in crate::report) struct Solution {
     /// Numbers of the bearings with the largest peak, from 1.
-    worst: Vec<usize>,
+    pub(in crate::report) worst: Vec<usize>,
     /// What the orders that are not listed add to the load of any bearing; null where they add nothing.
-    left_out: Option<LeftOut>,
+    pub(in crate::report) left_out: Option<LeftOut>,
     /// Position of a load to the parts of it that the bearings carry.
     parts: BTreeMap<String, Vec<String>>,
-    bearings: Vec<Bearing>,
+    pub(in crate::report) bearings: Vec<Bearing>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct LeftOut {
+pub(in crate::report) struct LeftOut {
     /// In the unit of the loads.
-    at_most: f64,
+    pub(in crate::report) at_most: f64,
     /// Of the largest load; null where it might be all of it.
     part: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Bearing {
-    bearing: usize,
-    position: String,
-    peak: PeakEntry,
-    y: PeakEntry,
-    x: PeakEntry,
-    orders: Vec<Order>,
+pub(in crate::report) struct Bearing {
+    pub(in crate::report) bearing: usize,
+    pub(in crate::report) position: String,
+    pub(in crate::report) peak: PeakEntry,
+    pub(in crate::report) y: PeakEntry,
+    pub(in crate::report) x: PeakEntry,
+    pub(in crate::report) orders: Vec<Order>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct PeakEntry {
-    value: f64,
-    crank_angle_deg: Option<f64>,
+pub(in crate::report) struct PeakEntry {
+    pub(in crate::report) value: f64,
+    pub(in crate::report) crank_angle_deg: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Order {
-    order: u32,
-    largest: f64,
-    direct: Turning,
-    reverse: Turning,
+pub(in crate::report) struct Order {
+    pub(in crate::report) order: u32,
+    pub(in crate::report) largest: f64,
+    pub(in crate::report) direct: Turning,
+    pub(in crate::report) reverse: Turning,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Turning {
-    amplitude: f64,
-    angle_deg: Option<f64>,
+pub(in crate::report) struct Turning {
+    pub(in crate::report) amplitude: f64,
+    pub(in crate::report) angle_deg: Option<f64>,
     /// `true` proved zero, `false` proved not zero, null not decided.
-    vanishes: Option<bool>,
+    pub(in crate::report) vanishes: Option<bool>,
     /// The vector in multiples of m r ω² is half the sum of these, each times its coefficient, which is conjugated in a reverse one.
     sums: Vec<Sum>,
 }

@@ -96,7 +96,7 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
     }
     let parts = sum.parts().iter().map(|(factor, sum)| {
         let length = residual::modulus_of(sum);
-        match number(factor) {
+        match before(factor) {
             None => length.into(),
             Some(letter) => phrase!("{} {}", length, Text::formula(format!("{letter}_{{{order}}}"))),
         }
@@ -114,7 +114,7 @@ fn rod(factor: &Factor) -> Option<&Rod> {
 }
 
 /// What a sum stands before; none for 1.
-fn number(factor: &Factor) -> Option<char> {
+pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
     match factor {
         Factor::One => None,
         Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
@@ -122,7 +122,7 @@ fn number(factor: &Factor) -> Option<char> {
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),
-        Factor::Geared(_, own) => number(own),
+        Factor::Geared(_, own) => before(own),
         Factor::Corrected(..) => Some('h'),
     }
 }

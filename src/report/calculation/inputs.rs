@@ -8,13 +8,23 @@ use super::links;
 use crate::engine::{Engine, Given, Measure};
 use crate::exact::Turn;
 use crate::loads::{Loads, Scale};
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::number::{given_in, given_with};
+use crate::page::{Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::report::table::{position, position_heading};
 use crate::report::typeset;
 
 /// Lines are written for each cylinder only up to this many; beyond, the table of inputs holds the values.
 const MOST_LINES: usize = 12;
+
+/// In what a quantity of these is counted; none where it is a number alone, or a speed.
+fn unit(measure: Measure) -> Option<Unit> {
+    match words(measure).2 {
+        "m" => Some(Unit::METRE),
+        "kg" => Some(Unit::KILOGRAM),
+        _ => None,
+    }
+}
 
 /// Name, symbol in TeX and unit of a quantity.
 pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static str) {
@@ -42,19 +52,24 @@ pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static s
     }
 }
 
-/// The table of inputs: quantity, symbol, value in SI units, as written, cylinder.
+/// A value that was given, in the units of the reader.
+fn value(given: &Given) -> Text {
+    match (unit(given.quantity), given.quantity == Measure::Speed) {
+        (Some(unit), _) => phrase!("{} {}", Piece::Exactly(given.value.clone(), unit), unit),
+        (None, true) => phrase!("{} rpm", typeset::number(&given.value)),
+        (None, false) => Text::label(typeset::number(&given.value)),
+    }
+}
+
+/// The table of inputs: quantity, symbol, value in the units of the reader, as written, cylinder.
 pub(super) fn table(engine: &Engine) -> Table {
     let mut table = Table::new(["Quantity", "Symbol", "Value", "As written", "Cylinder"]);
     for given in &engine.dimensions().given {
-        let (name, symbol, unit) = words(given.quantity);
-        let value = typeset::number(&given.value);
+        let (name, symbol, _) = words(given.quantity);
         table.push(vec![
             name.into(),
             Text::formula(symbol),
-            match given.quantity == Measure::Speed {
-                true => phrase!("{} rpm", value),
-                false => Text::label(format!("{value} {unit}").trim()),
-            },
+            value(given),
             (&given.written).into(),
             match given.cylinder {
                 Some(index) => engine.cylinders()[index].name.clone().into(),
@@ -70,8 +85,8 @@ pub(super) fn table(engine: &Engine) -> Table {
 pub(super) fn turning(engine: &Engine) -> Table {
     let mut table = Table::new([
         "Turning mass".into(),
-        "Mass in kg".into(),
-        "Radius in m".into(),
+        phrase!("Mass in {}", Unit::KILOGRAM),
+        phrase!("Radius in {}", Unit::METRE),
         "Angle at θ = 0".into(),
         position_heading(engine),
         Text::from("Turns per revolution"),
@@ -80,32 +95,34 @@ pub(super) fn turning(engine: &Engine) -> Table {
     let mut row = |name: Text, mass: Text, radius: Text, angle: &Turn, place: &BigRational, speed: Text| {
         table.push(vec![name, mass, radius, typeset::angle(angle).into(), position(engine, place), speed]);
     };
-    let number = |value: &BigRational| Text::from(Number::exact(value));
+    let mass_of = |value: &BigRational| given_in(value, Unit::KILOGRAM);
+    let radius_of = |value: &BigRational| given_in(value, Unit::METRE);
     let throws = crate::engine::throws(engine);
     for (index, (mass, throw)) in crankshaft.pins.iter().zip(&throws).enumerate() {
         let name = phrase!("pin, throw {}", index + 1);
-        row(name, number(mass), "r".into(), &throw.angle, &throw.position, 1_u32.into());
+        row(name, mass_of(mass), "r".into(), &throw.angle, &throw.position, 1_u32.into());
     }
     for (index, (web, throw)) in crankshaft.webs.iter().zip(&throws).enumerate() {
         let name = phrase!("webs, throw {}", index + 1);
-        row(name, number(&web.mass), number(&web.radius), &throw.angle, &throw.position, 1_u32.into());
+        row(name, mass_of(&web.mass), radius_of(&web.radius), &throw.angle, &throw.position, 1_u32.into());
     }
     for weight in &crankshaft.counterweights {
         let name = weight.throw.map(|throw| phrase!("counterweight, throw {}", throw + 1));
         let name = name.unwrap_or_else(|| "counterweight".into());
-        row(name, number(&weight.mass), number(&weight.radius), &weight.angle, &weight.position, 1_u32.into());
+        row(name, mass_of(&weight.mass), radius_of(&weight.radius), &weight.angle, &weight.position, 1_u32.into());
     }
     for shaft in &crankshaft.balancers {
         let speed = match shaft.sense {
             Sense::Direct => Text::from(shaft.order),
             Sense::Reverse => Text::label(format!("−{}", shaft.order)),
         };
+        let product = || given_with(&shaft.mass_radius, Unit::KILOGRAM_METRE);
         let product = match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
             Some(cylinder) => {
                 let symbol = Text::formula(format!("c_{{{}}}", shaft.order));
-                phrase!("{} kg·m × {} of cylinder {}", number(&shaft.mass_radius), symbol, cylinder.name.clone())
+                phrase!("{} × {} of cylinder {}", product(), symbol, cylinder.name.clone())
             }
-            None => phrase!("{} kg·m", number(&shaft.mass_radius)),
+            None => product(),
         };
         row("balancer shaft".into(), product, "–".into(), &shaft.angle, &shaft.position, speed);
     }

@@ -11,6 +11,7 @@ mod links;
 mod page;
 mod plots;
 mod results;
+mod roll;
 mod summary;
 mod tables;
 mod words;
@@ -60,6 +61,7 @@ pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     if let Some(torque) = &loads.torque {
         blocks.extend([heading(2, "Inertia torque"), tables::torque(engine, loads, torque).into()]);
     }
+    blocks.extend(roll::roll_section(engine, loads));
     blocks.extend(main_bearings(engine, loads));
     blocks
 }

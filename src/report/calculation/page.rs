@@ -4,7 +4,7 @@ use super::super::convention::{differs, seen};
 use super::super::engine_page::reference_plane;
 use super::amounts::{Unit, amount, digits};
 use super::largest::{Numbers, chosen_lines, largest_lines};
-use super::{SHARES, heading, plots, summary, tables, words};
+use super::{SHARES, heading, plots, roll, summary, tables, words};
 use crate::accuracy::Largest;
 use crate::engine::{Engine, WHY_NOT};
 use crate::loads::{Loads, Needed};
@@ -124,6 +124,7 @@ fn order_by_order(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
     if let Some(torque) = &loads.torque {
         blocks.extend([heading(2, "Inertia torque"), tables::torque(engine, loads, torque).into()]);
     }
+    blocks.extend(roll::roll_section(engine, loads));
     blocks
 }
 

@@ -3,6 +3,7 @@
 use super::super::residual;
 use super::amounts::{self, Unit, amount, digits, in_digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
+use super::roll::roll_lines;
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed, OrderLoads, Outcome, Peak, Swing, TorqueOrder};
 use crate::page::{Block, Document, Table, Text, phrase};
@@ -23,9 +24,11 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     let mut header: Vec<Text> =
         vec!["Order".into(), phrase!("Force in {}", force.label()), phrase!("Moment in {}", moment.label())];
     header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
+    header.extend(loads.roll.as_ref().map(|_| phrase!("Roll in {}", torque.label())));
     let mut table = Table::new(header);
     let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
-    all.extend(loads.torque.iter().flat_map(|torque| torque.orders.iter().map(|order| order.order)));
+    let turning = loads.torque.iter().chain(&loads.roll);
+    all.extend(turning.flat_map(|torque| torque.orders.iter().map(|order| order.order)));
     all.sort_unstable();
     all.dedup();
     for order in all {
@@ -43,6 +46,10 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
         cells.extend(loads.torque.as_ref().map(|all| {
             let of = all.orders.iter().find(|torque| torque.order == order);
             of.map_or_else(|| NOT_JUDGED.into(), |of| torque_cell(engine, of, torque))
+        }));
+        cells.extend(loads.roll.as_ref().map(|all| {
+            let of = all.orders.iter().find(|roll| roll.order == order);
+            of.map_or_else(|| NOT_JUDGED.into(), |of| roll_cell(engine, of, torque))
         }));
         table.push(cells);
     }
@@ -62,6 +69,17 @@ pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> T
     }
 }
 
+/// The amplitude of an order of the roll moment, which forces with arms make as well as torques.
+pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
+    let exists = [Quantity::Torque, Quantity::Force].iter().any(|part| engine.pistons_have_order(*part, order.order));
+    match &order.vector.outcome {
+        Outcome::Zero if !exists => DOES_NOT_EXIST.into(),
+        Outcome::Zero => Text::zero(),
+        Outcome::NotZero => amount(order.vector.value.norm(), unit),
+        Outcome::Undecided { below } => amounts::undecided(*below, unit),
+    }
+}
+
 /// What follows the table: the largest values, what the orders shown leave out, the effects.
 fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Text> {
     let loads = &numbers.loads;
@@ -70,6 +88,7 @@ fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Tex
         lines.push(WHY_NOT.into());
     }
     lines.extend(largest_lines(engine, numbers));
+    lines.extend(roll_lines(engine, loads));
     lines.extend(shown_line(engine, numbers));
     lines.extend(chosen_lines(engine, numbers, needed));
     let names = loads.groups.iter().map(|group| residual::group_words(group.group).into());

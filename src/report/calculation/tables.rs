@@ -6,7 +6,7 @@ use crate::engine::Engine;
 use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque};
 use crate::numbers;
 use crate::order::MassGroup;
-use crate::page::{Number, Table, Text, number, phrase};
+use crate::page::{self, Number, Table, Text, number, phrase};
 use crate::proof::Quantity;
 use crate::report::loads_document::share;
 
@@ -92,7 +92,10 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Quantit
     row.push(swing.direction().map_or("–".into(), |degrees| phrase!("≈ {}°", number::decimal(degrees))));
     row.push(part(swing.along(), swing.path.nothing_along));
     row.push(part(swing.across(), swing.path.nothing_across));
-    row.push(Number::Decimal(largest).into());
+    row.push(match (quantity, Arm::of(engine)) {
+        (Quantity::Moment, Arm::Metre) => Text::measured(largest, page::Unit::METRE),
+        (Quantity::Moment | Quantity::Force | Quantity::Torque | Quantity::Roll, _) => Number::Decimal(largest).into(),
+    });
     row
 }
 
@@ -101,9 +104,10 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
     let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
     let first = match Arm::of(engine) {
         Arm::Metre => phrase!(
-            "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 m.",
+            "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 {}.",
             force.label(),
-            moment.label()
+            moment.label(),
+            page::Unit::METRE
         ),
         Arm::Spacing => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times the spacing a.",

@@ -2,7 +2,7 @@
 
 use super::super::{residual, typeset};
 use crate::claim::Witness;
-use crate::page::{Number, Text, phrase};
+use crate::page::{Text, Unit, phrase};
 use crate::remedy::Weight;
 
 /// The counterweights that were found, with their masses where the layout gives numbers.
@@ -14,18 +14,22 @@ pub(super) fn found(found: &Witness) -> Text {
         false => phrase!("Counterweights that do it: {}.", Text::joined(each, "; ")),
     };
     match found.crankshaft_mass {
-        Some(mass) => phrase!("{} The crankshaft's mass is then {} kg.", told, Number::Decimal(mass)),
+        Some(mass) => phrase!("{} The crankshaft's mass is then {}.", told, kilograms(mass)),
         None => told,
     }
+}
+
+fn kilograms(mass: f64) -> Text {
+    phrase!("{} {}", Text::measured(mass, Unit::KILOGRAM), Unit::KILOGRAM)
 }
 
 fn one(weight: &Weight, mass: Option<f64>) -> Text {
     let at = typeset::number(&weight.position);
     match (mass, weight.vector.only()) {
         (Some(mass), Some((_, sum))) => {
-            phrase!("at z = {}, {} kg at the crank radius, angle {}", at, Number::Decimal(mass), residual::bearing(sum))
+            phrase!("at z = {}, {} at the crank radius, angle {}", at, kilograms(mass), residual::bearing(sum))
         }
-        (Some(mass), None) => phrase!("at z = {}, {} kg at the crank radius", at, Number::Decimal(mass)),
+        (Some(mass), None) => phrase!("at z = {}, {} at the crank radius", at, kilograms(mass)),
         (None, Some((_, sum))) => phrase!(
             "at z = {}, mass-radius {} in multiples of m r, angle {}",
             at,

@@ -6,7 +6,7 @@ use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Sense};
 
 /// The certificates of an answer.
-pub(super) fn evidence(answer: &Answer) -> Vec<Text> {
+pub fn evidence(answer: &Answer) -> Vec<Text> {
     answer.evidence.iter().map(one).collect()
 }
 

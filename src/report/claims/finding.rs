@@ -1,16 +1,15 @@
 //! How is the answer to a claim put in words: whether it holds, and what is the case?
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::super::residual;
 use super::super::typeset::{self, Amount};
 use super::orders::Asked;
-use super::{counterweights, forces, gas_torque};
+use super::{counterweights, forces, gas_torque, shaking};
 use crate::claim::{Absolute, Answer, Condition, Finding, Statement, Status, Subject};
 use crate::engine::WHY_NOT;
 use crate::order::Masses;
-use crate::page::{Number, Piece, Text, Unit, phrase};
+use crate::page::{Piece, Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense, Shape};
 use crate::remedy::Remedy;
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorquePart, Verdict};
@@ -62,10 +61,11 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
             phrase!("The intervals are {}.", Text::joined(degrees, ", "))
         }
-        (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {} kg.", kilograms(mass)),
+        (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {}.", kilograms(mass)),
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
         (Finding::Whole(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),
+        (Finding::Terms(terms), _) => shaking::found(terms),
         (Finding::Largest(found), _) => forces::largest(found),
         (Finding::Agreement(found), _) => forces::agreement(found),
         (Finding::Witness(found), _) => counterweights::found(found),
@@ -159,11 +159,9 @@ fn left(name: &Text, order: u32, balance: &Balance) -> Text {
     }
 }
 
-/// A mass as a decimal where it ends, however many places that takes.
+/// A mass exactly, where it is no long fraction.
 fn kilograms(mass: &BigRational) -> Text {
-    let decimal = mass.to_f64().map(|mass| mass.to_string());
-    let is_exact = |text: &String| crate::file::parse_number(text).is_ok_and(|number| number == *mass);
-    decimal.filter(is_exact).map_or_else(|| Number::exact(mass).into(), Text::label)
+    number::given_with(mass, Unit::KILOGRAM)
 }
 
 /// A force or a moment with whose it is, where it is not that of the pistons.

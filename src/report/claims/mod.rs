@@ -7,8 +7,10 @@ mod forces;
 mod gas_torque;
 mod orders;
 mod page;
+mod shaking;
 mod student;
 
+pub use evidence::evidence as claim_evidence;
 pub(super) use finding::needs;
 pub use finding::{claim_finding, claim_status};
 pub use page::{claims_answer, claims_page};

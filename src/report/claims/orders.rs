@@ -69,6 +69,7 @@ fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
         | Statement::BearingLoad(_)
         | Statement::WorstBearings(_)
         | Statement::LargestLoad(..)
+        | Statement::ShakingForce(_)
         | Statement::Formula(_)
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => false,

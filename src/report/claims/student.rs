@@ -20,7 +20,7 @@ pub fn table_finding(of: &StarTable, verdict: &TableVerdict) -> Text {
                 cylinder.name.clone(),
                 sense.name(),
                 typeset::angle(right),
-                typeset::angle(written),
+                written,
                 table::phase_formula(i64::from(of.order), *sense, true),
                 typeset::angle(&cylinder.throw),
                 typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
@@ -31,7 +31,7 @@ pub fn table_finding(of: &StarTable, verdict: &TableVerdict) -> Text {
             "All phases given are right, but the {} sum of the {} is not {}: its length is {}.",
             sense.name(),
             quantity.name(),
-            &crate::text::Untrusted::new(written.as_str()),
+            written,
             Amount { exact: right.0.clone(), decimal: right.1 },
         ),
     }

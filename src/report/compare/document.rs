@@ -20,81 +20,81 @@ pub struct CompareDocument {
     orders: Vec<u32>,
     amplitudes: &'static str,
     notes: Vec<String>,
-    engines: Vec<EngineEntry>,
+    pub(in crate::report) engines: Vec<EngineEntry>,
     /// The verdicts on each engine, with their certificates.
     evidence: Vec<Document>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct EngineEntry {
-    name: String,
-    title: String,
-    cylinders: usize,
-    position_unit: &'static str,
-    firing: Option<Firing>,
-    orders: Vec<Order>,
+pub(in crate::report) struct EngineEntry {
+    pub(in crate::report) name: String,
+    pub(in crate::report) title: String,
+    pub(in crate::report) cylinders: usize,
+    pub(in crate::report) position_unit: &'static str,
+    pub(in crate::report) firing: Option<Firing>,
+    pub(in crate::report) orders: Vec<Order>,
     /// Lowest order of force and moment that is left, in words.
-    first_force_left: String,
-    first_moment_left: String,
-    remedy: String,
+    pub(in crate::report) first_force_left: String,
+    pub(in crate::report) first_moment_left: String,
+    pub(in crate::report) remedy: String,
     /// Forces in N and moments in N·m; null where the layout lacks numbers.
-    newtons: Option<Vec<Newtons>>,
-    worst_bearings: Option<Worst>,
+    pub(in crate::report) newtons: Option<Vec<Newtons>>,
+    pub(in crate::report) worst_bearings: Option<Worst>,
     /// Of gas and masses together, where the layout asks for the gas.
     #[serde(skip_serializing_if = "Option::is_none")]
-    worst_bearing_with_gas: Option<Worst>,
+    pub(in crate::report) worst_bearing_with_gas: Option<Worst>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Firing {
-    even: bool,
-    intervals_deg: Vec<f64>,
+pub(in crate::report) struct Firing {
+    pub(in crate::report) even: bool,
+    pub(in crate::report) intervals_deg: Vec<f64>,
 }
 
 /// An order of an engine as it is built.
 #[derive(Clone, Debug, Serialize)]
-struct Order {
-    order: u32,
+pub(in crate::report) struct Order {
+    pub(in crate::report) order: u32,
     /// Whether some mass has the order: centric cranks have order 1 and the even ones.
-    exists: bool,
-    force: Amount,
-    moment: Amount,
-    moment_is_couple: bool,
+    pub(in crate::report) exists: bool,
+    pub(in crate::report) force: Amount,
+    pub(in crate::report) moment: Amount,
+    pub(in crate::report) moment_is_couple: bool,
     /// Its sums, where what they stand before differs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    parts: Vec<Part>,
+    pub(in crate::report) parts: Vec<Part>,
 }
 
 /// One sum of an order.
 #[derive(Clone, Debug, Serialize)]
-struct Part {
-    of: String,
-    exists: bool,
-    force: Amount,
-    moment: Amount,
+pub(in crate::report) struct Part {
+    pub(in crate::report) of: String,
+    pub(in crate::report) exists: bool,
+    pub(in crate::report) force: Amount,
+    pub(in crate::report) moment: Amount,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Amount {
-    shape: Shape,
+pub(in crate::report) struct Amount {
+    pub(in crate::report) shape: Shape,
     /// In m r ω² c_k, moments times the unit of the positions; 0 is exact; null where several sums make up the order.
-    largest: Option<f64>,
-    exact: Option<String>,
+    pub(in crate::report) largest: Option<f64>,
+    pub(in crate::report) exact: Option<String>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Newtons {
-    order: u32,
-    force: f64,
-    moment: f64,
+pub(in crate::report) struct Newtons {
+    pub(in crate::report) order: u32,
+    pub(in crate::report) force: f64,
+    pub(in crate::report) moment: f64,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Worst {
+pub(in crate::report) struct Worst {
     /// Numbers from 1.
-    bearings: Vec<usize>,
-    peak: f64,
-    unit: &'static str,
+    pub(in crate::report) bearings: Vec<usize>,
+    pub(in crate::report) peak: f64,
+    pub(in crate::report) unit: &'static str,
 }
 
 impl CompareDocument {
@@ -151,7 +151,8 @@ fn engine(engine: &Compared) -> EngineEntry {
     }
 }
 
-fn order(order: &OrderVerdict) -> Order {
+/// An order of an engine, as data.
+pub(in crate::report) fn order(order: &OrderVerdict) -> Order {
     let part = |part: &OrderBalance| {
         let of = part.class.as_ref().map(residual::class_sources)?;
         Some(Part { of, exists: part.exists, force: amount(&part.force), moment: amount(&part.moment) })

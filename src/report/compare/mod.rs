@@ -1,6 +1,6 @@
 //! How do engines compare? Side by side: what each leaves by order, the remedy, the firing, the main bearings.
 
-mod document;
+pub(super) mod document;
 mod notes;
 mod page;
 mod rows;

@@ -5,7 +5,7 @@ use super::super::multiples::{self, Column};
 use super::super::residual;
 use super::{Compared, notes, orders_of, rows};
 use crate::loads::OrderLoads;
-use crate::page::{Block, Document, Number, Picture, Text, phrase};
+use crate::page::{Block, Document, Picture, Text, phrase};
 use crate::proof::Quantity;
 use crate::text::Format;
 use crate::verdict::{EveryOrder, OrderBalance, Theorem};
@@ -109,7 +109,7 @@ fn largest(engine: &Compared) -> Option<Text> {
     let of = |quantity: Quantity, value: fn(&OrderLoads) -> f64| {
         let largest = loads.orders.iter().max_by(|one, other| value(one).total_cmp(&value(other)))?;
         let unit = Unit::of(engine.engine, loads, quantity);
-        let size = Number::Decimal(value(largest) * unit.factor);
+        let size = phrase!("{} {}", Text::measured(value(largest) * unit.factor, unit.shown()), unit.label());
         (value(largest) * unit.factor > 0.0).then_some((size, largest.order))
     };
     let (name, speed) = (&engine.name, rows::speed(engine));
@@ -118,13 +118,13 @@ fn largest(engine: &Compared) -> Option<Text> {
     Some(match (force, moment) {
         (None, None) => phrase!("**{}** at {} rpm: no force and no moment at these orders.", name, speed),
         (Some((size, order)), None) => {
-            phrase!("**{}** at {} rpm: the largest force is {} N, of order {}; no moment.", name, speed, size, order)
+            phrase!("**{}** at {} rpm: the largest force is {}, of order {}; no moment.", name, speed, size, order)
         }
         (None, Some((size, order))) => {
-            phrase!("**{}** at {} rpm: the largest moment is {} N·m, of order {}; no force.", name, speed, size, order)
+            phrase!("**{}** at {} rpm: the largest moment is {}, of order {}; no force.", name, speed, size, order)
         }
         (Some((force, of_force)), Some((moment, of_moment))) => phrase!(
-            "**{}** at {} rpm: the largest force is {} N, of order {}, the largest moment {} N·m, of order {}.",
+            "**{}** at {} rpm: the largest force is {}, of order {}, the largest moment {}, of order {}.",
             name,
             speed,
             force,

@@ -93,8 +93,8 @@ fn worst_with_gas(engine: &Compared) -> Text {
             phrase!(
                 "bearing {} with {} {}",
                 (index + 1).to_string(),
-                Number::Decimal(peak.value),
-                page::Unit::NEWTON.name
+                Text::measured(peak.value, page::Unit::NEWTON),
+                page::Unit::NEWTON
             )
         }
     }

@@ -87,7 +87,7 @@ const CENTRIC_OWN_ORDERS: &str =
 const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every order may exist.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
-const CENTRES: &str =
+pub(in crate::report) const CENTRES: &str =
     "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
 pub(in crate::report) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it \
                                 grow draw the mirror image: the same verdicts and lengths, directions of the opposite sign.) The pin of \

@@ -11,7 +11,7 @@ mod orders;
 mod torque;
 
 pub use answer::engine_answer;
-pub(super) use conventions::{ASSUMED, FIRES, reference_plane};
+pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
@@ -69,6 +69,16 @@ fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<Theorem, NoTheorem>
     }
 }
 
+/// The engine with its first star, and the short answer: what a notebook shows of it.
+pub fn engine_at_a_glance(engine: &Engine, judged: &Judgement) -> Document {
+    let pictures = Block::Pictures(engine::first_pictures(engine, &orders::stars(judged)));
+    let answer = engine_answer(engine, judged);
+    Document {
+        blocks: [pictures].into_iter().chain(answer.blocks).collect(),
+        ..Document::new("glance", engine.title())
+    }
+}
+
 /// The report of an engine.
 pub fn engine_page(subject: Contents) -> Document {
     let Contents { engine, judged, family, needed, in_motion, accuracy } = subject;
@@ -120,6 +130,24 @@ pub fn engine_page(subject: Contents) -> Document {
     page.push(Block::Heading(1, "Layout file".into()));
     page.push(Block::Verbatim("toml", engine.file().clone()));
     page
+}
+
+/// The box that a report opens with, by itself.
+pub fn engine_summary(engine: &Engine, judged: &Judgement) -> Block {
+    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+    let numbers = calculation::numbers_of(engine, &orders, None).and_then(Result::ok);
+    let theorem = theorem_of(engine, judged);
+    Block::Answer(answer::lines(engine, judged, numbers.as_ref().map(|numbers| &numbers.loads), theorem.as_ref().ok()))
+}
+
+/// The proofs of a report by themselves, order by order, under no heading of their own.
+pub fn engine_proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    proofs(engine, judged).into_iter().skip(1).collect()
+}
+
+/// Each order with its star, its table and its proofs.
+pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    orders::section(engine, &orders::stars(judged))
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.

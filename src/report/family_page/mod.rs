@@ -25,7 +25,7 @@ const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a m
 /// `in_motion`: whether it is shown in motion, where a page can.
 pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("report", family.title()) };
-    page.push(Block::Answer(answer(family, orders)));
+    page.push(family_summary(family, orders));
     if in_motion {
         let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
         page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
@@ -39,11 +39,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     let source = family.source().map(|source| phrase!("Source of the crank star: {}.", source));
     page.blocks.extend(source.map(Block::Paragraph));
     page.push(Block::Heading(1, "Proofs, order by order".into()));
-    for order in orders {
-        page.push(Block::Heading(2, phrase!("Order {}", order.order)));
-        page.push(tables::phases(family, order.order));
-        page.blocks.extend(proofs(order));
-    }
+    page.blocks.extend(family_proofs(family, orders));
     page.push(Block::Heading(1, "Conventions".into()));
     let plane = words::open_length(family.reference_plane());
     page.push(Block::List(vec![
@@ -53,6 +49,20 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         ASSUMED.into(),
     ]));
     page
+}
+
+/// The box that the report of a family opens with, by itself.
+pub fn family_summary(family: &Family, orders: &[OpenOrder]) -> Block {
+    Block::Answer(answer(family, orders))
+}
+
+/// The proofs of a family, order by order, under no heading of their own.
+pub fn family_proofs(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
+    let of_order = |order: &OpenOrder| {
+        let heading = Block::Heading(2, phrase!("Order {}", order.order));
+        [heading, tables::phases(family, order.order).into()].into_iter().chain(proofs(order)).collect::<Vec<_>>()
+    };
+    orders.iter().flat_map(of_order).collect()
 }
 
 /// What a report of a member says of all lengths and angles.

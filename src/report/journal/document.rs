@@ -10,47 +10,47 @@ use crate::torque::Extreme;
 /// The complete loads as data: newtons, degrees of the crank within the cycle.
 #[derive(Clone, Debug, Serialize)]
 pub struct CycleLoadsDocument {
-    cycle_deg: f64,
+    pub(in crate::report) cycle_deg: f64,
     sign: &'static str,
-    cylinders: Vec<Cylinder>,
+    pub(in crate::report) cylinders: Vec<Cylinder>,
     /// Crankpins with several rods, all of them together.
     shared_pins: Vec<Shared>,
-    continuous: Option<Solution>,
-    determinate: Option<Solution>,
+    pub(in crate::report) continuous: Option<Solution>,
+    pub(in crate::report) determinate: Option<Solution>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Solution {
+pub(in crate::report) struct Solution {
     /// Number of the bearing with the largest load, from 1.
-    worst: usize,
+    pub(in crate::report) worst: usize,
     /// How much of a load the orders miss at most.
-    missed: f64,
-    bearings: Vec<Bearing>,
+    pub(in crate::report) missed: f64,
+    pub(in crate::report) bearings: Vec<Bearing>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Bearing {
-    bearing: usize,
-    position: String,
+pub(in crate::report) struct Bearing {
+    pub(in crate::report) bearing: usize,
+    pub(in crate::report) position: String,
     /// What it carries of a unit load on the crankpin of each cylinder.
     parts: Vec<String>,
-    peak: Peak,
-    without_gas: Peak,
-    mean: Vector,
-    orders: Vec<Order>,
+    pub(in crate::report) peak: Peak,
+    pub(in crate::report) without_gas: Peak,
+    pub(in crate::report) mean: Vector,
+    pub(in crate::report) orders: Vec<Order>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Cylinder {
-    cylinder: String,
-    rod_pressed: At,
+pub(in crate::report) struct Cylinder {
+    pub(in crate::report) cylinder: String,
+    pub(in crate::report) rod_pressed: At,
     /// Negative where the rod is pulled.
-    rod_pulled: At,
-    big_end_pulls: At,
+    pub(in crate::report) rod_pulled: At,
+    pub(in crate::report) big_end_pulls: At,
     /// Of the wall on the piston, a quarter turn anticlockwise from the axis.
-    side: [At; 2],
-    pin: Peak,
-    pin_without_gas: Peak,
+    pub(in crate::report) side: [At; 2],
+    pub(in crate::report) pin: Peak,
+    pub(in crate::report) pin_without_gas: Peak,
     mean: Vector,
     orders: Vec<Order>,
 }
@@ -66,37 +66,37 @@ struct Shared {
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct At {
-    value: f64,
-    crank_angle_deg: f64,
+pub(in crate::report) struct At {
+    pub(in crate::report) value: f64,
+    pub(in crate::report) crank_angle_deg: f64,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Peak {
-    value: f64,
-    crank_angle_deg: f64,
-    y: f64,
-    x: f64,
+pub(in crate::report) struct Peak {
+    pub(in crate::report) value: f64,
+    pub(in crate::report) crank_angle_deg: f64,
+    pub(in crate::report) y: f64,
+    pub(in crate::report) x: f64,
     /// What the gas adds along it.
-    gas: f64,
+    pub(in crate::report) gas: f64,
 }
 
 /// y in the reference direction, x to the right of it.
 #[derive(Clone, Debug, Serialize)]
-struct Vector {
-    y: f64,
-    x: f64,
+pub(in crate::report) struct Vector {
+    pub(in crate::report) y: f64,
+    pub(in crate::report) x: f64,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Order {
-    order: String,
+pub(in crate::report) struct Order {
+    pub(in crate::report) order: String,
     /// `true` where it is proved to be zero, for every pressure that the cylinders of a class share.
-    vanishes: bool,
-    largest: f64,
+    pub(in crate::report) vanishes: bool,
+    pub(in crate::report) largest: f64,
     /// Of gas and of masses at θ = 0: what turns with the crank, and against it.
-    gas: [Vector; 2],
-    inertia: [Vector; 2],
+    pub(in crate::report) gas: [Vector; 2],
+    pub(in crate::report) inertia: [Vector; 2],
 }
 
 impl CycleLoadsDocument {

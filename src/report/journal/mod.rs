@@ -1,6 +1,6 @@
 //! What do rods, crankpins and main bearings feel of gas and masses together, as a person reads it? A page, tables, diagrams, JSON.
 
-mod document;
+pub(super) mod document;
 mod page;
 mod plots;
 mod tables;

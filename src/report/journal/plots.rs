@@ -140,8 +140,8 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             let name = format!("cylinder {}", engine.cylinders()[index].name);
             Curve::new(place + 1, name, path(&|theta| course.pin_on_the_crank(index, theta)))
         }));
-        let label = "Force in N; 0° is outward along the throw";
-        let mut polar = Polar::new(format!("Crankpin {number}"), label, curves);
+        let label = "Force in {}; 0° is outward along the throw";
+        let mut polar = Polar::new(format!("Crankpin {number}"), label, curves).counted_in(Unit::NEWTON);
         let largest = pin.load_on_the_crank(course, pin.peak.angle.to_radians());
         polar.marks.push(PointMark::dot(tip(largest), format!("largest, θ ≈ {:.0}°", pin.peak.angle)));
         Picture {

@@ -53,7 +53,7 @@ fn sense(engine: &Engine, verdict: &Verdict, exists: bool, open: Option<&OpenAng
         words,
         zero: verdict.vanishes(),
         rays: rays(engine, verdict, open),
-        length: sum.norm(),
+        length: numbers::length(sum),
         degrees: numbers::degrees(sum),
         zeros: open.filter(|_| exists).and_then(|open| open.zeros_of(verdict)),
     }
@@ -90,8 +90,12 @@ const SAMPLES: u32 = 72;
 fn reach(senses: &[MovingSense; 2], open: Option<&OpenAngle>) -> f64 {
     let moved = |by: f64| {
         senses.iter().map(move |sense| {
-            let vector = |ray: &Ray| Complex::from_polar(ray.length, (ray.degrees + ray.turns * by).to_radians());
-            sense.rays.iter().map(vector).sum::<Complex<f64>>().norm()
+            // With the same last digit on every machine, as all that stands in a page.
+            let vector = |ray: &Ray| {
+                let (sin, cos) = libm::sincos((ray.degrees + ray.turns * by).to_radians());
+                Complex::new(cos, sin) * ray.length
+            };
+            numbers::length(sense.rays.iter().map(vector).sum())
         })
     };
     let samples = (0..SAMPLES).filter(|_| open.is_some()).map(|sample| f64::from(sample) * 720.0 / f64::from(SAMPLES));

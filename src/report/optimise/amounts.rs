@@ -26,7 +26,7 @@ impl Units {
         let force = calculation::Unit::of_force(scale);
         let couple = match (scale, Arm::of(layout)) {
             (Some(_), Arm::Metre) => Unit::NEWTON_METRE,
-            (None, Arm::Metre) => Unit { name: "m r ω²·1 m", tex: "m\\,r\\,\\omega^2\\,m" },
+            (None, Arm::Metre) => Unit::MULTIPLE_METRE,
             (_, Arm::Spacing) => Unit { name: "m r ω² a", tex: "m\\,r\\,\\omega^2\\,a" },
         };
         Units { force: Unit { name: force.name, tex: force.tex }, newtons: force.factor, couple }

@@ -4,7 +4,7 @@ use super::amounts::{self, Units};
 use super::{optimise_layouts, plot, tables};
 use crate::engine::Engine;
 use crate::optimise::{Couple, Front};
-use crate::page::{Block, Document, Text, number, phrase};
+use crate::page::{Block, Document, Text, Unit, number, phrase};
 
 const METHOD: [&str; 5] = [
     "Chosen is the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its \
@@ -74,8 +74,8 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     lines.push(match couple {
         Couple::Zero => "Nothing is left of the first-order force and couple that turn with the crank: a bare 0 is exact and proved.".into(),
         Couple::AtMost(most) => phrase!(
-            "Nothing is left of the first-order force that turns with the crank, and of its couple at most {} N·m: a bare 0 is exact and proved.",
-            number::given(most)
+            "Nothing is left of the first-order force that turns with the crank, and of its couple at most {}: a bare 0 is exact and proved.",
+            number::given_with(most, Unit::NEWTON_METRE)
         ),
     });
     lines

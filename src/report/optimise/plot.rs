@@ -7,7 +7,7 @@ use super::super::typeset;
 use super::amounts::{Units, four};
 use crate::engine::Engine;
 use crate::optimise::{Design, Front, Uniform};
-use crate::page::Picture;
+use crate::page::{Picture, Unit};
 use crate::text::Format;
 
 const CAPTION: &str = "The largest bearing load over the mass of the crankshaft. Each dot on the curve is the best crankshaft of its mass: none so heavy loads its worst bearing less and keeps the balance asked for. Rings: one balance factor for all throws.";
@@ -17,8 +17,9 @@ pub(super) fn picture(layout: &Engine, front: &Front, folder: &str) -> Picture {
     let units = Units::of(layout, front);
     // Four digits, so that the drawing is the same wherever the figures are.
     let at = |design: &Design| (four(design.mass.to_f64().unwrap_or(f64::NAN)), four(design.peak() * units.newtons));
-    let load = Axis::linear(format!("Largest bearing load in {}", units.force.name));
-    let mut plot = Plot::new(layout.title().escaped(Format::Plain), Axis::linear("Crankshaft mass in kg"), load);
+    let load = Axis::linear("Largest bearing load in {}").counted_in(units.force);
+    let mass = Axis::linear("Crankshaft mass in {}").counted_in(Unit::KILOGRAM);
+    let mut plot = Plot::new(layout.title().escaped(Format::Plain), mass, load);
     let best: Vec<(f64, f64)> = front.points.iter().map(|point| at(&point.design)).collect();
     plot.marks.extend(best.iter().map(|&at| PointMark::dot(at, "")));
     plot.curves.push(Curve::new(0, "the best counterweights", best));

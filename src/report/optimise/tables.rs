@@ -5,8 +5,8 @@ use num_rational::BigRational;
 use super::amounts::{self, Units};
 use crate::engine::{Engine, LengthUnit};
 use crate::optimise::{Front, Place};
-use crate::page::number::given;
-use crate::page::{Table, Text, phrase};
+use crate::page::number::{given, given_with};
+use crate::page::{Table, Text, Unit, phrase};
 
 /// The front: a row a point.
 pub(super) fn points(layout: &Engine, front: &Front) -> Table {
@@ -73,9 +73,9 @@ pub(super) fn weights(layout: &Engine, front: &Front) -> Table {
         let thousand = BigRational::from_integer(1000.into());
         match (layout.length_unit(), place.throw) {
             (LengthUnit::Metre, Some(throw)) => {
-                phrase!("Throw {}, z = {} mm", throw + 1, given(&(&place.position * thousand)))
+                phrase!("Throw {}, z = {}", throw + 1, given_with(&(&place.position * thousand), Unit::MILLIMETRE))
             }
-            (LengthUnit::Metre, None) => phrase!("z = {} mm", given(&(&place.position * thousand))),
+            (LengthUnit::Metre, None) => phrase!("z = {}", given_with(&(&place.position * thousand), Unit::MILLIMETRE)),
             (LengthUnit::Spacing, Some(throw)) => {
                 phrase!("Throw {}, z = {}", throw + 1, given(&place.position))
             }

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::words;
 use crate::loads::Arm;
+use crate::page::plot::Axis;
 use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::proof::Quantity;
 use crate::sweep::{Amplitude, Amplitudes, Parameter, Sweep, SweptEngine};
@@ -36,9 +37,7 @@ fn multiply(point: &mut SweptEngine) {
 pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> Text {
     let is_moment = quantity == Quantity::Moment;
     match (in_newtons(sweep), sweep.rods_known, is_moment, sweep.arm) {
-        (true, _, false, _) => Unit::NEWTON.name.into(),
-        (true, _, true, Arm::Metre) => Unit::NEWTON_METRE.name.into(),
-        (true, _, true, Arm::Spacing) => "N·$a$".into(),
+        (true, ..) => newtons(sweep, quantity).into(),
         (false, true, false, _) => "$m r \\omega^2$".into(),
         (false, false, false, _) => "$m r \\omega^2 c_k$".into(),
         (false, true, true, Arm::Spacing) => "$m r \\omega^2 a$".into(),
@@ -48,13 +47,35 @@ pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> Text {
     }
 }
 
-/// The same on an axis.
-pub(super) fn axis_unit(sweep: &Sweep, quantity: Quantity) -> String {
-    unit(sweep, quantity).plain()
+/// What forces, or moments, are counted in where they are known in newtons.
+fn newtons(sweep: &Sweep, quantity: Quantity) -> Unit {
+    match (quantity, sweep.arm) {
+        (Quantity::Force, _) => Unit::NEWTON,
+        (Quantity::Moment | Quantity::Torque | Quantity::Roll, Arm::Metre) => Unit::NEWTON_METRE,
+        (Quantity::Moment | Quantity::Torque | Quantity::Roll, Arm::Spacing) => Unit::NEWTON_SPACING,
+    }
 }
 
-/// An amplitude in a table: a decimal, or 0.
-pub(super) fn size(part: Amplitude) -> Text {
+/// The axis of these amplitudes.
+pub(super) fn axis(sweep: &Sweep, quantity: Quantity) -> Axis {
+    let name = if quantity == Quantity::Moment { "Moment" } else { "Force" };
+    match in_newtons(sweep) {
+        true => Axis::amplitude(format!("{name} in {{}}")).counted_in(newtons(sweep, quantity)),
+        false => Axis::amplitude(format!("{name} in {}", unit(sweep, quantity).plain())),
+    }
+}
+
+/// An amplitude in a table: a decimal in what [`unit`] names, or 0.
+pub(super) fn size(sweep: &Sweep, quantity: Quantity, part: Amplitude) -> Text {
+    match (part.vanishes, in_newtons(sweep)) {
+        (true, _) => Text::zero(),
+        (false, true) => Text::measured(part.value, newtons(sweep, quantity)),
+        (false, false) => number_of(part),
+    }
+}
+
+/// A decimal, or 0, of what has no unit.
+pub(super) fn number_of(part: Amplitude) -> Text {
     if part.vanishes { Text::zero() } else { Number::Decimal(part.value).into() }
 }
 
@@ -64,7 +85,7 @@ pub(super) fn with_unit(sweep: &Sweep, quantity: Quantity, part: Amplitude) -> T
         (true, ..) => Text::zero(),
         (false, true, Quantity::Force, _) => Piece::Quantity(part.value, Unit::NEWTON).into(),
         (false, true, Quantity::Moment, Arm::Metre) => Piece::Quantity(part.value, Unit::NEWTON_METRE).into(),
-        (false, ..) => phrase!("{} {}", size(part), unit(sweep, quantity)),
+        (false, ..) => phrase!("{} {}", size(sweep, quantity, part), unit(sweep, quantity)),
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::assumptions::assumptions;
-use super::words::{exact, named, quantities, quantity_name, unit, zeros_name};
+use super::words::{exact, quantities, quantity_name, unit, zeros_name};
 use crate::proof::Quantity;
 use crate::sweep::{FiringZeros, Sweep, ZeroSet};
 
@@ -158,7 +158,7 @@ fn point(sweep: &Sweep, index: usize) -> PointEntry {
         quantities(order).map(|(quantity, amplitudes)| OrderEntry {
             order: order.order,
             quantity: quantity_name(quantity),
-            parts: named(amplitudes).into_iter().map(|(name, part)| (name, amplitude(part))).collect(),
+            parts: amplitudes.named().into_iter().map(|(name, part)| (name, amplitude(part))).collect(),
         })
     });
     PointEntry {

@@ -3,7 +3,7 @@
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::typeset;
-use super::amounts::{place, place_cells, place_headings, size, value};
+use super::amounts::{number_of, place, place_cells, place_headings, value};
 use super::findings::listed;
 use super::words::axis;
 use crate::engine::CycleOrder;
@@ -46,11 +46,6 @@ pub(super) fn section(sweep: &Sweep) -> Vec<Block> {
     blocks
 }
 
-/// The name of an order in a table or a file: `3/2`.
-pub(super) fn name(firing: &FiringSweep, place: usize) -> String {
-    firing.orders[place].exact().to_string()
-}
-
 fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let order = firing.orders[place_of].to_string();
     let known = firing.points.iter().zip(&sweep.points);
@@ -83,15 +78,15 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
             order,
             Text::zero(),
             exact(set),
-            size(*greatest),
+            number_of(*greatest),
             at(*greatest)
         ),
         _ => phrase!(
             "**Gas torque of order {}:** the firing star is from {} at {} up to {} at {}.",
             order,
-            size(*least),
+            number_of(*least),
             at(*least),
-            size(*greatest),
+            number_of(*greatest),
             at(*greatest)
         ),
     }
@@ -129,7 +124,7 @@ fn points(sweep: &Sweep, firing: &FiringSweep) -> Table {
     let orders = firing.orders.iter().map(|order| phrase!("Order {}", order.to_string()));
     let mut table = Table::new(place_headings(sweep).chain(orders));
     for (point, stars) in sweep.points.iter().zip(&firing.points) {
-        let cells = stars.iter().map(|star| star.map_or_else(|| "–".into(), size));
+        let cells = stars.iter().map(|star| star.map_or_else(|| "–".into(), number_of));
         table.push(place_cells(point).chain(cells).collect());
     }
     table

@@ -4,7 +4,7 @@ use super::super::figure::{Figure, Ink};
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::super::typeset;
-use super::amounts::axis_unit;
+use super::amounts;
 use super::words::{axis, exact, quantity_name};
 use crate::numbers::float;
 use crate::page::{Picture, Text, phrase};
@@ -57,11 +57,6 @@ pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) 
     Some(if quantity == Quantity::Moment { &order.moment } else { &order.force })
 }
 
-fn value_axis(sweep: &Sweep, quantity: Quantity) -> Axis {
-    let name = if quantity == Quantity::Moment { "Moment" } else { "Force" };
-    Axis::amplitude(format!("{name} in {}", axis_unit(sweep, quantity)))
-}
-
 /// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
     let parameter = &sweep.parameters[0];
@@ -72,7 +67,7 @@ fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure
     let title = format!("Order {order} of the {}", quantity_name(quantity));
     let marks = marks(sweep, quantity, order, place);
     let panel = |title: String, parts: [(&str, Amplitude); 2], shown: &[Zeros]| {
-        let mut plot = Plot::new(title, x.clone(), value_axis(sweep, quantity));
+        let mut plot = Plot::new(title, x.clone(), amounts::axis(sweep, quantity));
         for (number, (name, part)) in parts.into_iter().enumerate() {
             let point =
                 |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
@@ -192,7 +187,7 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
         title: format!("Order {order}: largest {}", quantity_name(quantity)),
         x: around(fast),
         y: around(slow),
-        value: value_axis(sweep, quantity),
+        value: amounts::axis(sweep, quantity),
         rows,
         curves: Vec::new(),
         marks,
@@ -205,5 +200,5 @@ fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Option<PointMa
     let points = sweep.points.iter().filter(|point| largest(point).is_finite());
     let best = points.min_by(|a, b| largest(a).total_cmp(&largest(b)))?;
     let at = (float(best.values.get(1)?), float(best.values.first()?));
-    Some(PointMark::dot(at, format!("≈ {}", typeset::decimal(largest(best)))).of("least on the grid"))
+    Some(PointMark::dot(at, "").valued(largest(best)).of("least on the grid"))
 }

@@ -21,7 +21,7 @@ impl Finding<'_> {
         // The same unit stands behind the greatest.
         let least = match in_newtons(sweep) {
             true => with_unit(sweep, self.quantity, self.least.amplitude),
-            false => size(self.least.amplitude),
+            false => size(sweep, self.quantity, self.least.amplitude),
         };
         let [at_most, at_least] = [&self.greatest, &self.least].map(|of| of.places(sweep));
         let exact = |at: &[BigRational]| listed(at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());

@@ -1,11 +1,11 @@
 //! Which tables show a sweep? Where each vector vanishes, the least and the greatest values, every point.
 
-use super::amounts::{place_cells, place_headings, size, unit, value};
+use super::amounts::{number_of, place_cells, place_headings, size, unit, value};
 use super::findings::Finding;
 use super::plots::amplitudes;
 use super::words::{quantity_name, zeros_name};
 use crate::engine::DOES_NOT_EXIST;
-use crate::page::{Block, Fold, Number, Table, Text, number, phrase};
+use crate::page::{Block, Fold, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Quantity;
 use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
@@ -44,9 +44,9 @@ pub(super) fn extremes(sweep: &Sweep, findings: &[Finding]) -> Table {
         table.push(vec![
             (*order).into(),
             in_unit(sweep, *quantity),
-            size(greatest.amplitude),
+            size(sweep, *quantity, greatest.amplitude),
             greatest.places(sweep),
-            size(least.amplitude),
+            size(sweep, *quantity, least.amplitude),
             least.places(sweep),
         ]);
     }
@@ -91,8 +91,9 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
 fn of_order(sweep: &Sweep, quantity: Quantity, index: usize) -> Table {
     let names = ["largest", "smallest", "along", "across"].map(Text::from);
     let mut table = Table::new(place_headings(sweep).chain(names));
+    let cell = |part| size(sweep, quantity, part);
     for point in &sweep.points {
-        let parts = amplitudes(point, index, quantity).map(|a| [a.largest, a.smallest, a.along, a.across].map(size));
+        let parts = amplitudes(point, index, quantity).map(|a| [a.largest, a.smallest, a.along, a.across].map(cell));
         table.push(place_cells(point).chain(parts.unwrap_or_else(|| [(); 4].map(|()| DASH.into()))).collect());
     }
     table
@@ -134,29 +135,33 @@ fn columns(sweep: &Sweep) -> Vec<Column> {
     ];
     let counterweight: Column = match has(|point| point.kilograms.is_some()) {
         true => (
-            "Counterweight in kg at the crank radius".into(),
+            phrase!("Counterweight in {} at the crank radius", Unit::KILOGRAM),
             Box::new(move |point| {
                 let (part, kilograms) = point.counterweight.zip(point.kilograms)?;
-                Some(if part.vanishes { Text::zero() } else { decimal(part.value * kilograms) })
+                Some(if part.vanishes { Text::zero() } else { Text::measured(part.value * kilograms, Unit::KILOGRAM) })
             }),
         ),
-        false => ("Counterweight in $m r$".into(), Box::new(|point| point.counterweight.map(size))),
+        false => ("Counterweight in $m r$".into(), Box::new(|point| point.counterweight.map(number_of))),
     };
     let in_millimetres = has(|point| point.envelope.is_some_and(|envelope| envelope.metres.is_some()));
     let names: [Text; 3] = match in_millimetres {
-        true => ["Length in mm".into(), "Breadth in mm".into(), "Height in mm".into()],
+        true => [
+            phrase!("Length in {}", Unit::MILLIMETRE),
+            phrase!("Breadth in {}", Unit::MILLIMETRE),
+            phrase!("Height in {}", Unit::MILLIMETRE),
+        ],
         false => ["Length in $r$".into(), "Breadth in $r$".into(), "Height in $r$".into()],
-    };
-    let factor = move |metres: Option<f64>| match in_millimetres {
-        true => metres.map(|metres| metres * 1000.0),
-        false => Some(1.0),
     };
     let sides: [fn(&crate::sweep::Envelope) -> Option<f64>; 3] =
         [|envelope| envelope.length, |envelope| Some(envelope.breadth), |envelope| Some(envelope.height)];
     let side = |(name, side): (Text, fn(&crate::sweep::Envelope) -> Option<f64>)| -> Column {
         let cell = move |point: &SweptEngine| {
             let envelope = point.envelope?;
-            Some(decimal(side(&envelope)? * factor(envelope.metres)?))
+            let size = side(&envelope)?;
+            Some(match in_millimetres {
+                true => Text::measured(size * envelope.metres? * 1000.0, Unit::MILLIMETRE),
+                false => decimal(size),
+            })
         };
         (name, Box::new(cell))
     };

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::words::cylinders;
 use crate::engine::{Engine, Heat, PressureLaw, Setting};
-use crate::page::{Table, Text, Unit, number, phrase};
+use crate::page::{Table, Text, Unit, number};
 use crate::torque::EngineTorque;
 
 /// The settings of a process, in the order in which they are shown.
@@ -70,12 +70,12 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
 }
 
 fn in_unit(value: &BigRational, factor: i64, unit: Unit) -> Text {
-    phrase!("{} {}", number::given(&(value * BigRational::from_integer(factor.into()))), Text::label(unit.name))
+    number::given_with(&(value * BigRational::from_integer(factor.into())), unit)
 }
 
 fn bar(pascals: &BigRational) -> Text {
     let bar = pascals / BigRational::from_integer(100_000.into());
-    phrase!("{} bar", number::given(&bar))
+    number::given_with(&bar, Unit::BAR)
 }
 
 fn name(setting: Setting, heat: &Heat) -> Text {

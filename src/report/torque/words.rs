@@ -112,9 +112,11 @@ pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: 
     let of = names(engine, cylinders);
     match warning {
         Warning::Peak(pascals) => phrase!(
-            "Cylinders {}: the largest pressure is {}. Engines have 5 to 400 bar: is the unit right?",
+            "Cylinders {}: the largest pressure is {}. Engines have {} to {}: is the unit right?",
             of,
-            quantity(pascals / 1e5, Unit::BAR)
+            quantity(pascals / 1e5, Unit::BAR),
+            Text::from(Piece::Measured(5.0, Unit::BAR, number::sensible)),
+            quantity(400.0, Unit::BAR)
         ),
         Warning::PeakAngle(degrees) => phrase!(
             "Cylinders {}: the largest pressure stands at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",

@@ -4,7 +4,7 @@ use super::super::typeset;
 use super::TorsionStudy;
 use super::forced::Forced;
 use super::words::part;
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::{Number, Table, Text, Unit, number, phrase};
 
 /// At most so many modes stand beside each other.
 pub(super) const MOST_MODES: usize = 3;
@@ -26,8 +26,12 @@ pub(super) fn modes(study: &TorsionStudy<'_>) -> Table {
 
 /// One row per disc: inertia, stiffness to the next, crankpins, deflection in the first modes.
 pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
-    let mut header: Vec<Text> =
-        vec!["Disc".into(), "Inertia (kg m²)".into(), "Stiffness to the next (N·m/rad)".into(), "Crankpins".into()];
+    let mut header: Vec<Text> = vec![
+        "Disc".into(),
+        phrase!("Inertia ({})", Unit::KILOGRAM_SQUARE_METRE),
+        phrase!("Stiffness to the next ({})", Unit::NEWTON_METRE_PER_RADIAN),
+        "Crankpins".into(),
+    ];
     let shown = || study.modes.iter().take(MOST_MODES).enumerate();
     header.extend(shown().map(|(index, _)| phrase!("Deflection, mode {}", index + 1)));
     let mut table = Table::new(header);
@@ -37,8 +41,8 @@ pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
         let pins: Vec<String> = on_disc.map(|(pin, _)| (pin + 1).to_string()).collect();
         let mut cells: Vec<Text> = vec![
             (disc + 1).into(),
-            Number::exact(inertia).into(),
-            stiffness.map_or_else(|| "–".into(), |value| Number::exact(value).into()),
+            number::given_in(inertia, Unit::KILOGRAM_SQUARE_METRE),
+            stiffness.map_or_else(|| "–".into(), |value| number::given_in(value, Unit::NEWTON_METRE_PER_RADIAN)),
             if pins.is_empty() { "–".into() } else { pins.join(", ").into() },
         ];
         cells.extend(shown().map(|(_, speeds)| Text::label(typeset::approximate(speeds.mode.shape[disc]))));
@@ -50,18 +54,19 @@ pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
 /// One row per order: how far it twists the shaft at the speed of the layout.
 pub(super) fn forced(orders: &[Forced]) -> Table {
     let mut table = Table::new([
-        "Order κ",
-        "Frequency (Hz)",
-        "Swing of the free end (°)",
-        "Torque in the shaft (N·m)",
-        "Behind disc",
+        "Order κ".into(),
+        "Frequency (Hz)".into(),
+        "Swing of the free end (°)".into(),
+        phrase!("Torque in the shaft ({})", Unit::NEWTON_METRE),
+        Text::from("Behind disc"),
     ]);
     for forced in orders {
         let mut cells: Vec<Text> = vec![forced.order.to_string().into(), Number::Decimal(forced.hertz).into()];
         cells.extend(match forced.near {
             Some(mode) => [phrase!("near mode {}", mode), "–".into(), "–".into()],
             None => {
-                [Number::Decimal(forced.free_end).into(), Number::Decimal(forced.shaft).into(), forced.behind.into()]
+                let torque = Text::measured(forced.shaft, Unit::NEWTON_METRE);
+                [Number::Decimal(forced.free_end).into(), torque, forced.behind.into()]
             }
         });
         table.push(cells);

@@ -8,6 +8,7 @@ use super::crop::cropped;
 use super::linkage::{Linkage, Linkages, linkages};
 use super::names::{name_banks, name_offsets, name_pins, name_pistons};
 use crate::engine::{Engine, SeenFrom};
+use crate::page::Units;
 use crate::proof::Sense;
 
 /// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
@@ -22,7 +23,12 @@ const ROWS: [(Ink, Dash); 3] = [(Ink::Blue, Dash::Solid), (Ink::Orange, Dash::Da
 
 /// The engine from its free end at θ = 0: angle 0 upwards, angles anticlockwise, cylinders that coincide drawn once.
 pub fn end_view(engine: &Engine) -> Figure {
-    let Linkages { all, axes } = linkages(engine);
+    let in_inches = engine.has_offset().then(|| Box::new(drawn(engine, Units::Inch)));
+    Figure { in_inches, ..drawn(engine, Units::Si) }
+}
+
+fn drawn(engine: &Engine, units: Units) -> Figure {
+    let Linkages { all, axes } = linkages(engine, units);
     let has_labels = all.len() <= MOST_LABELS;
     let from = engine.convention().turns_anticlockwise_from();
     let mut whole = Figure::new(0.0, 0.0);

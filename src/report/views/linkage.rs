@@ -10,6 +10,7 @@ use super::super::star::towards;
 use super::super::typeset;
 use crate::engine::{Cylinder, Engine, Form, GearedCrank, Link, Mechanism};
 use crate::exact::Turn;
+use crate::page::{Unit, Units};
 use crate::proof::Sense;
 
 /// The rod ratio that is drawn where the engine has none.
@@ -38,7 +39,7 @@ pub(super) struct Linkage<'a> {
     pub stroke: (f64, f64),
     /// Of a radial with several rows: which, from the free end.
     pub row: usize,
-    /// How far the axis passes the shaft, in millimetres where the engine gives lengths, else against the rod length; none
+    /// How far the axis passes the shaft, in millimetres or inches where the engine gives lengths, else against the rod length; none
     /// where it meets the shaft.
     pub dimension: Option<String>,
     /// Which of several crankshafts: all points are seen from its axis.
@@ -68,16 +69,26 @@ fn rod(cylinder: &Cylinder) -> (f64, f64) {
 }
 
 /// `e = 12.5 mm`, `e/l = 0.08`; its sign says on which side.
-fn dimension(engine: &Engine, cylinder: &Cylinder) -> Option<String> {
+fn dimension(engine: &Engine, cylinder: &Cylinder, units: Units) -> Option<String> {
     let rod = cylinder.rod().filter(|rod| !rod.offset.is_zero())?;
     let thousand = BigRational::from_integer(1000.into());
     Some(match engine.dimensions().crank_radius.as_ref().filter(|_| !rod.ratio.is_zero()) {
         Some(unit) => {
             let offset = &rod.offset * unit * &cylinder.crank_radius / &rod.ratio * thousand;
-            format!("e = {} mm", typeset::short(&offset))
+            let (offset, unit) = units.of_exact(&offset, Unit::MILLIMETRE);
+            let offset = match units {
+                Units::Si => typeset::short(&offset),
+                Units::Inch => typeset::in_decimals(&offset),
+            };
+            format!("e {} {}", equals(&offset), unit.name)
         }
-        None => format!("e/l = {}", typeset::short(&rod.offset)),
+        None => format!("e/l {}", equals(&typeset::short(&rod.offset))),
     })
+}
+
+/// `= 12.5`; what is rounded has its own sign.
+fn equals(number: &str) -> String {
+    if number.starts_with('≈') { number.to_owned() } else { format!("= {number}") }
 }
 
 /// From the crankpin to the piston pin where both stand on the axis, against the crank radius.
@@ -134,8 +145,8 @@ pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
 /// What distinguishes a linkage in this view.
 type Seen<'a> = ([usize; 2], &'a Turn, &'a Turn, &'a BigRational, &'a Option<Mechanism>);
 
-/// All linkages: by crankshafts and rows, then banks, then throws.
-pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
+/// All linkages: by crankshafts and rows, then banks, then throws; lengths beside them in these units.
+pub(super) fn linkages(engine: &Engine, units: Units) -> Linkages<'_> {
     let rows = rows(engine);
     let mut seen: BTreeMap<Seen, Vec<&Cylinder>> = BTreeMap::new();
     for cylinder in engine.cylinders() {
@@ -180,7 +191,7 @@ pub(super) fn linkages(engine: &Engine) -> Linkages<'_> {
             foot,
             stroke: (leg(reach - radius, offset), leg(reach + radius, offset)),
             row,
-            dimension: dimension(engine, cylinders[0]),
+            dimension: dimension(engine, cylinders[0], units),
             crank,
         }
     });

@@ -3,7 +3,7 @@
 use super::dice::Dice;
 
 /// The forms of [`file`].
-pub const FORMS: [&str; 8] = ["inline", "vee", "flat", "boxer", "fan", "radial", "cylinder", "open"];
+pub const FORMS: [&str; 10] = ["inline", "vee", "flat", "boxer", "fan", "radial", "vr", "w", "cylinder", "open"];
 
 /// Denominators of the angles of one engine, in fractions of a turn; the oracle needs them below some hundreds.
 const DENOMINATORS: [u64; 20] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 18, 20, 24, 30, 36];
@@ -52,6 +52,7 @@ pub fn file(dice: &mut Dice, form: &str) -> String {
                 format!("row_rotation = {}\nrow_throw = {}\nrow_spacing = \"3/2\"\n", angle(dice), angle(dice));
             (0, row * rows, if rows > 1 { body + &turned } else { body })
         }
+        "vr" | "w" => return narrow(dice, form, of),
         "cylinder" => {
             let count = dice.below(8) + 1;
             let table = |dice: &mut Dice| {
@@ -73,6 +74,30 @@ pub fn file(dice: &mut Dice, form: &str) -> String {
         _ => String::new(),
     };
     format!("[{form}]\n{body}{positions}{}", mechanism(dice, cylinders))
+}
+
+/// Narrow banks, whose axes meet the crankshaft or pass it.
+fn narrow(dice: &mut Dice, form: &str, of: u64) -> String {
+    let count = dice.below(6) + 1;
+    let bank = [20, 24, 30, 60][dice.below(4) as usize];
+    let splay = if dice.below(3) == 0 { "0".to_owned() } else { format!("\"{}/{of} turn\"", dice.below(of)) };
+    let throws = throws(dice, count, of);
+    let (cylinders, own) = match form {
+        "vr" => (count, format!("[vr]\nbank_angle = {bank}\n")),
+        _ => {
+            let (wide, split) = ([60, 72, 90][dice.below(3) as usize], dice.below(of));
+            let offset = dice.below(3);
+            let own = format!(
+                "[w]\nbank_angle = {wide}\nnarrow_angle = {bank}\npin_split = \"{split}/{of} turn\"\nbank_offset = \"{offset}/5\"\n"
+            );
+            (2 * count, own)
+        }
+    };
+    let form = format!("{own}throws = {throws}\npin_splay = {splay}\n");
+    match dice.below(4) {
+        0 => format!("{form}pin_offset = \"1/100\"\n[mechanism]\ncrank_radius = \"1/20\"\nrod_length = \"1/5\"\n"),
+        _ => form + &mechanism(dice, cylinders),
+    }
 }
 
 /// Even throws in any order, mirrored ones, or any.

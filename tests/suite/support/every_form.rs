@@ -159,6 +159,11 @@ fn two_pistons(dice: &mut Dice) -> Layout {
 fn narrow(dice: &mut Dice) -> Layout {
     let count = 1 + dice.below(6) as usize;
     let (bank, splay) = (10 + dice.below(12), dice.below(25));
+    if dice.below(3) == 0 {
+        let (wide, split) = (60 + dice.below(31), angle(dice));
+        let keys = format!("bank_angle = {wide}\nnarrow_angle = {bank}\npin_split = {split}\npin_splay = {splay}");
+        return (format!("[w]\n{keys}\nthrows = [{}]", throws(dice, count)), 2 * count, 0);
+    }
     (format!("[vr]\nbank_angle = {bank}\npin_splay = {splay}\nthrows = [{}]", throws(dice, count)), count, 0)
 }
 

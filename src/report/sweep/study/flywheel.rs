@@ -83,27 +83,27 @@ fn value(point: &Evened) -> Text {
 fn masses(label: &str, flywheels: &Flywheels) -> Table {
     let mut table = Table::new([
         Text::label(label),
-        "ΔW in J".into(),
+        phrase!("ΔW in {}", Unit::JOULE),
         "ΔW over that in line".into(),
-        "J in kg·m²".into(),
-        "Flywheel in kg".into(),
-        "Counterweights in kg".into(),
-        "Together in kg".into(),
+        phrase!("J in {}", Unit::KILOGRAM_SQUARE_METRE),
+        phrase!("Flywheel in {}", Unit::KILOGRAM),
+        phrase!("Counterweights in {}", Unit::KILOGRAM),
+        phrase!("Together in {}", Unit::KILOGRAM),
     ]);
     let weights = |point: &Evened| match point.counterweights {
         Some(Amplitude { vanishes: true, .. }) => Text::zero(),
-        Some(Amplitude { value, vanishes: false }) => decimal(value),
+        Some(Amplitude { value, vanishes: false }) => Text::measured(value, Unit::KILOGRAM),
         None => "–".into(),
     };
     for point in flywheels.all() {
         table.push(vec![
             value(point),
-            decimal(point.energy),
+            Text::measured(point.energy, Unit::JOULE),
             decimal(flywheels.ratio(point)),
-            decimal(point.inertia),
-            decimal(point.flywheel),
+            Text::measured(point.inertia, Unit::KILOGRAM_SQUARE_METRE),
+            Text::measured(point.flywheel, Unit::KILOGRAM),
             weights(point),
-            point.mass().map_or_else(|| "–".into(), decimal),
+            point.mass().map_or_else(|| "–".into(), |mass| Text::measured(mass, Unit::KILOGRAM)),
         ]);
     }
     table
@@ -122,7 +122,7 @@ pub(super) fn picture(family: &Studied) -> Option<Picture> {
     let parameter = &family.sweep.parameters[0];
     let x = Axis::angle(axis(parameter, true), 0.0, float(&parameter.range.last()), 30);
     let title = format!("{}: flywheel, counterweights", family.sweep.title.escaped(crate::text::Format::Plain));
-    let mut plot = Plot::new(title, x, Axis::amplitude("Mass in kg"));
+    let mut plot = Plot::new(title, x, Axis::amplitude("Mass in {}").counted_in(Unit::KILOGRAM));
     let kinds: [(&str, Mass); 3] = [
         ("flywheel", |point| Some(point.flywheel)),
         ("counterweights", |point| Some(point.counterweights?.value)),

@@ -5,7 +5,7 @@ use num_traits::Zero;
 
 use super::super::amounts::counted;
 use super::super::assumptions::assumptions;
-use super::super::csv::sweep_csv;
+use super::super::csv::kept_csv;
 use super::super::tables;
 use super::{checks, flywheel, plots};
 use crate::claim::{Checked, Studied, Study};
@@ -103,7 +103,7 @@ fn table_name(family: &Studied) -> String {
 
 /// The points of each family as a table in CSV, the engine in line first.
 pub fn study_tables(study: &Study) -> Vec<File> {
-    let table = |family| File { name: table_name(family), text: sweep_csv(&with_in_line(family)).text };
+    let table = |family| File { name: table_name(family), text: kept_csv(&with_in_line(family)) };
     study.families.iter().map(table).collect()
 }
 

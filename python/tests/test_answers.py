@@ -1,0 +1,197 @@
+"""Do answers come as columns that pandas and polars take, and do their numbers hold against an independent method?"""
+
+import json
+import math
+
+import numpy as np
+import pandas
+import polars
+import pytest
+
+import crankstar
+from crankstar import Engine
+from engines import v6
+
+
+def rods() -> list[tuple[float, float]]:
+    """Throw and bank of each cylinder of the V6 in radians, as its layout says."""
+    pins = [0, 120, 240]
+    return [(math.radians(pin), math.radians(-30)) for pin in pins] + [
+        (math.radians(pin - 60), math.radians(30)) for pin in pins
+    ]
+
+
+def shaking_force(theta: np.ndarray) -> np.ndarray:
+    """The force of the V6 in newtons at these crank angles, by the motion of each piston in time: no phasors, no orders."""
+    r, l, mass, rotating, omega = 0.045, 0.150, 0.6, 0.5, 6000 * 2 * math.pi / 60
+    total = np.zeros_like(theta, dtype=complex)
+    step = 1e-4
+    for throw, bank in rods():
+        psi = theta + throw - bank
+
+        def travel(angle):
+            return r * np.cos(angle) + np.sqrt(l**2 - (r * np.sin(angle)) ** 2)
+
+        acceleration = (travel(psi + step) - 2 * travel(psi) + travel(psi - step)) / step**2 * omega**2
+        total += -mass * acceleration * np.exp(1j * bank)
+        total += rotating * r * omega**2 * np.exp(1j * (theta + throw))
+    return total
+
+
+def test_the_largest_force_is_that_of_the_moving_pistons():
+    largest = v6().loads().document()["largest"]["force"]["value"]
+    # The sixth order and what is above it: newtons, of ten thousand of one piston.
+    assert largest == pytest.approx(np.abs(shaking_force(np.radians(np.arange(0, 360, 0.05)))).max(), rel=1e-3)
+
+
+def test_the_course_is_that_of_the_moving_pistons():
+    loads = v6().loads(list(range(1, 41)))
+    theta = loads.tables["theta"]
+    assert isinstance(theta["theta_deg"], np.ndarray) and len(theta["theta_deg"]) == 360
+    moved = shaking_force(np.radians(theta["theta_deg"]))
+    assert np.abs(moved).max() > 10
+    assert np.allclose(theta["force_y_N"], moved.real, atol=0.02)
+    assert np.allclose(theta["force_x_N"], -moved.imag, atol=0.02)
+
+
+def test_loads_by_order_are_arrays_with_units_in_their_names():
+    loads = v6().loads()
+    orders = loads.columns
+    assert isinstance(orders["order"], np.ndarray) and orders["order"].dtype == np.int64
+    assert isinstance(orders["force_zero_to_peak_N"], np.ndarray) and orders["force_zero_to_peak_N"].dtype == np.float64
+    zero = np.asarray(orders["force_vanishes"], dtype=bool)
+    assert zero[:3].all() and not zero.all()
+    assert (orders["force_zero_to_peak_N"][zero] == 0.0).all() and (orders["force_zero_to_peak_N"][~zero] > 0.0).all()
+    assert loads.about["orders"]["force_zero_to_peak_N"][0] == "N"
+    assert len(pandas.DataFrame(orders)) == polars.DataFrame(orders).height == len(zero)
+    assert crankstar.verify(loads.json).certificates > 0
+
+
+def test_verdicts_are_columns_too():
+    verdicts = Engine.named("V8-crossplane").classify()
+    frame = pandas.DataFrame(verdicts.columns)
+    assert frame["order"].tolist() == [1, 2, 4, 6]
+    assert frame["moment_exact"].tolist() == ["√10", "0", "0", "0"]
+    assert frame["moment_vanishes"].tolist() == [False, True, True, True]
+    assert polars.DataFrame(verdicts.tables["sums"]).height == 8
+
+
+def test_bearings_are_columns():
+    bearings = v6().bearings()
+    for name, columns in bearings.tables.items():
+        assert len(pandas.DataFrame(columns)) == polars.DataFrame(columns).height > 0, name
+        assert set(columns) == set(bearings.about[name])
+
+
+def test_a_sweep_is_taken_by_pandas_and_polars():
+    sweep = Engine.named("V6-60-shared").sweep(bank_angle="0..180:10")
+    frame, other = pandas.DataFrame(sweep.columns), polars.DataFrame(sweep.columns)
+    assert len(frame) == other.height == 19
+    assert list(frame.columns) == other.columns
+    assert frame["bank_angle"].tolist() == list(range(0, 181, 10))
+    assert set(sweep.about["points"]) == set(frame.columns)
+
+
+def test_a_zero_of_a_sweep_is_exactly_zero_and_said_to_be_proved():
+    frame = pandas.DataFrame(Engine.named("V8-crossplane").sweep(bank_angle=(80, 100, 10), orders=[1]).columns)
+    assert frame["moment_1_reverse_vanishes"].tolist() == [False, True, False]
+    assert (frame["moment_1_reverse"] == 0.0).tolist() == [False, True, False]
+
+
+def test_exact_zeros_are_a_table():
+    sweep = Engine.named("V8-crossplane").sweep(bank_angle="0..179:1", orders=[1])
+    zeros = pandas.DataFrame(sweep.tables["zeros"])
+    found = zeros[(zeros["quantity"] == "moment") & (zeros["of"] == "reverse")]
+    assert found["bank_angle_exact"].tolist() == ["90"]
+
+
+def test_a_sweep_is_one_sum_of_phasors_for_each_angle():
+    angles = np.arange(0, 180, 2.5)
+    sweep = Engine.named("V8-crossplane").sweep(bank_angle="0..177.5:2.5", orders=[1, 2]).columns
+    throws = np.radians([0, 90, 270, 180])
+    half = np.radians(angles)[:, None] / 2
+    arms = np.array([1.5, 0.5, -0.5, -1.5])
+    for order in (1, 2):
+        for sense in (1, -1):
+            banks = [np.exp(1j * (sense * order * throws + (1 - sense * order) * side * half)) for side in (-1, 1)]
+            name = "direct" if sense == 1 else "reverse"
+            sums = np.abs((sum(banks) * arms).sum(axis=1)) / 2
+            assert np.allclose(sums, sweep[f"moment_{order}_{name}"], atol=1e-9), (order, name)
+
+
+def test_two_parameters_make_a_map():
+    swept = Engine.named("V6-60-even").sweep({"vee.pin_split": "-60..0:30"}, bank_angle="50..70:10", orders=[1])
+    assert len(swept.columns["bank_angle"]) == 9 and next(iter(swept.tables)) == "points"
+
+
+def test_firing_stars_are_swept_too():
+    columns = Engine.named("V6-60-even").sweep(bank_angle="50..70:10", orders=[1], firing_orders=[0.5, "3/2"]).columns
+    assert [name for name in columns if name.startswith("firing_star") and name.endswith("_r")]
+
+
+@pytest.mark.parametrize(
+    ("ranges", "words"),
+    [("0..180", "step"), ((0, 180), "from, to, step"), ("180..0:10", "leads away"), (7, "from, to, step")],
+)
+def test_a_range_that_is_none_is_refused(ranges, words):
+    with pytest.raises(crankstar.CrankstarError, match=words):
+        Engine.named("V6-60-even").sweep(bank_angle=ranges)
+
+
+def test_a_search_finds_engines():
+    found = crankstar.search(6, "two-stroke")
+    frame, other = pandas.DataFrame(found.columns), polars.DataFrame(found.columns)
+    assert len(frame) == other.height == len(found.document()["stars"])
+    best = Engine.parse(frame["layout"][0])
+    assert best.classify([1]).of("moment", 1).vanishes is True
+    assert len(best) == 6
+
+
+def test_a_search_that_makes_no_sense_is_refused():
+    with pytest.raises(crankstar.CrankstarError):
+        crankstar.search(99, "two-stroke")
+    with pytest.raises(crankstar.CrankstarError, match="orders"):
+        crankstar.search(6, "two-stroke", orders=[])
+    with pytest.raises(crankstar.CrankstarError, match="torsion=True"):
+        crankstar.search(6, "two-stroke", mode_shape=[1, 2])
+    with pytest.raises(crankstar.CrankstarError, match="two-stroke or four-stroke"):
+        crankstar.search(6, "six-stroke")  # type: ignore[arg-type]
+
+
+def test_a_remedy_holds_and_its_layout_is_balanced():
+    remedy = Engine.named("I3").remedy([1, 2])
+    assert remedy.holds
+    weights = pandas.DataFrame(remedy.columns)
+    assert weights["mass_radius_exact"][0] == "√3/4"
+    assert weights["mass_radius_m_r"][0] == pytest.approx(math.sqrt(3) / 4)
+    assert math.isnan(weights["mass_radius_kg_m"][0])
+    corrected = Engine.parse(remedy.layout)
+    assert all(verdict.vanishes for verdict in corrected.classify([1]))
+    assert crankstar.verify(remedy.json).certificates > 0
+
+
+def test_counterweights_of_a_balance_factor_are_part_of_a_remedy():
+    remedy = Engine.named("I3").remedy([1], balance_factor=[0.5, "1/2", 0.5], planes=(1, -1))
+    assert remedy.holds and len(remedy.columns["order"]) >= 3
+    with pytest.raises(crankstar.CrankstarError, match="0 or more"):
+        Engine.named("I3").remedy(balance_factor=-1)
+    with pytest.raises(crankstar.CrankstarError, match="two are needed"):
+        Engine.named("I3").remedy(planes=[1])
+
+
+def test_firing_stars_are_proved():
+    firing = Engine.named("V8-crossplane").firing([0.5, 1, "3/2"])
+    assert crankstar.verify(firing.json).orders == ["1/2", "1", "3/2"]
+
+
+def test_documents_of_answers_are_json():
+    engine = v6()
+    for answer in (engine.loads(), engine.bearings(), engine.remedy([1, 2]), engine.firing()):
+        assert json.loads(answer.json) == answer.document()
+
+
+def test_what_the_layout_lacks_is_said():
+    with pytest.raises(crankstar.CrankstarError, match="bearings"):
+        Engine.named("I4").bearings()
+    with pytest.raises(crankstar.CrankstarError, match="gas"):
+        Engine.named("I4").torque()

@@ -1,0 +1,168 @@
+//! What did a student write into a table: which angle, which length, and to how many digits?
+
+use num_rational::BigRational;
+use num_traits::{Pow, Signed, Zero};
+
+use crate::exact::{PhasorSum, Turn};
+use crate::file::{parse_number, units};
+use crate::numbers::{self, Form};
+use crate::text::Untrusted;
+
+/// Longer entries than this are no number of a table.
+const LONGEST: usize = 80;
+
+/// An angle as it was written.
+#[derive(Clone, Debug)]
+pub struct WrittenAngle {
+    /// The words.
+    pub text: Untrusted,
+    /// The angle, exactly as written.
+    pub turn: Turn,
+    /// Half a unit of the last decimal, in turns, where decimals are written.
+    rounding: Option<BigRational>,
+}
+
+/// A length as it was written.
+#[derive(Clone, Debug)]
+pub struct WrittenLength {
+    /// The words.
+    pub text: Untrusted,
+    /// The length, exactly as written; metres where a unit stands behind it.
+    pub form: Form,
+    /// Half a unit of the last decimal, where nothing but decimals is written.
+    rounding: Option<BigRational>,
+}
+
+/// How a number that was written agrees with the true one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Agrees {
+    /// It is the number.
+    Exactly,
+    /// Its decimals are those of the number, rounded.
+    Rounded,
+    /// Neither.
+    Not,
+}
+
+impl WrittenAngle {
+    /// Reads an angle in degrees, `22.5`, `51,43°`, or with a unit, `1/7 turn`.
+    ///
+    /// # Errors
+    /// What would be right.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let plain = cell(text)?;
+        let turn = Turn::new(units::angle(&plain)?);
+        let degrees = ["°", "degrees", "deg"].iter().find_map(|unit| plain.strip_suffix(unit)).unwrap_or(&plain);
+        let rounding = half_a_unit(degrees).map(|half| half / BigRational::from_integer(360.into()));
+        Ok(WrittenAngle { text: Untrusted::new(text), turn, rounding })
+    }
+
+    /// Whether it is this angle, modulo a turn.
+    pub fn agrees(&self, right: &Turn) -> Agrees {
+        let off = &self.turn - right;
+        let back = -&off;
+        let off = if off < back { off } else { back };
+        match &self.rounding {
+            _ if off == Turn::zero() => Agrees::Exactly,
+            Some(half) if off.turns() <= half => Agrees::Rounded,
+            Some(_) | None => Agrees::Not,
+        }
+    }
+}
+
+impl WrittenLength {
+    /// Reads a number, `3.16`, `3,16`, `sqrt(10)`, `2 sin 36°`; of a moment perhaps with mm, cm or m behind it.
+    ///
+    /// # Errors
+    /// What would be right.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let plain = cell(text)?;
+        let units = [("mm", 1000), ("cm", 100), ("m", 1)];
+        let unit = units.iter().find_map(|(unit, parts)| Some((plain.strip_suffix(unit)?.trim_end(), *parts)));
+        let (number, parts) = unit.unwrap_or((&plain, 1));
+        let scale = BigRational::new(1.into(), parts.into());
+        let form = Form::parse(number).ok_or("a number such as 4, 1.732 or \"2√3\"")?;
+        let rounding = half_a_unit(number).map(|half| half * &scale);
+        Ok(WrittenLength { text: Untrusted::new(text), form: form.scaled(&scale), rounding })
+    }
+
+    /// Whether it is the length of this sum.
+    pub fn agrees(&self, sum: &PhasorSum) -> Agrees {
+        if is_length(&self.form, sum) {
+            return Agrees::Exactly;
+        }
+        // Zero is proved or not: it is no rounding of anything, and nothing else is one of it.
+        let written = self.form.as_rational().filter(|written| !written.is_zero() && !written.is_negative());
+        match (&self.rounding, written) {
+            (Some(half), Some(written)) if !sum.vanishes() && is_within(sum, &written, half) => Agrees::Rounded,
+            _ => Agrees::Not,
+        }
+    }
+}
+
+/// An entry without spaces at its ends, with a point where a comma stands between digits.
+fn cell(text: &str) -> Result<String, String> {
+    if text.chars().count() > LONGEST {
+        return Err(format!("at most {LONGEST} signs"));
+    }
+    let text = text.trim();
+    let comma = text.split_once(',').filter(|(before, after)| {
+        let digit = |letter: Option<char>| letter.is_some_and(|letter| letter.is_ascii_digit());
+        digit(before.chars().next_back()) && digit(after.chars().next()) && !after.contains(',') && !text.contains('.')
+    });
+    Ok(comma.map_or_else(|| text.to_owned(), |(before, after)| format!("{before}.{after}")))
+}
+
+/// Half a unit of the last decimal of a plain decimal.
+fn half_a_unit(number: &str) -> Option<BigRational> {
+    let number = number.trim().trim_start_matches(['+', '-', '−']);
+    let (whole, places) = number.split_once('.')?;
+    let is_plain = |digits: &str| digits.bytes().all(|digit| digit.is_ascii_digit());
+    let is_decimal = is_plain(whole) && is_plain(places) && parse_number(number).is_ok();
+    let half = || BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(places.len());
+    is_decimal.then(half)
+}
+
+/// Whether the form is `|S|`: `v² = S S̄` decides where the square is a sum, else the closed form of the length.
+fn is_length(form: &Form, sum: &PhasorSum) -> bool {
+    if form.to_float() < 0.0 && form.as_rational().is_none_or(|value| value.is_negative()) {
+        return false;
+    }
+    match numbers::square_as_sum(form) {
+        Some(square) => square.minus(&sum.squared_modulus()).vanishes(),
+        None => numbers::modulus(sum).is_some_and(|right| right == *form),
+    }
+}
+
+/// Whether `|S|` is no farther than `half` from a number above 0.
+fn is_within(sum: &PhasorSum, written: &BigRational, half: &BigRational) -> bool {
+    let square = sum.squared_modulus();
+    let squared = |value: &BigRational| numbers::number(value * value);
+    let (low, high) = (written - half, written + half);
+    let is_above = !low.is_positive() || !is_negative(&square.minus(&squared(&low)));
+    is_above && !is_negative(&squared(&high).minus(&square))
+}
+
+/// Whether a real sum is no farther than `half` from a number.
+pub(super) fn is_within_of(real: &PhasorSum, written: &BigRational, half: &BigRational) -> bool {
+    let [low, high] = [written - half, written + half].map(numbers::number);
+    !is_negative(&real.minus(&low)) && !is_negative(&high.minus(real))
+}
+
+/// Whether a real sum is below zero: zero is decided exactly, and what is not zero has a sign that enough bits show.
+fn is_negative(real: &PhasorSum) -> bool {
+    if real.vanishes() {
+        return false;
+    }
+    let mut bits = 64;
+    loop {
+        let [(low, high), _] = numbers::enclose(real, bits);
+        if low.is_positive() {
+            return false;
+        }
+        if high.is_negative() {
+            return true;
+        }
+        bits *= 2;
+    }
+}

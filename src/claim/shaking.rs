@@ -1,0 +1,239 @@
+//! Is each term of a Fourier series that of the shaking force of the engine? Term by term, exactly, in powers of the rod ratio.
+//!
+//! Along the reference direction the force is `Σ m r ω² c_k (A_k cos kθ + B_k sin kθ)`, with `2A_k = Re(P⁺ + P⁻)` and
+//! `2B_k = Im(P⁻ − P⁺)`; across it, to the left, `2A_k = Im(P⁺ + P⁻)` and `2B_k = Re(P⁺ − P⁻)` (theory, section 3). The coefficient
+//! `c_k` is a series of its own in λ: of order 2, λ + λ³/4 + 15λ⁵/128 + ….
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Pow, Zero};
+
+use super::answer::{Answer, Finding, Status};
+use super::formula::{Formula, Powers, Series, Wave};
+use super::grammar::ClaimError;
+use super::handwritten::is_within_of;
+use super::statement::{ShakingForce, Statement};
+use crate::engine::Engine;
+use crate::exact::{PhasorSum, Turn};
+use crate::numbers::{self, Form};
+use crate::order;
+use crate::proof::{Quantity, Sense};
+
+/// One wave of a claimed series, with what is said of it.
+#[derive(Clone, Debug)]
+pub struct Term {
+    /// The cosine or sine.
+    pub wave: Wave,
+    /// What is claimed to stand before it; nothing where it is left out.
+    pub said: Vec<(Powers, Form)>,
+    /// What stands before it without m r ω² c_k: in closed form where there is one, and in decimals.
+    pub right: (Option<Form>, f64),
+    /// The first powers of λ in c_k, with their numbers; none of an order that does not exist.
+    pub coefficient: Vec<(u32, BigRational)>,
+    /// Whether it is right.
+    pub verdict: TermVerdict,
+}
+
+/// What is said of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TermVerdict {
+    /// It is the term.
+    Right,
+    /// It is the term up to this power of λ, higher ones left out.
+    UpTo(u32),
+    /// Its decimals are those of the term, rounded.
+    Rounded,
+    /// It is another number.
+    Wrong,
+    /// It does not count in m r ω².
+    WrongUnit,
+    /// It is left out.
+    Missing,
+    /// A number stands for λ, which the layout does not give.
+    NoRatio,
+}
+
+/// So many powers of λ of a coefficient are compared.
+const POWERS: u32 = 8;
+/// So many make its decimals.
+const ALL_POWERS: u32 = 60;
+/// Terms up to this order, and up to the highest that is claimed, may not be left out.
+const TOLD: u32 = 2;
+
+/// What the words of such a claim begin with.
+const ALONG: [&str; 5] =
+    ["shaking force along the reference direction", "shaking force along", "shaking force", "F(θ)", "F"];
+const ACROSS: [&str; 2] = ["shaking force across the reference direction", "shaking force across"];
+
+/// Reads a claim about the shaking force as a series; none where the words are about something else.
+pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
+    let behind = |name: &&str| words.strip_prefix(*name)?.trim_start().strip_prefix('=');
+    let across = ACROSS.iter().find_map(behind).map(|text| (text, Some(true)));
+    let along = ALONG[..2].iter().find_map(behind).map(|text| (text, Some(false)));
+    let (text, across) = across.or(along).or_else(|| ALONG[2..].iter().find_map(behind).map(|text| (text, None)))?;
+    let right = "such as \"shaking force = 2 m r ω² (cos θ + λ cos 2θ)\"";
+    let series = Formula::read(text).and_then(|formula| Series::of(&formula));
+    Some(match series {
+        Ok(series) => Ok(Statement::ShakingForce(ShakingForce { across, series })),
+        Err(mistake) => Err(ClaimError::new(mistake, right)),
+    })
+}
+
+/// Answers a claim that a series is the shaking force of the pistons.
+pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
+    if engine.has_links() || engine.has_offset() || engine.mechanisms().len() > 1 {
+        return Answer::nothing(
+            "a series is compared where all rods are alike, on the crankpin, and no axis is offset",
+        );
+    }
+    let waves = says.series.waves();
+    let highest = waves.keys().map(|wave| wave.order).max().unwrap_or(0).max(TOLD);
+    let exact = |across: bool| -> BTreeMap<Wave, PhasorSum> {
+        let orders = (1..=highest).filter(|order| *order == 1 || order % 2 == 0);
+        let found = orders.flat_map(|order| [false, true].map(|is_sine| Wave { order, is_sine }));
+        found.map(|wave| (wave, amplitude(engine, wave, across))).filter(|(_, sum)| !sum.vanishes()).collect()
+    };
+    let across = match says.across {
+        Some(across) => across,
+        // Which part is meant is asked where there are two.
+        None if !exact(true).is_empty() => {
+            return Answer::nothing(
+                "the force of this engine has a part along the reference direction and one across it: claim \"shaking force along = …\" or \
+                 \"shaking force across = …\"",
+            );
+        }
+        None => false,
+    };
+    let exact = exact(across);
+    let all: std::collections::BTreeSet<Wave> = waves.keys().chain(exact.keys()).copied().collect();
+    let zero = PhasorSum::new(Vec::new());
+    let ratio = engine.mechanisms().first().and_then(|mechanism| Some(mechanism.rod()?.ratio.clone()));
+    let terms: Vec<Term> = all
+        .into_iter()
+        .map(|wave| {
+            let said = waves.get(&wave).cloned().unwrap_or_default();
+            let right = exact.get(&wave).unwrap_or(&zero);
+            let verdict = judged(&said, right, wave.order, ratio.as_ref());
+            let coefficient = coefficient(wave.order, 2);
+            Term { wave, said, right: (numbers::real(right), numbers::evaluate(right).re), coefficient, verdict }
+        })
+        .collect();
+    let is = |wanted: &[TermVerdict]| terms.iter().any(|term| wanted.contains(&term.verdict));
+    let status = match () {
+        () if is(&[TermVerdict::Wrong, TermVerdict::WrongUnit, TermVerdict::Missing]) => Status::False,
+        () if is(&[TermVerdict::NoRatio]) => Status::NotDecided,
+        () if is(&[TermVerdict::Rounded]) => Status::TrueAsRounded,
+        () => Status::True,
+    };
+    Answer { status, finding: Finding::Terms(terms), evidence: Vec::new() }
+}
+
+/// What stands before a wave and m r ω² c_k, a real sum.
+fn amplitude(engine: &Engine, wave: Wave, across: bool) -> PhasorSum {
+    let [direct, reverse] =
+        [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, Quantity::Force, wave.order, Some(sense)));
+    let real = |sum: PhasorSum| sum.plus(&sum.conjugate()).scaled(&BigRational::new(1.into(), 4.into()));
+    // The imaginary part is the real one of what is turned back by a quarter.
+    let imaginary = |sum: PhasorSum| real(sum.turned(&Turn::fraction(3, 4)));
+    match (across, wave.is_sine) {
+        (false, false) => real(direct.plus(&reverse)),
+        (false, true) => imaginary(reverse.minus(&direct)),
+        (true, false) => imaginary(direct.plus(&reverse)),
+        (true, true) => real(direct.minus(&reverse)),
+    }
+}
+
+fn judged(said: &[(Powers, Form)], right: &PhasorSum, order: u32, ratio: Option<&BigRational>) -> TermVerdict {
+    if said.is_empty() {
+        return TermVerdict::Missing;
+    }
+    if said.iter().any(|([m, r, omega, _], _)| [*m, *r, *omega] != [1, 1, 2]) {
+        return TermVerdict::WrongUnit;
+    }
+    if right.vanishes() {
+        return TermVerdict::Wrong;
+    }
+    let powers: BTreeMap<i32, &Form> = said.iter().map(|([.., lambda], form)| (*lambda, form)).collect();
+    let series = coefficient(order, POWERS);
+    let is_multiple = |form: &Form, by: &BigRational| is_number(form, &right.scaled(by));
+    // In powers of λ: as many of the first ones as there are.
+    let is_begun = powers.len() <= series.len()
+        && series
+            .iter()
+            .zip(&powers)
+            .all(|((power, number), (said, form))| i64::from(*power) == i64::from(*said) && is_multiple(form, number));
+    if is_begun {
+        return if order == 1 { TermVerdict::Right } else { TermVerdict::UpTo(series[powers.len() - 1].0) };
+    }
+    let only_numbers = order > 1 && powers.keys().all(|power| *power == 0);
+    // That of order 1 is 1 whatever the ratio is.
+    let none = BigRational::zero();
+    let ratio = ratio.or((order == 1).then_some(&none));
+    let Some(ratio) = ratio else { return if only_numbers { TermVerdict::NoRatio } else { TermVerdict::Wrong } };
+    // With the ratio of the layout put in.
+    let at = |power: i32| if power < 0 { ratio.recip().pow(-power) } else { ratio.clone().pow(power) };
+    if ratio.is_zero() && powers.keys().any(|power| *power < 0) {
+        return TermVerdict::Wrong;
+    }
+    let value = powers.iter().map(|(power, form)| form.scaled(&at(*power)));
+    let value = value.fold(Form::rational(BigRational::zero()), |sum, part| sum.plus(&part));
+    let mut sum = BigRational::zero();
+    for (power, number) in &series {
+        sum += number * at(*power as i32);
+        if is_multiple(&value, &sum) {
+            return TermVerdict::UpTo(*power);
+        }
+    }
+    let whole = coefficient(order, ALL_POWERS).iter().map(|(power, number)| number * at(*power as i32)).sum();
+    match value.as_rational().and_then(|value| Some((half_of_last_place(&value)?, value))) {
+        Some((half, value)) if is_within_of(&right.scaled(&whole), &value, &half) => TermVerdict::Rounded,
+        _ => TermVerdict::Wrong,
+    }
+}
+
+/// Whether a number is this real sum.
+fn is_number(form: &Form, real: &PhasorSum) -> bool {
+    match numbers::as_sum(form) {
+        Some(sum) => sum.minus(real).vanishes(),
+        None => numbers::real(real).is_some_and(|right| right == *form),
+    }
+}
+
+/// The first powers of λ in `c_k` with their numbers: of
+/// `k² Σ binomial(½, n) (−1)ⁿ λ^(2n−1) 2^(1−2n) (−1)^j binomial(2n, n − j)` with `k = 2j`, from n = j.
+fn coefficient(order: u32, count: u32) -> Vec<(u32, BigRational)> {
+    if order == 1 {
+        return vec![(0, BigRational::one())];
+    }
+    if order == 0 || order % 2 == 1 {
+        return Vec::new();
+    }
+    let j = order / 2;
+    let whole = |number: u32| BigRational::from_integer(number.into());
+    // binomial(½, n) (−1)ⁿ, from n = 0.
+    let mut half = BigRational::one();
+    let mut found = Vec::new();
+    for n in 1..j + count {
+        half *= (whole(n - 1) - BigRational::new(1.into(), 2.into())) / whole(n);
+        if n >= j {
+            let sign = if j.is_multiple_of(2) { BigRational::one() } else { -BigRational::one() };
+            let two = BigRational::new(1.into(), BigInt::from(2).pow(2 * n - 1));
+            let number = whole(order * order) * &half * two * sign * BigRational::from_integer(binomial(2 * n, n - j));
+            found.push((2 * n - 1, number));
+        }
+    }
+    found
+}
+
+fn binomial(n: u32, k: u32) -> BigInt {
+    (0..k).fold(BigInt::one(), |product, step| product * (n - step) / (step + 1))
+}
+
+/// Half a unit of the last decimal place of a decimal that ends.
+fn half_of_last_place(value: &BigRational) -> Option<BigRational> {
+    let ten = BigRational::from_integer(10.into());
+    let place = (1_usize..12).find(|place| (value * ten.clone().pow(*place)).is_integer())?;
+    Some(BigRational::new(1.into(), 2.into()) / ten.pow(place))
+}

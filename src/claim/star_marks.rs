@@ -1,0 +1,195 @@
+//! Which entries of a vector-star table are right, which are wrong, and which only follow from a wrong one?
+
+use num_rational::BigRational;
+
+use super::handwritten::{Agrees, WrittenAngle, WrittenLength};
+use crate::engine::Engine;
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::numbers::{self, Form};
+use crate::order;
+use crate::proof::{Quantity, Sense};
+use crate::text::Untrusted;
+
+/// The vector star of one order as a table has it: a row per cylinder (theory, section 3).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Star {
+    /// Direct and reverse phase of each cylinder.
+    pub phases: Vec<[Turn; 2]>,
+    /// Length of the vectors of each cylinder: reciprocating mass times crank radius, in multiples of the engine's.
+    pub weights: Vec<BigRational>,
+    /// Arm of each cylinder from the reference plane.
+    pub arms: Vec<BigRational>,
+}
+
+/// The columns of a table.
+pub const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
+/// The rows below those of the cylinders.
+pub const SUMS: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+
+impl Star {
+    /// The star of the pistons of an engine without links.
+    pub fn of(engine: &Engine, order: u32) -> Self {
+        let phase = |cylinder| SENSES.map(|sense| order::phase(cylinder, order, Some(sense)));
+        let cylinders = engine.cylinders();
+        Star {
+            phases: cylinders.iter().map(phase).collect(),
+            weights: cylinders.iter().map(|cylinder| cylinder.weight()).collect(),
+            arms: cylinders.iter().map(|cylinder| engine.arm(cylinder)).collect(),
+        }
+    }
+
+    /// One of its four sums.
+    pub fn sum(&self, quantity: Quantity, sense: Sense) -> PhasorSum {
+        let column = self.phases.iter().map(|phases| phases[column(sense)].clone());
+        self.sum_of(column.collect(), quantity)
+    }
+
+    /// The sum where the phases of a column are these.
+    fn sum_of(&self, phases: Vec<Turn>, quantity: Quantity) -> PhasorSum {
+        let vectors = phases.into_iter().zip(&self.weights).zip(&self.arms);
+        let term = |((angle, weight), arm): ((Turn, &BigRational), &BigRational)| Term {
+            angle,
+            weight: match quantity {
+                Quantity::Moment => weight * arm,
+                Quantity::Force | Quantity::Torque | Quantity::Roll => weight.clone(),
+            },
+        };
+        PhasorSum::new(vectors.map(term).collect())
+    }
+}
+
+fn column(sense: Sense) -> usize {
+    match sense {
+        Sense::Direct => 0,
+        Sense::Reverse => 1,
+    }
+}
+
+/// Where an entry stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The phase of a cylinder, by its index.
+    Phase(usize, Sense),
+    /// The length of a sum.
+    Sum(Quantity, Sense),
+}
+
+/// An entry: what was written, or the words that cannot be read and what would be right.
+pub type Written<T> = Result<T, (Untrusted, String)>;
+
+/// The entries of one table, each place at most once.
+#[derive(Clone, Debug, Default)]
+pub struct Filled {
+    /// Phases: cylinder by index, sense.
+    pub phases: Vec<(usize, Sense, Written<WrittenAngle>)>,
+    /// Lengths of sums.
+    pub sums: Vec<(Quantity, Sense, Written<WrittenLength>)>,
+}
+
+/// What is said of an entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judged {
+    /// It is right, exactly or as rounded decimals.
+    Right,
+    /// A sum that is wrong, but right for the wrong phases of its column.
+    Consequential,
+    /// It is wrong.
+    Wrong,
+    /// It cannot be read.
+    Unreadable,
+    /// Nothing is written there.
+    Missing,
+}
+
+/// What belongs there.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RightEntry {
+    /// A phase.
+    Angle(Turn),
+    /// The length of a sum: in closed form, where there is one, and in decimals.
+    Length(Option<Form>, f64),
+}
+
+/// An entry with its judgement.
+#[derive(Clone, Debug)]
+pub struct Marked {
+    /// Where it stands.
+    pub place: Place,
+    /// What is written there, perhaps unreadable.
+    pub written: Option<Untrusted>,
+    /// What is said of it.
+    pub judged: Judged,
+    /// What belongs there.
+    pub right: RightEntry,
+}
+
+/// Every entry of a table, row by row, then its sums.
+pub fn mark(star: &Star, filled: &Filled) -> Vec<Marked> {
+    let mut marks = Vec::new();
+    // The phases that the sums of each column rest on: the true one where what is written is it, rounded perhaps.
+    let mut own: [Vec<Option<Turn>>; 2] = [Vec::new(), Vec::new()];
+    for (cylinder, right) in star.phases.iter().enumerate() {
+        for (sense, right) in SENSES.into_iter().zip(right) {
+            let written = filled.phases.iter().find(|(index, own, _)| (*index, *own) == (cylinder, sense));
+            let judged = judged(written.map(|(_, _, written)| written), |angle| angle.agrees(right));
+            own[column(sense)].push(match (judged, written) {
+                (Judged::Right, _) => Some(right.clone()),
+                (_, Some((_, _, Ok(angle)))) => Some(angle.turn.clone()),
+                (_, _) => None,
+            });
+            let written = written.map(|(_, _, written)| words(written, |angle| &angle.text));
+            let right = RightEntry::Angle(right.clone());
+            marks.push(Marked { place: Place::Phase(cylinder, sense), written, judged, right });
+        }
+    }
+    let own = own.map(|column| column.into_iter().collect::<Option<Vec<Turn>>>());
+    for quantity in SUMS {
+        for sense in SENSES {
+            let sum = star.sum(quantity, sense);
+            let written = filled.sums.iter().find(|(of, own, _)| (*of, *own) == (quantity, sense));
+            let judged = match judged(written.map(|(_, _, written)| written), |length| length.agrees(&sum)) {
+                Judged::Wrong if follows(star, own[column(sense)].as_ref(), quantity, written) => Judged::Consequential,
+                judged => judged,
+            };
+            let written = written.map(|(_, _, written)| words(written, |length| &length.text));
+            marks.push(Marked { place: Place::Sum(quantity, sense), written, judged, right: length_of(&sum) });
+        }
+    }
+    marks
+}
+
+fn judged<T>(written: Option<&Written<T>>, agrees: impl FnOnce(&T) -> Agrees) -> Judged {
+    match written {
+        None => Judged::Missing,
+        Some(Err(_)) => Judged::Unreadable,
+        Some(Ok(written)) => match agrees(written) {
+            Agrees::Exactly | Agrees::Rounded => Judged::Right,
+            Agrees::Not => Judged::Wrong,
+        },
+    }
+}
+
+fn words<T>(written: &Written<T>, text: impl FnOnce(&T) -> &Untrusted) -> Untrusted {
+    match written {
+        Ok(written) => text(written).clone(),
+        Err((words, _)) => words.clone(),
+    }
+}
+
+/// Whether a length is that of the sum of the phases that stand in the column.
+fn follows(
+    star: &Star,
+    own: Option<&Vec<Turn>>,
+    quantity: Quantity,
+    written: Option<&(Quantity, Sense, Written<WrittenLength>)>,
+) -> bool {
+    let (Some(own), Some((_, _, Ok(length)))) = (own, written) else { return false };
+    length.agrees(&star.sum_of(own.clone(), quantity)) != Agrees::Not
+}
+
+fn length_of(sum: &PhasorSum) -> RightEntry {
+    match sum.vanishes() {
+        true => RightEntry::Length(Some(Form::rational(BigRational::from_integer(0.into()))), 0.0),
+        false => RightEntry::Length(numbers::modulus(sum), numbers::evaluate(sum).norm()),
+    }
+}

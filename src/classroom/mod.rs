@@ -1,0 +1,25 @@
+//! How is a class taught and marked: a vector star of one's own for each student, and every entry of what is handed in judged?
+//!
+//! `layout → varied engines → sheets`, and `tables handed in → readings → marks → points`. What an entry is worth is judged in the
+//! room `claim`; the pages are made in the room of reports.
+
+mod answers;
+mod convention;
+mod csv;
+mod draw;
+mod exercise;
+mod marking;
+mod results;
+mod scheme;
+mod students;
+mod vary;
+
+pub use answers::{csv_to_fill_in, toml_to_fill_in};
+pub use convention::{Convention, KEYS, PLANE};
+pub use draw::Draw;
+pub use exercise::{Exercise, Pupil, parse_exercise};
+pub use marking::{Counts, MarkedSheet, MarkedTable};
+pub use results::{HandedIn, Outcome, StudentResult, mark_class, marks_csv};
+pub use scheme::{Scheme, parse_scheme};
+pub use students::{Student, students};
+pub use vary::{Vary, can_be_set, varied};

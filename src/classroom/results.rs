@@ -1,0 +1,219 @@
+//! How did the class do? A line for each student, whatever became of the sheet.
+
+use super::answers::{Handed, Whose, in_lines, in_toml};
+use super::exercise::{Exercise, Pupil};
+use super::marking::{MarkedSheet, mark_sheet};
+use super::scheme::Scheme;
+use crate::text::{Format, Untrusted, field};
+
+/// A file that was handed in.
+#[derive(Clone, Debug)]
+pub struct HandedIn {
+    /// Its name, which ends in `.csv` where it holds lines of a spreadsheet; all else is TOML.
+    pub name: String,
+    /// Its text, or why it has none.
+    pub text: Result<String, String>,
+}
+
+/// What became of a student's sheet.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// It is marked.
+    Marked(Box<MarkedSheet>),
+    /// It cannot be read, for this reason.
+    Unreadable(Untrusted),
+    /// Nothing was handed in.
+    NotHandedIn,
+    /// It was handed in more than once, and which one counts is not said.
+    HandedInTwice,
+}
+
+/// A line of the table of marks.
+#[derive(Clone, Debug)]
+pub struct StudentResult<'a> {
+    /// The student; none of a sheet that belongs to nobody.
+    pub pupil: Option<&'a Pupil>,
+    /// The files that were handed in.
+    pub files: Vec<Untrusted>,
+    /// What became of it.
+    pub outcome: Outcome,
+}
+
+/// What was found in a file, and whose it is; an index, or why it is nobody's.
+struct Found {
+    file: String,
+    whose: Result<usize, String>,
+    handed: Result<Handed, String>,
+}
+
+impl Found {
+    fn is_empty(&self) -> bool {
+        self.handed.as_ref().is_ok_and(Handed::is_empty)
+    }
+}
+
+/// Marks all that was handed in: students in the order of the exercise, then sheets that belong to nobody.
+pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: &Scheme) -> Vec<StudentResult<'a>> {
+    let mut of_pupils: Vec<Vec<Found>> = exercise.pupils.iter().map(|_| Vec::new()).collect();
+    let mut of_nobody = Vec::new();
+    for found in handed_in.into_iter().flat_map(|file| read(exercise, file)) {
+        match &found.whose {
+            Ok(index) => of_pupils[*index].push(found),
+            Err(_) => of_nobody.push(found),
+        }
+    }
+    let files = |found: &[Found]| found.iter().map(|found| Untrusted::new(found.file.as_str())).collect();
+    let of_pupil = |(pupil, mut found): (&'a Pupil, Vec<Found>)| {
+        // The table as it was given out, beside one that is filled in, is no second answer.
+        if found.iter().any(|found| !found.is_empty()) {
+            found.retain(|found| !found.is_empty());
+        }
+        let outcome = match found.as_slice() {
+            [] => Outcome::NotHandedIn,
+            [only] => marked(exercise, pupil, only, scheme),
+            _ => Outcome::HandedInTwice,
+        };
+        StudentResult { pupil: Some(pupil), files: files(&found), outcome }
+    };
+    let mut results: Vec<StudentResult> = exercise.pupils.iter().zip(of_pupils).map(of_pupil).collect();
+    results.extend(of_nobody.into_iter().map(|found| {
+        let why = found.whose.as_ref().err().cloned().unwrap_or_default();
+        StudentResult { pupil: None, files: files(&[found]), outcome: Outcome::Unreadable(Untrusted::new(why)) }
+    }));
+    results
+}
+
+fn marked(exercise: &Exercise, pupil: &Pupil, found: &Found, scheme: &Scheme) -> Outcome {
+    let answers = found.handed.as_ref().map_err(String::clone).and_then(|handed| handed.answers(&pupil.engine));
+    match answers.and_then(|answers| mark_sheet(pupil, &exercise.orders, answers, scheme)) {
+        Ok(sheet) => Outcome::Marked(Box::new(sheet)),
+        Err(why) => Outcome::Unreadable(Untrusted::new(why)),
+    }
+}
+
+/// The tables of a file.
+fn read(exercise: &Exercise, file: HandedIn) -> Vec<Found> {
+    let HandedIn { name, text } = file;
+    let is_csv = name.to_ascii_lowercase().ends_with(".csv");
+    let tables = text.and_then(|text| match is_csv {
+        true => in_lines(&text),
+        false => in_toml(text).map(|table| vec![table]),
+    });
+    match tables {
+        Ok(tables) => {
+            let found = |(whose, handed): (Whose, Handed)| Found {
+                whose: pupil_of(exercise, &whose, &name),
+                file: name.clone(),
+                handed: Ok(handed),
+            };
+            tables.into_iter().map(found).collect()
+        }
+        // Whose it is its name may tell.
+        Err(why) => {
+            let whose = named(exercise, &name).ok_or_else(|| why.clone());
+            vec![Found { file: name, whose, handed: Err(why) }]
+        }
+    }
+}
+
+/// The student that a table says it is of; by the name of the file where it says nothing.
+fn pupil_of(exercise: &Exercise, whose: &Whose, file: &str) -> Result<usize, String> {
+    let pupils = &exercise.pupils;
+    let is_named = |index: usize, name: &str| {
+        let pupil = &pupils[index];
+        pupil.name == name || pupil.name.escaped(Format::Csv) == name
+    };
+    match (&whose.sheet, &whose.student) {
+        (Some(sheet), student) => {
+            let index = pupils.iter().position(|pupil| pupil.file == *sheet);
+            let index = index.ok_or_else(|| format!("the exercise has no sheet `{sheet}`"))?;
+            match student {
+                Some(name) if !is_named(index, name) => {
+                    Err(format!("the sheet `{sheet}` is not that of `{name}`: it has other numbers"))
+                }
+                Some(_) | None => Ok(index),
+            }
+        }
+        (None, Some(name)) => {
+            let named: Vec<usize> = (0..pupils.len()).filter(|index| is_named(*index, name)).collect();
+            match named.as_slice() {
+                [] => Err(format!("the exercise has no student `{name}`")),
+                [only] => Ok(*only),
+                _ => Err(format!("several students are called `{name}`; sheet = \"…\" tells them apart")),
+            }
+        }
+        (None, None) => {
+            named(exercise, file).ok_or_else(|| "the table does not say whose it is; student = \"…\"".to_owned())
+        }
+    }
+}
+
+/// The student whose files are called like this one.
+fn named(exercise: &Exercise, file: &str) -> Option<usize> {
+    let last = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
+    exercise.pupils.iter().position(|pupil| pupil.file == stem)
+}
+
+/// The table of marks for a spreadsheet: a line a student.
+pub fn marks_csv(results: &[StudentResult]) -> String {
+    let mut lines =
+        "student,sheet,outcome,points,points_possible,percent,right,consequential,wrong,unreadable,missing,\
+                     convention,undeclared_convention,remark\n"
+            .to_owned();
+    for result in results {
+        let name = result.pupil.map(|pupil| pupil.name.escaped(Format::Csv)).unwrap_or_default();
+        let sheet = result.pupil.map(|pupil| pupil.file.clone()).unwrap_or_default();
+        let files: Vec<String> = result.files.iter().map(|file| file.escaped(Format::Csv)).collect();
+        let mut fields = vec![name, sheet];
+        fields.extend(match &result.outcome {
+            Outcome::Marked(sheet) => marked_fields(sheet).into(),
+            Outcome::Unreadable(why) => {
+                let remark = format!("{}: {}", files.join(" "), why.escaped(Format::Plain));
+                without_marks("unreadable", &Untrusted::new(remark).escaped(Format::Csv))
+            }
+            Outcome::NotHandedIn => without_marks("not handed in", ""),
+            Outcome::HandedInTwice => without_marks("handed in more than once", &files.join(" ")),
+        });
+        let fields: Vec<String> = fields.iter().map(|text| field(text)).collect();
+        lines.push_str(&(fields.join(",") + "\n"));
+    }
+    lines
+}
+
+fn without_marks(outcome: &str, remark: &str) -> Vec<String> {
+    let mut fields = vec![String::new(); 12];
+    outcome.clone_into(&mut fields[0]);
+    remark.clone_into(&mut fields[11]);
+    fields
+}
+
+fn marked_fields(sheet: &MarkedSheet) -> [String; 12] {
+    let decimal =
+        |value: &num_rational::BigRational| crate::file::exact_number(&rounded(value)).trim_matches('"').to_owned();
+    let hundred = num_rational::BigRational::from_integer(100.into());
+    let counts = sheet.counts();
+    let words = |convention: &super::Convention| {
+        convention.declared().iter().map(|(key, word)| format!("{key} {word}")).collect::<Vec<_>>().join("; ")
+    };
+    [
+        "marked".to_owned(),
+        decimal(&sheet.points),
+        decimal(&sheet.possible),
+        decimal(&(sheet.part() * hundred)),
+        counts.right.to_string(),
+        counts.consequential.to_string(),
+        counts.wrong.to_string(),
+        counts.unreadable.to_string(),
+        counts.missing.to_string(),
+        words(&sheet.declared),
+        sheet.undeclared.first().map(words).unwrap_or_default(),
+        String::new(),
+    ]
+}
+
+/// Rounded to hundredths.
+fn rounded(value: &num_rational::BigRational) -> num_rational::BigRational {
+    let hundred = num_rational::BigRational::from_integer(100.into());
+    (value * &hundred).round() / hundred
+}

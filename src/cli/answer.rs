@@ -1,0 +1,174 @@
+//! What is an answer written in: a page in one of its formats, or data?
+
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
+
+use crankstar::page::{Document, File};
+use crankstar::table;
+
+use super::failure::Failure;
+use super::pages::{self, Look, Measures};
+use super::tables::{Tables, Wanted};
+use super::{tables, write};
+
+/// What a person may say of an answer that is a page or data.
+#[derive(clap::Args)]
+#[command(mut_arg("output", |output| output.help("Folder for the page and its pictures; for data a file, or a folder for all tables")))]
+pub struct Answer {
+    /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    #[command(flatten)]
+    tables: Tables,
+    #[command(flatten)]
+    look: Look,
+}
+
+/// Data, or a page in any of its formats.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Data(DataFormat),
+    Page(pages::Format),
+}
+
+/// Data for other programs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum DataFormat {
+    /// Tables of columns.
+    Table(table::Format),
+    /// The answer as JSON.
+    Json,
+}
+
+impl ValueEnum for DataFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            DataFormat::Table(table::Format::Csv),
+            DataFormat::Table(table::Format::Xlsx),
+            DataFormat::Table(table::Format::Parquet),
+            DataFormat::Json,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            DataFormat::Table(table::Format::Csv) => ("csv", "Tables of comma-separated values"),
+            DataFormat::Table(table::Format::Xlsx) => ("xlsx", "A workbook for spreadsheets, a sheet a table"),
+            DataFormat::Table(table::Format::Parquet) => ("parquet", "Tables for notebooks and databases"),
+            DataFormat::Json => ("json", "What --json prints, or for a sweep the points and the exact zeros"),
+        };
+        Some(PossibleValue::new(name).help(help))
+    }
+}
+
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
+            let data = DataFormat::value_variants().iter().copied().map(Format::Data);
+            data.chain(pages::Format::value_variants().iter().copied().map(Format::Page)).collect()
+        });
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Format::Data(format) => format.to_possible_value(),
+            Format::Page(format) => format.to_possible_value(),
+        }
+    }
+}
+
+impl Answer {
+    /// The tables that are wanted of this question; none where no table is.
+    ///
+    /// # Errors
+    /// What cannot be had, before anything is computed.
+    pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
+        let format = match self.format {
+            Some(Format::Data(DataFormat::Table(format))) => Some(format),
+            Some(Format::Data(DataFormat::Json) | Format::Page(_)) | None => None,
+        };
+        self.tables.wanted(question, format, self.look.measures(), self.look.folder())
+    }
+
+    /// Whether JSON is asked for.
+    pub fn is_json(&self) -> bool {
+        self.format == Some(Format::Data(DataFormat::Json))
+    }
+
+    /// Prints a document, or writes it where that is asked for.
+    pub fn show_json(&self, question: &str, text: String) -> Result<(), Failure> {
+        tables::show_json(question, text, self.look.folder())
+    }
+
+    /// Prints the short answer, or the page where its format is named; writes the page into the folder where one is.
+    pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
+        let written = self.look.write(|| self.look.files(&page(), self.page_format()))?;
+        write::to_stdout(&(self.look.shown(answer)? + &written))
+    }
+
+    /// The same, with other files beside the page; without a folder a format that is named is printed, in place of the answer.
+    pub fn show_with(
+        &self,
+        answer: &Document,
+        page: impl FnOnce() -> Document,
+        beside: impl FnOnce() -> Result<Vec<File>, Failure>,
+    ) -> Result<(), Failure> {
+        let files = || self.look.files(&page(), self.page_format());
+        if self.format.is_some() && self.look.folder().is_none() {
+            return write::to_stdout(&files()?[0].text);
+        }
+        let written = self.look.write(|| Ok(files()?.into_iter().chain(beside()?).collect()))?;
+        write::to_stdout(&(self.look.shown(answer)? + &written))
+    }
+
+    fn page_format(&self) -> pages::Format {
+        match self.format {
+            Some(Format::Page(format)) => format,
+            Some(Format::Data(_)) | None => pages::Format::Markdown,
+        }
+    }
+}
+
+/// What a person may say of an answer that is data or a few lines.
+#[derive(clap::Args)]
+pub struct DataAnswer {
+    /// Write data in place of the answer
+    #[arg(long, value_enum)]
+    format: Option<DataFormat>,
+    #[command(flatten)]
+    tables: Tables,
+    /// File for the data, or folder for all tables
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl DataAnswer {
+    /// The tables that are wanted of this question; none where no table is.
+    ///
+    /// # Errors
+    /// What cannot be had, before anything is computed.
+    pub fn wanted(&self, question: &'static str, measures: &Measures) -> Result<Option<Wanted<'_>>, Failure> {
+        let format = match self.format {
+            Some(DataFormat::Table(format)) => Some(format),
+            Some(DataFormat::Json) | None => None,
+        };
+        if self.format.is_none() && self.output.is_some() {
+            return Err(Failure::misuse("--output is for data; add --format csv, xlsx, parquet or json"));
+        }
+        self.tables.wanted(question, format, measures, self.output.as_deref())
+    }
+
+    /// Whether JSON is asked for.
+    pub fn is_json(&self) -> bool {
+        self.format == Some(DataFormat::Json)
+    }
+
+    /// Prints a document, or writes it where that is asked for.
+    pub fn show_json(&self, question: &str, text: String) -> Result<(), Failure> {
+        tables::show_json(question, text, self.output.as_deref())
+    }
+}

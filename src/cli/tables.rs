@@ -1,0 +1,148 @@
+//! Which tables are asked for, and where do they go: to standard output, into a file, into a folder?
+
+use std::path::Path;
+
+use crankstar::page::Units;
+use crankstar::report::data::TABLES;
+use crankstar::table::{Format, Table};
+use crankstar::text::harmless;
+
+use super::failure::Failure;
+use super::layouts::shown;
+use super::pages::Measures;
+use super::{folder, write};
+
+/// Which of the tables is meant.
+#[derive(clap::Args)]
+pub struct Tables {
+    /// Of the tables this one alone; docs/data.md lists them [default: the first; into a folder or a workbook all]
+    #[arg(long, value_name = "TABLE")]
+    table: Option<String>,
+}
+
+/// Tables that are asked for.
+pub struct Wanted<'a> {
+    question: &'static str,
+    format: Format,
+    table: Option<&'a str>,
+    output: Option<&'a Path>,
+}
+
+/// Names that end so are files of data.
+const ENDINGS: [&str; 4] = ["csv", "xlsx", "parquet", "json"];
+
+impl Tables {
+    /// The tables of a question in a format, where one is named.
+    ///
+    /// # Errors
+    /// What cannot be had.
+    pub fn wanted<'a>(
+        &'a self,
+        question: &'static str,
+        format: Option<Format>,
+        measures: &Measures,
+        output: Option<&'a Path>,
+    ) -> Result<Option<Wanted<'a>>, Failure> {
+        let table = self.table.as_deref();
+        let Some(format) = format else {
+            return match table {
+                None => Ok(None),
+                Some(_) => Err(Failure::misuse("--table is for data; add --format csv, xlsx or parquet")),
+            };
+        };
+        format.is_built().map_err(Failure::new)?;
+        match measures.units() {
+            Units::Si => {}
+            Units::Inch => {
+                return Err(Failure::misuse(
+                    "tables of data are in SI units, which stand in the names of their columns; leave out --units inch",
+                ));
+            }
+        }
+        let known = TABLES.iter().find(|(name, _)| *name == question).map_or(&[][..], |(_, tables)| *tables);
+        if let Some(table) = table.filter(|table| !known.contains(table)) {
+            let message = format!("`{question}` has no table `{}`; it has {}", harmless(table), known.join(", "));
+            return Err(Failure::misuse(message));
+        }
+        let ending = format.ending();
+        match (format, output) {
+            (Format::Xlsx | Format::Parquet, None) => Err(Failure::misuse(format!(
+                "--format {ending} is not for a terminal; name a file: --output {question}.{ending}"
+            ))),
+            (_, Some(path)) => {
+                is_of(path, ending)?;
+                Ok(Some(Wanted { question, format, table, output }))
+            }
+            (Format::Csv, None) => Ok(Some(Wanted { question, format, table, output })),
+        }
+    }
+}
+
+impl Wanted<'_> {
+    /// Prints the table, or writes the file or the folder.
+    pub fn give(&self, mut tables: Vec<Table>) -> Result<(), Failure> {
+        let main = tables.first().map_or("", Table::name);
+        if let Some(wanted) = self.table {
+            let there: Vec<&str> = tables.iter().map(Table::name).collect();
+            if !there.contains(&wanted) {
+                let message = format!("this answer has no table `{wanted}`; it has {}", there.join(", "));
+                return Err(Failure::new(message));
+            }
+            tables.retain(|table| table.name() == wanted);
+        }
+        let ending = self.format.ending();
+        let whole_or_first = if self.format.holds_several() { &tables[..] } else { &tables[..1.min(tables.len())] };
+        match self.output {
+            None => {
+                let bytes = self.format.one_file(whole_or_first).map_err(Failure::new)?;
+                write::to_stdout(&String::from_utf8_lossy(&bytes))
+            }
+            Some(path) if ends_in(path, ending) => {
+                let bytes = self.format.one_file(whole_or_first).map_err(Failure::new)?;
+                folder::write_file(path, &bytes, &format!("{}.{ending}", self.question))?;
+                write::to_stdout(&format!("Written: {}\n", shown(path)))
+            }
+            Some(path) => {
+                let files = self.format.files(self.question, main, &tables).map_err(Failure::new)?;
+                let contents: Vec<(&str, &[u8])> =
+                    files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
+                folder::write_contents(path, &contents)?;
+                let names: Vec<String> = files.iter().map(|file| shown(&path.join(&file.name))).collect();
+                write::to_stdout(&format!("Written: {}\n", names.join(", ")))
+            }
+        }
+    }
+}
+
+/// Prints a document, or writes it into a file that ends in `.json`, or into a folder.
+pub fn show_json(question: &str, text: String, output: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = output else { return write::to_stdout(&text) };
+    is_of(path, "json")?;
+    let name = format!("{question}.json");
+    let place = match ends_in(path, "json") {
+        true => {
+            folder::write_file(path, text.as_bytes(), &name)?;
+            path.to_owned()
+        }
+        false => {
+            folder::write_contents(path, &[(&name, text.as_bytes())])?;
+            path.join(&name)
+        }
+    };
+    write::to_stdout(&format!("Written: {}\n", shown(&place)))
+}
+
+fn ends_in(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|it| it.eq_ignore_ascii_case(ending))
+}
+
+/// A name that ends as another format does is a slip.
+fn is_of(path: &Path, ending: &str) -> Result<(), Failure> {
+    match ENDINGS.iter().find(|other| **other != ending && ends_in(path, other)) {
+        None => Ok(()),
+        Some(other) => Err(Failure::misuse(format!(
+            "`{}` is named as a file of {other}; take --format {other}, or a name that ends in .{ending}",
+            shown(path)
+        ))),
+    }
+}

@@ -1,0 +1,119 @@
+//! What do the arguments of a question mean? Numbers are taken exactly, words are those of the command line.
+
+use num_rational::BigRational;
+use num_traits::Signed;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::error::told;
+use super::keys;
+use super::questions::Ranges;
+use crate::engine::{Cycle, CycleOrder, ORDERS};
+use crate::exact::Turn;
+use crate::file::{parse_angle, parse_number};
+use crate::firing::Weights;
+use crate::order::Masses;
+
+/// Orders of force and moment: whole numbers, in a list or an array; none where they are left out.
+pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u32>>> {
+    let Some(value) = value else { return Ok(None) };
+    let read = |text: &String| {
+        let order = text.parse().ok().filter(|order| ORDERS.contains(order));
+        order.ok_or_else(|| told(format!("order `{text}`; whole numbers from 1 to {} are judged", ORDERS.end())))
+    };
+    keys::numbers(value)?.iter().map(read).collect::<PyResult<_>>().map(Some)
+}
+
+/// The ranges of a sweep: those of the flags that are given, and those of keys of the layout.
+pub(super) fn ranges(
+    flags: [(&'static str, Option<&Bound<'_, PyAny>>); 6],
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Ranges> {
+    let flags = flags.into_iter().filter_map(|(flag, range)| Some((flag, range?)));
+    let flags = flags.map(|(flag, range)| Ok((flag, keys::range(flag, range)?)));
+    let keys = keys.into_iter().flat_map(|keys| keys.iter()).map(|(key, range)| {
+        let key: String = key.extract()?;
+        Ok((key.clone(), keys::range(&key, &range)?))
+    });
+    Ok(Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? })
+}
+
+/// Rising, each once.
+pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
+    orders.sort_unstable();
+    orders.dedup();
+    orders
+}
+
+/// Whose masses are judged.
+pub(super) fn masses(name: &str) -> PyResult<Masses> {
+    match name {
+        "reciprocating" => Ok(Masses::Reciprocating),
+        "rotating" => Ok(Masses::Rotating),
+        "counterweights" => Ok(Masses::Counterweights),
+        "all" => Ok(Masses::All),
+        other => Err(told(format!("masses `{other}`; reciprocating, rotating, counterweights or all are judged"))),
+    }
+}
+
+/// The working cycle.
+pub(super) fn cycle(name: &str) -> PyResult<Cycle> {
+    match name {
+        "two-stroke" => Ok(Cycle::TwoStroke),
+        "four-stroke" => Ok(Cycle::FourStroke),
+        other => Err(told(format!("cycle `{other}`; two-stroke or four-stroke"))),
+    }
+}
+
+/// Two positions along the crankshaft, as they are written.
+pub(super) fn planes(value: &Bound<'_, PyAny>) -> PyResult<[String; 2]> {
+    let planes: Vec<String> = keys::numbers(value)?;
+    let count = planes.len();
+    planes.try_into().map_err(|_| told(format!("planes: {count} positions; two are needed, such as (0.12, -0.12)")))
+}
+
+/// Balance factors: none, one for all, or one per throw.
+pub(super) fn factors(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<BigRational>> {
+    let read = |text: String| match exact("balance_factor", &text)? {
+        value if value.is_negative() => {
+            Err(told(format!("balance_factor: cannot read `{text}`: a balance factor is 0 or more")))
+        }
+        value => Ok(value),
+    };
+    all(value)?.into_iter().map(read).collect()
+}
+
+/// Angles in degrees: none, one for all, or one per throw.
+pub(super) fn skews(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Turn>> {
+    all(value)?.iter().map(|text| angle("skew", text)).collect()
+}
+
+/// An angle, in degrees where it has no unit.
+pub(super) fn angle(name: &str, text: &str) -> PyResult<Turn> {
+    let turns = parse_angle(text).map_err(|right| told(format!("{name}: cannot read `{text}`: {right}")))?;
+    Ok(Turn::new(turns))
+}
+
+/// Orders of what repeats once a cycle: `[0.5, 1, "3/2"]`.
+pub(super) fn cycle_orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<CycleOrder>> {
+    all(value)?.iter().map(|text| text.parse().map_err(|error| told(format!("order `{text}`: {error}")))).collect()
+}
+
+/// What firing stars are weighed by.
+pub(super) fn weights(mode_shape: Option<&Bound<'_, PyAny>>) -> PyResult<Weights> {
+    Ok(deflections(mode_shape)?.map_or(Weights::Rigid, Weights::ModeShape))
+}
+
+/// The deflections of a mode shape, where one is given.
+pub(super) fn deflections(mode_shape: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<BigRational>>> {
+    let Some(shape) = mode_shape else { return Ok(None) };
+    keys::numbers(shape)?.iter().map(|text| exact("mode_shape", text)).collect::<PyResult<_>>().map(Some)
+}
+
+fn exact(name: &str, text: &str) -> PyResult<BigRational> {
+    parse_number(text).map_err(|error| told(format!("{name}: cannot read `{text}`: {error}")))
+}
+
+fn all(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
+    value.map_or_else(|| Ok(Vec::new()), keys::numbers)
+}

@@ -1,0 +1,296 @@
+//! What is an engine in Python, and what can be asked of it?
+
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::answer::Answer;
+use super::error::told;
+use super::questions::{self, Remedy, Wanted};
+use super::reading::Source;
+use super::verdicts::Verdicts;
+use super::{asked, keys, notebook, pages};
+use crate::engine::{self, Family};
+use crate::loads;
+use crate::page::Format;
+use crate::report;
+use crate::verdict;
+
+/// An engine: its cylinders with exact angles and positions, and what else its layout says.
+///
+/// Engine("Four", throws=[0, 180, 180, 0])
+/// Engine("V-twin", throws=[0, 0], banks=[-45, 45], positions=[0, 0])
+/// Engine("V6", vee={"bank_angle": 60, "throws": [0, 240, 120]}, speed="6000 rpm")
+///
+/// `throws` and `banks` in degrees, `positions` along the crankshaft towards the free end in metres or in multiples of the spacing,
+/// `masses` in multiples of one reciprocating mass, `names`: lists with one value for each cylinder. All other keywords are the keys and
+/// tables of a layout file, as src/file/README.md lists them. Numbers are taken exactly as Python shows them: int, float, str with a unit
+/// ("22.5 deg", "3/2"), fractions.Fraction, decimal.Decimal, and numbers and arrays of NumPy.
+///
+/// Raises LayoutError with the line and column in `layout`, the text that the keywords make.
+#[pyclass(frozen, module = "crankstar")]
+pub(super) struct Engine {
+    pub(super) engine: engine::Engine,
+    pub(super) family: Option<Family>,
+    pub(super) source: Source,
+}
+
+impl Engine {
+    fn from_source(source: Source) -> PyResult<Self> {
+        let (engine, family) = source.read()?;
+        Ok(Engine { engine, family, source })
+    }
+
+    /// The orders that were asked for, rising, each once; else the usual ones.
+    pub(super) fn orders(&self, asked: Option<Vec<u32>>) -> Vec<u32> {
+        asked::rising(asked.unwrap_or_else(|| loads::usual_orders(&self.engine)))
+    }
+}
+
+#[pymethods]
+impl Engine {
+    #[new]
+    #[pyo3(signature = (title=None, *, throws=None, banks=None, positions=None, masses=None, names=None, **keys))]
+    #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
+    fn new(
+        py: Python<'_>,
+        title: Option<String>,
+        throws: Option<Bound<'_, PyAny>>,
+        banks: Option<Bound<'_, PyAny>>,
+        positions: Option<Bound<'_, PyAny>>,
+        masses: Option<Bound<'_, PyAny>>,
+        names: Option<Bound<'_, PyAny>>,
+        keys: Option<Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let above = PyDict::new(py);
+        above.set_item("title", title.unwrap_or_else(|| "Engine".to_owned()))?;
+        if let Some(keys) = keys {
+            above.update(keys.as_mapping())?;
+        }
+        let text = keys::layout(&above)? + &keys::cylinders([names, throws, banks, positions, masses])?;
+        let source = Source { name: "layout".to_owned(), text, folder: None };
+        py.detach(|| Engine::from_source(source))
+    }
+
+    /// An engine of the catalogue, such as "V8-crossplane"; upper and lower case are the same.
+    #[staticmethod]
+    fn named(py: Python<'_>, name: &str) -> PyResult<Self> {
+        py.detach(|| Engine::from_source(Source::named(name)?))
+    }
+
+    /// An engine of the text of a layout file, TOML. `name` is what messages call it.
+    #[staticmethod]
+    #[pyo3(signature = (text, name="layout"))]
+    fn parse(py: Python<'_>, text: String, name: &str) -> PyResult<Self> {
+        let name = name.to_owned();
+        py.detach(|| Engine::from_source(Source { name, text, folder: None }))
+    }
+
+    /// An engine of a layout file; files that it names stand beside it.
+    ///
+    /// Raises OSError where it cannot be read, LayoutError where it says no engine.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        py.detach(|| Engine::from_source(Source::on_disk(&path)?))
+    }
+
+    /// What the engine is called.
+    #[getter]
+    fn title(&self) -> &str {
+        self.engine.title().written()
+    }
+
+    /// The layout file, as it was read or as the keywords make it.
+    #[getter]
+    fn layout(&self) -> &str {
+        &self.source.text
+    }
+
+    /// The orders that are judged where none are asked for.
+    #[getter]
+    fn usual_orders(&self) -> Vec<u32> {
+        self.orders(None)
+    }
+
+    /// The number of pistons.
+    fn __len__(&self) -> usize {
+        self.engine.cylinders().len()
+    }
+
+    fn __repr__(&self) -> String {
+        let count = self.engine.cylinders().len();
+        let plural = if count == 1 { "" } else { "s" };
+        format!("<Engine: {}, {count} cylinder{plural}>", crate::text::harmless(self.title()))
+    }
+
+    /// The verdicts, order by order: does force or moment vanish, and what is left?
+    ///
+    /// orders: 1 to 1000; those of the layout and the usual ones where left out.
+    /// masses: "reciprocating", "rotating", "counterweights" or "all"; all that the layout has where left out.
+    /// torque: judge the inertia torque too.
+    /// all_orders: prove what vanishes at every order, in the document.
+    #[pyo3(signature = (orders=None, *, masses=None, torque=false, all_orders=false))]
+    fn classify(
+        &self,
+        py: Python<'_>,
+        orders: Option<&Bound<'_, PyAny>>,
+        masses: Option<&str>,
+        torque: bool,
+        all_orders: bool,
+    ) -> PyResult<Verdicts> {
+        let (orders, masses) = (asked::orders(orders)?, masses.map(asked::masses).transpose()?);
+        py.detach(|| {
+            let judged = self.judged(&self.orders(orders), masses, torque)?;
+            let theorem = all_orders.then(|| verdict::theorem(&self.engine, judged.masses));
+            let theorem = theorem.transpose().map_err(told)?;
+            let quantities = verdict::quantities(&self.engine, torque);
+            let document = report::document(&self.engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
+            Verdicts::new(&self.engine, &judged, &document)
+        })
+    }
+
+    /// Forces, moments and torques, in newtons where the layout gives masses, a crank radius and a speed; else in multiples.
+    ///
+    /// Tables: the orders, and the course over the crank angle. Amplitudes are zero to peak.
+    #[pyo3(signature = (orders=None))]
+    fn loads(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
+        let orders = asked::orders(orders)?;
+        py.detach(|| questions::loads(&self.engine, &self.orders(orders)))
+    }
+
+    /// What the main bearings feel, whose positions the layout gives; with the gas where it has `effects = ["gas"]`.
+    #[pyo3(signature = (orders=None))]
+    fn bearings(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
+        let orders = asked::orders(orders)?;
+        let usual = || loads::usual_bearing_orders(&self.engine);
+        py.detach(|| questions::bearings(&self.engine, &asked::rising(orders.unwrap_or_else(usual))))
+    }
+
+    /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
+    ///
+    /// planes: two positions for counterweights and couples; the outermost throws where left out.
+    /// balance_factor, skew: counterweights on each throw with this factor, turned on by so many degrees; one for all, or a list.
+    #[pyo3(signature = (orders=None, *, planes=None, balance_factor=None, skew=None))]
+    fn remedy<'py>(
+        &self,
+        py: Python<'py>,
+        orders: Option<&Bound<'_, PyAny>>,
+        planes: Option<&Bound<'_, PyAny>>,
+        balance_factor: Option<&Bound<'_, PyAny>>,
+        skew: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, Remedy>> {
+        let wanted = Wanted {
+            orders: self.orders(asked::orders(orders)?),
+            planes: planes.map(asked::planes).transpose()?,
+            factors: asked::factors(balance_factor)?,
+            skews: asked::skews(skew)?,
+        };
+        let (answer, remedy) = py.detach(|| questions::remedy(&self.engine, &self.source, &wanted))?;
+        Bound::new(py, PyClassInitializer::from(answer).add_subclass(remedy))
+    }
+
+    /// The firing stars: which orders of the gas torque vanish, whatever the pressure is. The document has the certificates.
+    ///
+    /// orders: such as [0.5, 1, "3/2"]. mode_shape: deflections of the throws in a mode of torsional vibration, one per cylinder.
+    #[pyo3(signature = (orders=None, *, mode_shape=None))]
+    fn firing(
+        &self,
+        py: Python<'_>,
+        orders: Option<&Bound<'_, PyAny>>,
+        mode_shape: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let (orders, weights) = (asked::cycle_orders(orders)?, asked::weights(mode_shape)?);
+        py.detach(|| questions::firing(&self.engine, &orders, weights))
+    }
+
+    /// The torque of gas and inertia, power and flywheel; needs `[gas]` in the layout.
+    fn torque(&self, py: Python<'_>) -> PyResult<Answer> {
+        py.detach(|| questions::torque(&self.engine))
+    }
+
+    /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.
+    ///
+    /// A range is "0..180:10", "80..120:5 mm", or a tuple (from, to, step). `ranges` takes any keys of the layout:
+    /// {"vee.bank_offset": "0..20:1 mm"}. firing_orders: judge the firing stars of these orders too.
+    #[pyo3(signature = (ranges=None, *, bank_angle=None, pin_split=None, spacing=None, rod_ratio=None, balance_factor=None, speed=None,
+                        orders=None, firing_orders=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
+    fn sweep(
+        &self,
+        py: Python<'_>,
+        ranges: Option<&Bound<'_, PyDict>>,
+        bank_angle: Option<&Bound<'_, PyAny>>,
+        pin_split: Option<&Bound<'_, PyAny>>,
+        spacing: Option<&Bound<'_, PyAny>>,
+        rod_ratio: Option<&Bound<'_, PyAny>>,
+        balance_factor: Option<&Bound<'_, PyAny>>,
+        speed: Option<&Bound<'_, PyAny>>,
+        orders: Option<&Bound<'_, PyAny>>,
+        firing_orders: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let flags = [
+            ("bank-angle", bank_angle),
+            ("pin-split", pin_split),
+            ("spacing", spacing),
+            ("rod-ratio", rod_ratio),
+            ("balance-factor", balance_factor),
+            ("speed", speed),
+        ];
+        let ranges = asked::ranges(flags, ranges)?;
+        let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
+        py.detach(|| questions::sweep(&self.source, &ranges, &asked::rising(orders.unwrap_or_default()), &firing))
+    }
+
+    /// The report as one text.
+    ///
+    /// format: "markdown", "html", "latex", "typst" or "text". HTML and LaTeX hold their pictures; of Markdown and Typst the pictures are
+    /// files beside it, which `report_files` gives too.
+    /// language: "en" or "de".
+    #[pyo3(signature = (format="markdown", *, orders=None, language="en"))]
+    fn report(
+        &self,
+        py: Python<'_>,
+        format: &str,
+        orders: Option<&Bound<'_, PyAny>>,
+        language: &str,
+    ) -> PyResult<String> {
+        let mut files = self.report_files(py, format, orders, language)?;
+        Ok(files.remove(0).1)
+    }
+
+    /// The report as pairs of file name and text: the page first, then its pictures.
+    #[pyo3(signature = (format="markdown", *, orders=None, language="en"))]
+    fn report_files(
+        &self,
+        py: Python<'_>,
+        format: &str,
+        orders: Option<&Bound<'_, PyAny>>,
+        language: &str,
+    ) -> PyResult<Vec<(String, String)>> {
+        let (format, options) = (pages::format(format)?, pages::options(language)?);
+        let orders = asked::orders(orders)?;
+        py.detach(|| {
+            let page = self.page(&self.orders(orders), format == Format::Html)?;
+            Ok(pages::files(&page, format, &options))
+        })
+    }
+
+    /// One drawing of the report as SVG, such as "end-view", "side-view" or "star:2".
+    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        py.detach(|| {
+            let mut orders = self.orders(None);
+            let named = name.strip_prefix("star:").and_then(|star| star.split(':').next());
+            orders.extend(named.and_then(|order| order.parse::<u32>().ok()));
+            pages::figure(&self.page(&asked::rising(orders), false)?, name)
+        })
+    }
+
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
+        py.detach(|| Ok(notebook::html(&self.glance()?)))
+    }
+
+    fn _repr_latex_(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(notebook::latex(&self.classify(py, None, None, false, false)?.verdicts))
+    }
+}

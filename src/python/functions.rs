@@ -1,0 +1,73 @@
+//! What is asked without an engine: the catalogue, a search, a document to be checked?
+
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyString};
+
+use super::answer::Answer;
+use super::questions::{self, Checked};
+use super::{asked, error, keys};
+use crate::file;
+use crate::search::Problem;
+
+/// The names of the engines that are known, as `Engine.named` takes them.
+#[pyfunction]
+pub(super) fn catalogue() -> PyResult<Vec<&'static str>> {
+    let engines = file::catalogue().map_err(|error| error::layout(&error))?;
+    Ok(engines.iter().map(|(entry, _)| entry.name).collect())
+}
+
+/// Checks a document that `classify`, `remedy`, `loads` or `firing` gave: every certificate in it, and that it says nothing else.
+///
+/// document: a str or bytes of JSON, or the dict of `document()`. Tells what was checked.
+///
+/// Raises ProofError with the place of what does not hold.
+#[pyfunction]
+pub(super) fn verify(py: Python<'_>, document: &Bound<'_, PyAny>) -> PyResult<Checked> {
+    let json: Vec<u8> = if let Ok(text) = document.cast::<PyString>() {
+        text.to_str()?.as_bytes().to_vec()
+    } else if let Ok(bytes) = document.cast::<PyBytes>() {
+        bytes.as_bytes().to_vec()
+    } else {
+        let text = py.import("json")?.call_method1("dumps", (document,))?;
+        text.extract::<String>()?.into_bytes()
+    };
+    py.detach(|| questions::verify(&json))
+}
+
+/// The crank stars that balance best: the exact front of all of them, up to their symmetries.
+///
+/// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where left out.
+/// bank_angle: a V of so many degrees on shared pins, with so many directions of its pins; an engine in line where left out.
+/// grid: throws at any multiples of 1/grid turn. neighbours: count neighbours that fire in succession.
+/// torsion: judge the firing orders of each star in a mode of torsional vibration, `mode_shape` or one that falls evenly.
+/// resume: a file that keeps finished pieces. threads: one per core where left out. An interrupt from the keyboard stops it.
+#[pyfunction]
+#[pyo3(signature = (cylinders, cycle, *, orders=None, bank_angle=None, directions=None, grid=None, neighbours=false, torsion=false,
+                    mode_shape=None, resume=None, threads=None))]
+#[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
+pub(super) fn search(
+    py: Python<'_>,
+    cylinders: u32,
+    cycle: &str,
+    orders: Option<&Bound<'_, PyAny>>,
+    bank_angle: Option<&Bound<'_, PyAny>>,
+    directions: Option<u32>,
+    grid: Option<u32>,
+    neighbours: bool,
+    torsion: bool,
+    mode_shape: Option<&Bound<'_, PyAny>>,
+    resume: Option<PathBuf>,
+    threads: Option<u16>,
+) -> PyResult<Answer> {
+    let bank_angle = bank_angle.map(|angle| asked::angle("bank_angle", &keys::number(angle)?)).transpose()?;
+    let shape = asked::deflections(mode_shape)?;
+    if shape.is_some() && !torsion {
+        return Err(error::told("mode_shape weighs the firing stars of firing orders; give torsion=True"));
+    }
+    let cycle = asked::cycle(cycle)?;
+    let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
+    let problem = Problem { cylinders, cycle, bank_angle, directions, grid, orders, neighbours };
+    py.detach(|| questions::search(&problem, torsion.then_some(shape), resume, threads))
+}

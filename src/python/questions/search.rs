@@ -1,0 +1,86 @@
+//! `search`: which crank stars balance best?
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+
+use num_rational::BigRational;
+use pyo3::prelude::*;
+
+use crate::page::Document;
+use crate::python::answer::{Answer, Question};
+use crate::python::documents;
+use crate::python::error::told;
+use crate::report;
+use crate::report::data;
+use crate::search::{self, Front, Options, Problem, SearchError, Torsion};
+use crate::table::Table;
+
+struct Searched {
+    front: Front,
+    torsion: Option<Torsion>,
+}
+
+/// Searches; an interrupt from the keyboard stops it.
+pub(in crate::python) fn search(
+    problem: &Problem,
+    torsion: Option<Option<Vec<BigRational>>>,
+    resume: Option<PathBuf>,
+    threads: Option<u16>,
+) -> PyResult<Answer> {
+    if let Some(shape) = &torsion {
+        search::mode_shape(problem, shape.clone()).map_err(told)?;
+    }
+    let interrupt = Mutex::new(None);
+    let progress = |_| match Python::attach(|py| py.check_signals()) {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(raised) => {
+            *interrupt.lock().unwrap_or_else(PoisonError::into_inner) = Some(raised);
+            ControlFlow::Break(())
+        }
+    };
+    let threads = threads.map_or(Options::default().threads, usize::from);
+    let front = search::search(problem, &Options { threads, resume, progress: &progress });
+    let front = front.map_err(|error| {
+        let raised = interrupt.into_inner().unwrap_or_else(PoisonError::into_inner);
+        match (error, raised) {
+            (SearchError::Stopped, Some(raised)) => raised,
+            (error, _) => told(error),
+        }
+    })?;
+    let torsion = torsion.map(|shape| search::torsion(&front, shape)).transpose().map_err(told)?;
+    Ok(Answer::new(Searched { front, torsion }))
+}
+
+impl Searched {
+    fn with_torsion(&self, mut page: Document) -> Document {
+        page.blocks.extend(self.torsion.iter().flat_map(|torsion| report::search_torsion(&self.front, torsion)));
+        page
+    }
+}
+
+impl Question for Searched {
+    fn command(&self) -> &'static str {
+        "search"
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        data::search(&self.front, self.torsion.as_ref())
+    }
+
+    fn json(&self) -> PyResult<String> {
+        let document = search::document(&self.front);
+        documents::json(&match &self.torsion {
+            Some(torsion) => document.with_torsion(torsion),
+            None => document,
+        })
+    }
+
+    fn answer(&self) -> Document {
+        self.with_torsion(report::search_answer(&self.front))
+    }
+
+    fn page(&self) -> Document {
+        self.with_torsion(report::search_page(&self.front))
+    }
+}

@@ -1,0 +1,70 @@
+//! Which engine is it in Python: a name of the catalogue, a text, a file, or keywords?
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+
+use super::error::{self, told};
+use crate::engine::{self, Family};
+use crate::file::{self, Beside, Layout};
+
+/// A layout file, and the engine that it describes.
+pub(super) struct Source {
+    /// What messages call the file.
+    pub name: String,
+    /// The file.
+    pub text: String,
+    /// The folder that it stands in, if it is one on a disk.
+    pub folder: Option<PathBuf>,
+}
+
+impl Source {
+    /// An engine of the catalogue.
+    pub fn named(name: &str) -> PyResult<Self> {
+        let Some(entry) = file::find(name) else {
+            let catalogue = file::catalogue().map_err(|error| error::layout(&error))?;
+            let names: Vec<&str> = catalogue.iter().map(|(entry, _)| entry.name).collect();
+            return Err(told(format!("`{name}` is no engine of the catalogue, which has {}", names.join(", "))));
+        };
+        Ok(Source { name: entry.name.to_owned(), text: entry.text.to_owned(), folder: None })
+    }
+
+    /// A layout file on a disk.
+    pub fn on_disk(path: &Path) -> PyResult<Self> {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| match error.kind() {
+            io::ErrorKind::InvalidData => told(format!("`{name}` is not a text in UTF-8; a TOML text is expected")),
+            // With number and name Python finds the kind of the error itself.
+            _ => match error.raw_os_error() {
+                Some(number) => PyOSError::new_err((number, error.to_string(), name.clone())),
+                None => PyErr::from(error),
+            },
+        })?;
+        Ok(Source { name, text, folder: path.parent().map(Path::to_path_buf) })
+    }
+
+    /// The engine, and the family that it is a member of where the file gives values to symbols.
+    pub fn read(&self) -> PyResult<(engine::Engine, Option<Family>)> {
+        let read = |path: &str| self.beside(path);
+        let layout = file::parse_layout_beside(&self.name, &self.text, Beside::new(&read));
+        match layout.map_err(|error| error::layout(&error))? {
+            Layout::Known(engine, family) => Ok((*engine, family.map(|family| *family))),
+            Layout::Open(family) => {
+                let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
+                let right = "an engine of Python has values: give them below [values]";
+                Err(told(format!("{}: the layout leaves {} open; {right}", self.name, unknowns.join(", "))))
+            }
+        }
+    }
+
+    /// A file that the layout names beside itself.
+    pub fn beside(&self, path: &str) -> Result<String, String> {
+        match &self.folder {
+            Some(folder) => std::fs::read_to_string(folder.join(path))
+                .map_err(|error| format!("cannot read `{}`: {error}", folder.join(path).display())),
+            None => Err("nothing stands beside a layout that is no file; read it with Engine.read(path)".to_owned()),
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! What is left of one quantity of an order, as an object of Python?
+
+use pyo3::prelude::*;
+
+use super::star::Star;
+use crate::page::Text;
+use crate::page::number::Amount;
+use crate::proof::{Quantity, Shape};
+use crate::report;
+use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorqueVerdict, WholeOrder};
+
+/// What is left of one quantity of one order: of all sums together, or, in `parts`, of one of several.
+#[pyclass(frozen, get_all, module = "crankstar")]
+#[derive(Clone)]
+pub(super) struct Verdict {
+    /// "force", "moment", "torque" or "roll".
+    pub(super) quantity: &'static str,
+    /// The order k: so many swings a revolution.
+    pub(super) order: u32,
+    /// Whether some mass of the engine has the order; else nothing of it is there whatever its stars are.
+    exists: bool,
+    /// True: proved zero; False: proved not zero; None: not decided, or it depends on rods of which nothing is known.
+    vanishes: Option<bool>,
+    /// "balanced", "rotating", "counter-rotating", "planar", "elliptical" or "not decided"; None for a torque and the roll moment.
+    shape: Option<&'static str>,
+    /// The largest value of a revolution in closed form, `0` or `4√2`; None where none is known. Forces in m r ω² c_k, moments in that
+    /// times the unit of the positions, torques in m r² ω² t_k.
+    exact: Option<String>,
+    /// The same in decimals, exactly 0.0 where it vanishes; None where several sums make it up, and it is not zero.
+    value: Option<f64>,
+    /// Whether a moment is a couple, the same about every plane: the force of its order vanishes. None for other quantities.
+    is_couple: Option<bool>,
+    /// Which masses it is about, where the order has several sums and this is one of them.
+    of: Option<String>,
+    /// As the command line shows it: `couple √10 ≈ 3.162, rotating`.
+    text: String,
+    /// The two vector stars, direct and reverse; one for a torque; none where several sums make it up.
+    stars: Vec<Star>,
+    /// The sums that make it up, where there are several.
+    parts: Vec<Verdict>,
+    /// The same text in TeX.
+    pub(super) tex: String,
+}
+
+#[pymethods]
+impl Verdict {
+    fn __repr__(&self) -> String {
+        let of = self.of.as_ref().map_or_else(String::new, |of| format!(" ({of})"));
+        format!("<Verdict: {} of order {}{of}: {}>", self.quantity, self.order, self.text)
+    }
+}
+
+/// The verdicts on one order: force, moment, and torque and roll moment where they were asked for.
+pub(super) fn of_order(order: &OrderVerdict) -> Vec<Verdict> {
+    let [force, moment] = report::force_and_moment_left(order);
+    let one = |quantity, text| whole(order, quantity, text);
+    let about_the_axis = [Quantity::Torque, Quantity::Roll].into_iter();
+    let about_the_axis =
+        about_the_axis.filter_map(|quantity| Some(of_torque(order, quantity, order.about_the_axis(quantity)?)));
+    [one(Quantity::Force, force), one(Quantity::Moment, moment)].into_iter().chain(about_the_axis).collect()
+}
+
+/// What is known of an amount.
+#[derive(Default)]
+struct Size {
+    exact: Option<String>,
+    value: Option<f64>,
+}
+
+impl From<Amount> for Size {
+    fn from(amount: Amount) -> Self {
+        Size { exact: amount.exact.map(|form| form.to_string()), value: Some(amount.decimal) }
+    }
+}
+
+impl Verdict {
+    fn new(quantity: Quantity, order: u32, exists: bool, text: &Text) -> Self {
+        Verdict {
+            quantity: quantity.name(),
+            order,
+            exists,
+            vanishes: Some(true),
+            shape: None,
+            exact: None,
+            value: None,
+            is_couple: None,
+            of: None,
+            text: text.plain(),
+            stars: Vec::new(),
+            parts: Vec::new(),
+            tex: super::notebook::tex(text),
+        }
+    }
+
+    /// With the largest value; nothing is there of an order that does not exist.
+    fn sized(self, vanishes: Option<bool>, size: impl Into<Size>) -> Self {
+        let (vanishes, size) =
+            if self.exists { (vanishes, size.into()) } else { (Some(true), Size::from(Amount::zero())) };
+        Verdict { vanishes, exact: size.exact, value: size.value, ..self }
+    }
+}
+
+/// The force or the moment of an order.
+fn whole(order: &OrderVerdict, quantity: Quantity, text: Text) -> Verdict {
+    let is_couple = (quantity == Quantity::Moment).then(|| order.moment_is_couple());
+    match order.parts.as_slice() {
+        [only] => Verdict { is_couple, ..part(only, quantity, &text) },
+        several => {
+            let whole = if quantity == Quantity::Force { &order.force } else { &order.moment };
+            let vanishes = is_zero(whole);
+            let size = if vanishes == Some(true) { Amount::zero().into() } else { Size::default() };
+            let verdict = Verdict::new(quantity, order.order, order.exists(), &text).sized(vanishes, size);
+            let parts = several.iter().map(|balance| {
+                let text = if quantity == Quantity::Force {
+                    report::force_left(balance)
+                } else {
+                    report::moment_left(balance)
+                };
+                Verdict { of: balance.class.as_ref().map(report::class_sources), ..part(balance, quantity, &text) }
+            });
+            let shape = if order.exists() { whole.shape } else { Shape::Balanced };
+            Verdict { is_couple, shape: Some(report::shape_name(shape)), parts: parts.collect(), ..verdict }
+        }
+    }
+}
+
+fn part(order: &OrderBalance, quantity: Quantity, text: &Text) -> Verdict {
+    let balance: &Balance = if quantity == Quantity::Force { &order.force } else { &order.moment };
+    let verdict = Verdict::new(quantity, order.order, order.exists, text);
+    let shape = if order.exists { balance.shape } else { Shape::Balanced };
+    Verdict {
+        shape: Some(report::shape_name(shape)),
+        is_couple: (quantity == Quantity::Moment).then(|| order.moment_is_couple()),
+        stars: balance.verdicts().map(Star::new).into(),
+        ..verdict.sized(Some(balance.is_balanced()), report::largest_length(balance))
+    }
+}
+
+/// Zero where both vectors are, not zero where one is not.
+fn is_zero(whole: &WholeOrder) -> Option<bool> {
+    let both = whole.outcomes.each_ref().map(|outcome| outcome.vanishes());
+    match both {
+        [Some(true), Some(true)] => Some(true),
+        [Some(false), _] | [_, Some(false)] => Some(false),
+        [None, _] | [_, None] => None,
+    }
+}
+
+/// The inertia torque, or the roll moment.
+fn of_torque(order: &OrderVerdict, quantity: Quantity, torque: &TorqueVerdict) -> Verdict {
+    let text = match quantity {
+        Quantity::Roll => report::roll_left(torque),
+        Quantity::Force | Quantity::Moment | Quantity::Torque => report::torque_left(torque),
+    };
+    let verdict = Verdict::new(quantity, order.order, torque.exists(), &text);
+    match torque.parts.as_slice() {
+        [only] => Verdict {
+            stars: vec![Star::new(&only.verdict)],
+            ..verdict.sized(torque.outcome.vanishes(), report::star_length(&only.verdict))
+        },
+        several => {
+            let parts = several.iter().map(|part| {
+                let text = report::torque_part_left(part);
+                Verdict {
+                    of: part.class.as_ref().map(report::class_sources),
+                    stars: vec![Star::new(&part.verdict)],
+                    ..Verdict::new(quantity, order.order, part.exists, &text)
+                        .sized(Some(part.verdict.vanishes()), report::star_length(&part.verdict))
+                }
+            });
+            let vanishes = torque.outcome.vanishes();
+            let size = if vanishes == Some(true) { Amount::zero().into() } else { Size::default() };
+            Verdict { parts: parts.collect(), ..verdict.sized(vanishes, size) }
+        }
+    }
+}

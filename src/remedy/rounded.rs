@@ -1,0 +1,63 @@
+//! Which weight in decimals stands for one that no layout file can name? Links on a master rod move by numbers without a closed form.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use super::comparable_engine::ComparableEngine;
+use super::shafts::{is_slight, shaft};
+use super::weight::Weight;
+use super::{Remedy, usual_planes};
+use crate::engine::Engine;
+use crate::exact::Turn;
+use crate::order::Factor;
+
+/// Decimal places of the directions, in degrees.
+const PLACES: u32 = 8;
+/// Significant digits of the sizes.
+const DIGITS: usize = 11;
+
+/// Whether a weight stands before a number of a link, which no key of a layout file names.
+pub(super) fn is_of_link(weight: &Weight) -> bool {
+    weight.vector.parts().keys().any(|factor| match factor {
+        Factor::Linkage(_) | Factor::Corrected(..) => true,
+        Factor::One
+        | Factor::Motion(_)
+        | Factor::Torque(_)
+        | Factor::Side(_)
+        | Factor::Open
+        | Factor::OpenTorque
+        | Factor::Geared(..) => false,
+    })
+}
+
+/// The mass-radius of a weight, in kilogram-metres or else in multiples of m r, and its direction at θ = 0, both rounded to decimals;
+/// none where it is beyond them.
+pub(super) fn rounded(subject: &ComparableEngine, weight: &Weight) -> Option<(BigRational, Turn)> {
+    let [multiple, degrees] = weight.decimals(subject)?;
+    let size = to_digits(weight.mass_radius(subject).unwrap_or(multiple))?;
+    let steps = (degrees * 10_f64.powi(PLACES as i32)).round();
+    let degrees = BigRational::new(BigInt::from(steps as i64), BigInt::from(10).pow(PLACES));
+    Some((size, Turn::new(degrees / BigRational::from_integer(360.into()))))
+}
+
+/// A decimal of [`DIGITS`] digits, exactly.
+fn to_digits(value: f64) -> Option<BigRational> {
+    let text = format!("{value:.*e}", DIGITS - 1);
+    let (digits, power) = text.split_once('e')?;
+    let digits: BigInt = digits.replace('.', "").parse().ok()?;
+    let power = power.parse::<i32>().ok()? - (DIGITS as i32 - 1);
+    let ten = BigRational::from_integer(BigInt::from(10));
+    Some(BigRational::from_integer(digits) * ten.pow(power))
+}
+
+/// Whether the engine as it was written leaves less than [`super::LEAST`] of the load of each order whose weights were rounded: a shaft
+/// against that would be too slight to be proposed.
+pub(super) fn leaves_little(remedy: &Remedy, read: &Engine) -> bool {
+    let Ok(subject) = ComparableEngine::new(read) else { return false };
+    let planes = usual_planes(read);
+    remedy.weights().iter().filter(|weight| is_of_link(weight)).all(|weight| {
+        let (order, sense) = (weight.order, weight.sense);
+        let (force, moment) = (subject.force(order, sense), subject.moment(order, sense));
+        shaft(order, sense, &force, &moment, &planes).is_none_or(|left| is_slight(&subject, &left))
+    })
+}

@@ -1,0 +1,57 @@
+//! How does the frame roll? The largest roll moment of the orders listed, what it is, and its orders.
+
+use super::amounts::Unit;
+use super::{heading, summary};
+use crate::engine::Engine;
+use crate::loads::{Loads, Outcome};
+use crate::numbers;
+use crate::page::{Block, Number, Table, Text, number, phrase};
+use crate::proof::Quantity;
+
+const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque turned round, and the forces \
+                      whose lines pass beside the middle, with their arms.";
+const OF_SEVERAL: &str = "The roll moment is that on the frame about the middle of the engine: the torque on each crankshaft turned round, and the \
+                          forces of its pistons with the arms of their axes. Assumed: each crankshaft keeps its speed by a flywheel of its own.";
+
+/// What is said of the roll moment: its largest value, and what it is; nothing where the frame feels no more than the torque turned round.
+pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
+    let Some(roll) = &loads.roll else { return Vec::new() };
+    let unit = Unit::of(engine, loads, Quantity::Roll);
+    let words = if engine.geared_cranks().is_empty() { OF_ONE } else { OF_SEVERAL };
+    let all_vanish = roll.orders.iter().all(|order| order.vector.outcome == Outcome::Zero);
+    let largest = match all_vanish {
+        true => phrase!("The roll moment of the orders listed is {}.", Text::zero()),
+        false => {
+            phrase!(
+                "The roll moment of the orders listed comes to {}.",
+                summary::peak(&roll.waveform.real_peak(), unit)
+            )
+        }
+    };
+    vec![largest, words.into()]
+}
+
+/// The orders of the roll moment, for a page.
+pub(super) fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    let Some(roll) = &loads.roll else { return Vec::new() };
+    let unit = Unit::of(engine, loads, Quantity::Roll);
+    let mut table = Table::new([
+        "Order".into(),
+        phrase!("Amplitude in {}", unit.label()),
+        "Phase at θ = 0".into(),
+        Text::from("In m r² ω²"),
+    ]);
+    for order in &roll.orders {
+        let (angle, multiple) = match order.vector.outcome {
+            Outcome::Zero => ("–".into(), Text::zero()),
+            Outcome::Undecided { .. } => ("–".into(), "not decided".into()),
+            Outcome::NotZero => (
+                phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
+                Number::Decimal(order.vector.value.norm()).into(),
+            ),
+        };
+        table.push(vec![order.order.into(), summary::roll_cell(engine, order, unit), angle, multiple]);
+    }
+    let said = Block::Paragraph(Text::joined(roll_lines(engine, loads), " "));
+    vec![heading(2, "Roll moment"), said, table.into()]
+}

@@ -1,0 +1,137 @@
+//! What did one student write, what is right, and how many points is that?
+
+use num_rational::BigRational;
+
+use super::super::{table, typeset};
+use crate::claim::{Judged, Marked, Place, RightEntry};
+use crate::classroom::{Convention, MarkedSheet, Pupil, Scheme};
+use crate::page::number::Amount;
+use crate::page::{Block, Document, Table, Text, phrase};
+use crate::proof::{Quantity, Sense};
+
+/// The page of a marked sheet.
+pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Document {
+    let mut page = Document::new("marked", phrase!("Vector-star exercise, marked: {}", &pupil.name));
+    let mut answer =
+        vec![phrase!("**{} of {} points.**", points(&sheet.points), points(&sheet.possible)), counts(sheet)];
+    answer.extend(read_in(sheet, scheme));
+    page.push(Block::Answer(answer));
+    for table in &sheet.tables {
+        page.push(Block::Heading(1, phrase!("Order {}", table.order)));
+        page.push(entries(pupil, sheet, table.order, &table.entries, scheme));
+    }
+    page.push(Block::Note(FOLLOWS.into()));
+    page
+}
+
+const FOLLOWS: &str = "**follows** is a sum that is wrong, but right for the phases that stand above it. Phases count modulo 360°; decimals are right where they are \
+                       those of the true value, rounded.";
+
+/// Points in decimals that end, else a fraction.
+pub(super) fn points(value: &BigRational) -> Text {
+    Text::label(typeset::number(value))
+}
+
+/// How many entries are right, wrong and so on.
+pub(super) fn counts(sheet: &MarkedSheet) -> Text {
+    let counts = sheet.counts();
+    phrase!(
+        "Right: {}. Wrong: {}. Wrong because of another entry: {}. Not to be read: {}. Missing: {}.",
+        counts.right,
+        counts.wrong,
+        counts.consequential,
+        counts.unreadable,
+        counts.missing
+    )
+}
+
+/// In which convention the sheet is read, where it is not the one above the table.
+pub(super) fn read_in(sheet: &MarkedSheet, scheme: &Scheme) -> Vec<Text> {
+    let mut told = Vec::new();
+    if sheet.declared != Convention::default() {
+        told.push(phrase!("Read in the convention that is declared: {}.", named(&sheet.declared)));
+    }
+    let others = sheet.undeclared.iter().map(named);
+    if !sheet.undeclared.is_empty() {
+        told.push(phrase!(
+            "Read in a convention that is not declared, in which more of it is right: {}. The points count times {}.",
+            Text::joined(others, ", or "),
+            points(&scheme.undeclared)
+        ));
+    }
+    told
+}
+
+/// `sense clockwise, vectors swapped`; that of the sheet where nothing is otherwise.
+fn named(convention: &Convention) -> Text {
+    let declared = convention.declared();
+    match declared.is_empty() {
+        true => "that of the sheet".into(),
+        false => Text::joined(declared.into_iter().map(|(key, word)| Text::code(format!("{key} = {word}"))), ", "),
+    }
+}
+
+fn entries(pupil: &Pupil, sheet: &MarkedSheet, order: u32, entries: &[Marked], scheme: &Scheme) -> Block {
+    let mut table = Table::new(["Entry", "Written", "Answer", "Right", "Points"]);
+    for entry in entries {
+        let written = entry.written.as_ref().map_or_else(|| "–".into(), Text::from);
+        let points = points(
+            &(scheme.points(entry) * if sheet.undeclared.is_empty() { one() } else { scheme.undeclared.clone() }),
+        );
+        let is_right = entry.judged == Judged::Right;
+        table.push(vec![
+            place(pupil, entry.place),
+            written,
+            answer(entry.judged),
+            if is_right { Text::default() } else { right(pupil, sheet, order, entry) },
+            points,
+        ]);
+    }
+    table.into()
+}
+
+fn one() -> BigRational {
+    BigRational::from_integer(1.into())
+}
+
+fn answer(judged: Judged) -> Text {
+    match judged {
+        Judged::Right => "right".into(),
+        Judged::Consequential => "**follows**".into(),
+        Judged::Wrong => "**wrong**".into(),
+        Judged::Unreadable => "**not to be read**".into(),
+        Judged::Missing => "**missing**".into(),
+    }
+}
+
+fn place(pupil: &Pupil, place: Place) -> Text {
+    match place {
+        Place::Phase(cylinder, sense) => {
+            let name = pupil.engine.cylinders()[cylinder].name.clone();
+            match sense {
+                Sense::Direct => phrase!("cylinder {}, direct phase", name),
+                Sense::Reverse => phrase!("cylinder {}, reverse phase", name),
+            }
+        }
+        Place::Sum(Quantity::Moment, Sense::Direct) => "sum of moments, direct".into(),
+        Place::Sum(Quantity::Moment, Sense::Reverse) => "sum of moments, reverse".into(),
+        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Direct) => {
+            "sum of forces, direct".into()
+        }
+        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Reverse) => {
+            "sum of forces, reverse".into()
+        }
+    }
+}
+
+/// What belongs there, worked out where the convention is that of the sheet.
+fn right(pupil: &Pupil, sheet: &MarkedSheet, order: u32, entry: &Marked) -> Text {
+    match (&entry.right, entry.place) {
+        (RightEntry::Angle(_), Place::Phase(cylinder, sense)) if *sheet.convention() == Convention::default() => {
+            let formula = table::phase_formula(i64::from(order), sense, true);
+            phrase!("{}: {}", formula, table::working(&pupil.engine.cylinders()[cylinder], order, sense))
+        }
+        (RightEntry::Angle(angle), _) => Text::label(typeset::angle(angle)),
+        (RightEntry::Length(exact, decimal), _) => Amount { exact: exact.clone(), decimal: *decimal }.into(),
+    }
+}

@@ -1,0 +1,66 @@
+//! How does a value become a cell? Each as its type: decimals as they are, exact numbers as text.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use crate::table::Values;
+
+/// Digits behind the point from which on a fraction is shorter.
+const MOST_PLACES: u32 = 12;
+
+/// A rational number: a decimal where it ends, else a fraction.
+///
+/// ```
+/// use crankstar::BigRational;
+/// use crankstar::data::exact_number;
+/// assert_eq!(exact_number(&BigRational::new((-1).into(), 40.into())), "-0.025");
+/// assert_eq!(exact_number(&BigRational::new(1.into(), 3.into())), "1/3");
+/// ```
+pub fn exact_number(value: &BigRational) -> String {
+    let mut rest = value.denom().clone();
+    let mut places = 0_u32;
+    let ten = BigInt::from(10);
+    while !rest.is_one() {
+        let common = rest.gcd(&ten);
+        if common.is_one() || places > MOST_PLACES {
+            return value.to_string();
+        }
+        rest /= common;
+        places += 1;
+    }
+    let scaled = (value * BigRational::from_integer(ten.pow(places))).to_integer();
+    let sign = if scaled.is_negative() { "-" } else { "" };
+    let text = format!("{:0>width$}", scaled.abs(), width = places as usize + 1);
+    match text.split_at(text.len() - places as usize) {
+        (whole, "") => format!("{sign}{whole}"),
+        (whole, part) => format!("{sign}{whole}.{part}"),
+    }
+}
+
+/// Decimals; what is beyond decimals is left out.
+pub(super) fn decimals(values: impl IntoIterator<Item = Option<f64>>) -> Values {
+    // −0 is 0.
+    Values::Decimal(values.into_iter().map(|value| value.filter(|value| value.is_finite()).map(|v| v + 0.0)).collect())
+}
+
+/// Exact numbers.
+pub(super) fn exact(values: impl IntoIterator<Item = Option<BigRational>>) -> Values {
+    Values::Exact(values.into_iter().map(|value| value.as_ref().map(exact_number)).collect())
+}
+
+/// Whole numbers that there are in every row.
+pub(super) fn whole<N: TryInto<i64>>(values: impl IntoIterator<Item = N>) -> Values {
+    Values::Whole(values.into_iter().map(|value| value.try_into().ok()).collect())
+}
+
+/// True, false, or not decided.
+pub(super) fn truths(values: impl IntoIterator<Item = Option<bool>>) -> Values {
+    Values::Truth(values.into_iter().collect())
+}
+
+/// Words.
+pub(super) fn words<W: Into<String>>(values: impl IntoIterator<Item = W>) -> Values {
+    Values::Words(values.into_iter().map(|words| Some(words.into())).collect())
+}

@@ -1,0 +1,169 @@
+//! Which columns hold the verdicts of `classify`? A row an order, and a row a sum with its kind of evidence.
+
+use super::super::compare::document::{Order, Part, order as order_entry};
+use super::super::typeset::signed_degrees;
+use super::cells::exact_number;
+use super::filling::Filling;
+use super::verdicts::{of_orders, part_as_order, units};
+use crate::engine::Engine;
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::loads::Arm;
+use crate::numbers::{self, Direction};
+use crate::order::Masses;
+use crate::proof::{Certificate, Document, Quantity, Sense, VerdictClaim};
+use crate::table::{Table, Unit};
+use crate::verdict::Judgement;
+
+/// An order, of all its masses or of those of one of its sums.
+struct Row {
+    masses: &'static str,
+    of: Option<String>,
+    order: Order,
+}
+
+/// The tables of the verdicts: the orders, the sums that they are made of, those of torque and roll moment where they are asked for.
+pub fn classify(engine: &Engine, judged: &Judgement, document: &Document) -> Vec<Table> {
+    let of = |quantity| -> Vec<&VerdictClaim> {
+        document.verdicts.iter().filter(|verdict| verdict.quantity == quantity).collect()
+    };
+    let (force, moment) = (of(Quantity::Force), of(Quantity::Moment));
+    let both: Vec<[&VerdictClaim; 2]> = force.into_iter().zip(moment).map(|(force, moment)| [force, moment]).collect();
+    let about_the_axis = [
+        ("torque", "a sum of an order of the inertia torque", of(Quantity::Torque)),
+        ("roll", "a sum of an order of the roll moment on the frame", of(Quantity::Roll)),
+    ];
+    let about_the_axis = about_the_axis.into_iter().filter(|(_, _, rows)| !rows.is_empty());
+    let tables = about_the_axis.map(|(name, about, rows)| axis_sums(name, about, &rows));
+    [orders(engine, judged), sums(engine, &both)].into_iter().chain(tables).collect()
+}
+
+fn orders(engine: &Engine, judged: &Judgement) -> Table {
+    let pistons = judged.pistons.iter().flatten().map(|order| (masses_name(Masses::Reciprocating), order));
+    let all = judged.orders.iter().map(|order| (masses_name(judged.masses), order)).chain(pistons);
+    let rows = all.flat_map(|(masses, verdict)| {
+        let whole = order_entry(verdict);
+        let part = |part: &Part| Row { masses, of: Some(part.of.clone()), order: part_as_order(&whole, part) };
+        let parts: Vec<Row> = whole.parts.iter().map(part).collect();
+        [Row { masses, of: None, order: whole }].into_iter().chain(parts)
+    });
+    let rows: Vec<Row> = rows.collect();
+    let [_, moment] = units(engine);
+    let about = "an order k; where it has several sums with coefficients of their own, each of them besides";
+    let mut table = Filling::new("orders", about, &rows);
+    table.words("masses", "whose masses the row is about: reciprocating, rotating, counterweights or all", |row| {
+        Some(row.masses.to_owned())
+    });
+    table.words("of", "the sources of one sum; empty where the row is about all", |row| row.of.clone());
+    of_orders(&mut table, |row| &row.order, &[moment], |_| moment);
+    table.done()
+}
+
+fn masses_name(masses: Masses) -> &'static str {
+    match masses {
+        Masses::Reciprocating => "reciprocating",
+        Masses::Rotating => "rotating",
+        Masses::Counterweights => "counterweights",
+        Masses::All => "all",
+    }
+}
+
+/// A row a vector of an order: the direct, the reverse, of each class of sources.
+fn sums(engine: &Engine, rows: &[[&VerdictClaim; 2]]) -> Table {
+    let about =
+        "a vector of an order: P⁺ or P⁻ as a sum of the engine's vectors, without the factor ½ and the coefficient c_k";
+    let mut table = Filling::new("sums", about, rows);
+    table.whole("order", "the order k", |[force, _]| force.order as usize);
+    table.words("sense", "direct: it turns with the crank; reverse: against it", |[force, _]| {
+        force.sense.map(|sense| sense_name(sense).to_owned())
+    });
+    of(&mut table, |[force, _]| force);
+    let moment = match Arm::of(engine) {
+        Arm::Metre => Unit::MASS_RADIUS_METRE,
+        Arm::Spacing => Unit::MASS_RADIUS_SPACING,
+    };
+    sum(&mut table, "force", Unit::MASS_RADIUS, |[force, _]| force);
+    sum(&mut table, "moment", moment, |[_, moment]| moment);
+    table.done()
+}
+
+fn axis_sums(name: &'static str, about: &'static str, rows: &[&VerdictClaim]) -> Table {
+    let mut table = Filling::new(name, about, rows);
+    table.whole("order", "the order k", |verdict| verdict.order as usize);
+    of(&mut table, |verdict| verdict);
+    sum(&mut table, name, Unit::MASS_RADIUS_SQUARED, |verdict| verdict);
+    table.done()
+}
+
+fn of<R>(table: &mut Filling<R>, verdict: impl Fn(&R) -> &VerdictClaim) {
+    table.words("of", "whose vectors they are, where the order has several such sums", |row| {
+        Some(verdict(row).of.join(" ")).filter(|of| !of.is_empty())
+    });
+}
+
+/// The length of a sum, its direction, its evidence.
+fn sum<R>(table: &mut Filling<R>, quantity: &'static str, unit: Unit, verdict: impl Fn(&R) -> &VerdictClaim) {
+    table.truth(("{quantity}_vanishes", quantity), "whether the sum is 0, with proof", |row| {
+        Some(verdict(row).vanishes)
+    });
+    table.decimal(("{quantity}_modulus_{unit}", quantity), unit, "length of the sum", |row| Some(verdict(row).modulus));
+    table.exact(
+        ("{quantity}_modulus_exact", quantity),
+        Unit::NONE,
+        "the same in closed form, where one is short enough to read",
+        |row| modulus(verdict(row)),
+    );
+    table.decimal(
+        ("{quantity}_angle_{unit}", quantity),
+        Unit::DEGREE,
+        "where it points at θ = 0, from y in the sense of rotation; empty where it is 0",
+        |row| verdict(row).angle_deg,
+    );
+    table.exact(
+        ("{quantity}_angle_{unit}_exact", quantity),
+        Unit::DEGREE,
+        "the same exactly, where it is a rational part of a turn",
+        |row| angle(verdict(row)),
+    );
+    table.words(
+        ("{quantity}_evidence", quantity),
+        "what proves it: polygons (it is 0), residue or splitting (it is not)",
+        |row| Some(evidence(&verdict(row).certificate).to_owned()),
+    );
+}
+
+fn star(verdict: &VerdictClaim) -> PhasorSum {
+    let term = |term: &crate::proof::Vector| Term { angle: Turn::new(term.angle.clone()), weight: term.weight.clone() };
+    PhasorSum::new(verdict.terms.iter().map(term).collect())
+}
+
+fn modulus(verdict: &VerdictClaim) -> Option<String> {
+    match verdict.vanishes {
+        true => Some("0".to_owned()),
+        false => numbers::modulus(&star(verdict)).map(|form| form.to_string()),
+    }
+}
+
+fn angle(verdict: &VerdictClaim) -> Option<String> {
+    if verdict.vanishes {
+        return None;
+    }
+    match numbers::direction_of(&star(verdict))? {
+        Direction::Turn(turn) => Some(exact_number(&signed_degrees(&turn))),
+        Direction::Arctangent { .. } => None,
+    }
+}
+
+fn evidence(certificate: &Certificate) -> &'static str {
+    match certificate {
+        Certificate::Polygons { .. } => "polygons",
+        Certificate::Residue(_) => "residue",
+        Certificate::Splitting { .. } => "splitting",
+    }
+}
+
+fn sense_name(sense: Sense) -> &'static str {
+    match sense {
+        Sense::Direct => "direct",
+        Sense::Reverse => "reverse",
+    }
+}

@@ -1,0 +1,34 @@
+//! Which columns hold the answer to each question? Tables of the same values that pages and documents show.
+//!
+//! A question has one table or several, the main one first. `docs/data.md` lists every column of every table, which a test holds it to.
+//! Amplitudes are zero to peak. Where a number is proved to be 0 it is 0, and the column beside it that ends in `vanishes` is true.
+
+mod bearings;
+mod cells;
+mod classify;
+mod compare;
+mod filling;
+mod gas_loads;
+mod loads;
+mod search;
+mod sweep;
+mod verdicts;
+mod zeros;
+
+pub use bearings::bearings;
+pub use cells::exact_number;
+pub use classify::classify;
+pub use compare::compare;
+pub use loads::loads;
+pub use search::search;
+pub use sweep::{points as sweep_points, sweep};
+
+/// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
+pub const TABLES: [(&str, &[&str]); 6] = [
+    ("classify", &["orders", "sums", "torque", "roll"]),
+    ("loads", &["orders", "torque", "roll", "theta", "largest"]),
+    ("bearings", &["bearings", "orders", "theta", "pins", "gas_bearings", "gas_cylinders", "gas_orders", "gas_theta"]),
+    ("compare", &["orders", "engines"]),
+    ("search", &["stars", "question", "firing_orders"]),
+    ("sweep", &["points", "zeros", "firing_zeros"]),
+];

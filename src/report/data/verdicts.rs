@@ -1,0 +1,90 @@
+//! Which columns hold verdicts, of one engine or of several? A row an order: whether force and moment vanish, what is left, exactly.
+
+use super::super::compare::document::{Amount, Order, Part};
+use super::super::residual::shape_name;
+use super::filling::Filling;
+use crate::engine::Engine;
+use crate::loads::Arm;
+use crate::proof::Shape;
+use crate::table::Unit;
+
+/// What the largest values of an engine's verdicts are counted in: forces, moments.
+pub(super) fn units(engine: &Engine) -> [Unit; 2] {
+    match Arm::of(engine) {
+        Arm::Metre => [Unit::OPEN, Unit::OPEN_METRE],
+        Arm::Spacing => [Unit::OPEN, Unit::OPEN_SPACING],
+    }
+}
+
+/// Adds what is left of force and moment, in moments of this unit; those of other rows are left out.
+pub(super) fn of_orders<R>(
+    table: &mut Filling<R>,
+    order: impl Fn(&R) -> &Order,
+    moment_units: &[Unit],
+    moment_unit: impl Fn(&R) -> Unit,
+) {
+    table.whole("order", "the order k", |row| order(row).order as usize);
+    table.truth("exists", "whether some mass has the order at all", |row| Some(order(row).exists));
+    let force = |row: &R| known(order(row), |order| &order.force);
+    let moment = |row: &R| known(order(row), |order| &order.moment);
+    amount(table, "force", force);
+    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, LARGEST, |row| force(row).largest);
+    table.exact(("{quantity}_exact", "force"), Unit::NONE, EXACT, |row| force(row).exact);
+    amount(table, "moment", moment);
+    for unit in moment_units {
+        table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), *unit, LARGEST, |row| {
+            moment(row).largest.filter(|_| moment_unit(row) == *unit)
+        });
+    }
+    table.exact(("{quantity}_exact", "moment"), Unit::NONE, EXACT, |row| moment(row).exact);
+    table.truth(
+        "moment_is_couple",
+        "whether the moment is the same about every plane: the force of this order vanishes",
+        |row| Some(order(row).moment_is_couple),
+    );
+}
+
+/// What is left of an order: nothing of one that does not exist, whatever its sums are.
+fn known(order: &Order, amount: fn(&Order) -> &Amount) -> Amount {
+    match order.exists {
+        true => amount(order).clone(),
+        false => Amount { shape: Shape::Balanced, largest: Some(0.0), exact: Some("0".to_owned()) },
+    }
+}
+
+const LARGEST: &str = "largest length in a revolution, ½(|P⁺| + |P⁻|), for masses that turn and have a row of their own without c_k; empty where several sums with coefficients of their own make up the order, or it depends on the rods";
+const EXACT: &str = "the same in closed form, where one is short enough to read";
+
+fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> Amount) {
+    table.truth(
+        ("{quantity}_vanishes", quantity),
+        "whether it is proved to be 0; empty where that is not decided",
+        |row| vanishes(of(row).shape),
+    );
+    table.words(
+        ("{quantity}_shape", quantity),
+        "what is left: balanced, rotating, counter-rotating, planar, elliptical, not decided",
+        |row| Some(shape_name(of(row).shape).to_owned()),
+    );
+}
+
+/// Whether nothing is left. Where the shape is not decided, that something is left may be known all the same: the verdicts of `classify` tell.
+fn vanishes(shape: Shape) -> Option<bool> {
+    match shape {
+        Shape::Balanced => Some(true),
+        Shape::Rotating | Shape::CounterRotating | Shape::Planar | Shape::Elliptical => Some(false),
+        Shape::NotDecided => None,
+    }
+}
+
+/// One sum of an order as an order of its own.
+pub(super) fn part_as_order(order: &Order, part: &Part) -> Order {
+    Order {
+        order: order.order,
+        exists: part.exists,
+        force: part.force.clone(),
+        moment: part.moment.clone(),
+        moment_is_couple: order.moment_is_couple,
+        parts: Vec::new(),
+    }
+}

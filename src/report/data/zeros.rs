@@ -1,0 +1,135 @@
+//! Which columns hold where a sweep vanishes? A row a value, exact, of each vector and of each firing star.
+
+use num_rational::BigRational;
+
+use super::cells::{decimals, exact, truths, whole, words};
+use super::sweep::{EXACT, quantity_name};
+use crate::numbers::float;
+use crate::sweep::{Sweep, Zeros};
+use crate::table::{Column, Table, Unit};
+
+/// A value at which something vanishes, or none where it never does, or everywhere.
+struct Zero {
+    quantity: &'static str,
+    /// The order, in halves.
+    halves: u32,
+    of: &'static str,
+    exists: bool,
+    everywhere: bool,
+    complete: bool,
+    at: Option<BigRational>,
+}
+
+/// Where each vector vanishes.
+pub(super) fn zeros(sweep: &Sweep) -> Table {
+    let rows = sweep.zeros.iter().flatten().flat_map(|set| {
+        spread(&set.at).map(move |at| Zero {
+            quantity: quantity_name(set.quantity),
+            halves: 2 * set.order,
+            of: zeros_name(set.of),
+            exists: set.exists,
+            everywhere: set.everywhere,
+            complete: set.complete,
+            at,
+        })
+    });
+    let rows: Vec<Zero> = rows.collect();
+    let table = Table::new(
+        "zeros",
+        "a value at which a vector vanishes; one row without a value where there is none",
+        rows.len(),
+    )
+    .with(Column::new("quantity", Unit::NONE, "force or moment", words(rows.iter().map(|row| row.quantity))))
+    .with(Column::new("order", Unit::NONE, "the order k", whole(rows.iter().map(|row| row.halves / 2))))
+    .with(Column::new(
+        "of",
+        Unit::NONE,
+        "what vanishes: the direct or the reverse vector, all (both), the part along y or across it",
+        words(rows.iter().map(|row| row.of)),
+    ))
+    .with(Column::new(
+        "exists",
+        Unit::NONE,
+        "whether the engine has the order at all",
+        truths(rows.iter().map(|row| Some(row.exists))),
+    ));
+    with_values(sweep, table, &rows)
+}
+
+/// Where each firing star does.
+pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
+    let sets = sweep.firing.iter().flat_map(|firing| firing.zeros.iter().flatten());
+    let rows = sets.flat_map(|set| {
+        spread(&set.at).map(move |at| Zero {
+            quantity: "firing star",
+            halves: set.order.halves(),
+            of: "all",
+            exists: set.fires,
+            everywhere: set.everywhere,
+            complete: set.complete,
+            at,
+        })
+    });
+    let rows: Vec<Zero> = rows.collect();
+    let about = "a value at which a firing star vanishes; one row without a value where there is none";
+    let table = Table::new("firing_zeros", about, rows.len())
+        .with(Column::new(
+            "order",
+            Unit::NONE,
+            "the order of the gas torque, halves too: 3/2",
+            exact(rows.iter().map(|row| Some(BigRational::new(row.halves.into(), 2.into())))),
+        ))
+        .with(Column::new(
+            "fires",
+            Unit::NONE,
+            "whether the cylinders can fire as the file says somewhere in the range",
+            truths(rows.iter().map(|row| Some(row.exists))),
+        ));
+    with_values(sweep, table, &rows)
+}
+
+/// Each value, or none where there is none.
+fn spread(at: &[BigRational]) -> impl Iterator<Item = Option<BigRational>> + '_ {
+    at.iter().cloned().map(Some).chain(at.is_empty().then_some(None))
+}
+
+fn with_values(sweep: &Sweep, table: Table, rows: &[Zero]) -> Table {
+    let name = sweep.parameters.first().map(|parameter| parameter.column()).unwrap_or_default();
+    table
+        .with(Column::new(
+            "everywhere",
+            Unit::NONE,
+            "whether it vanishes at every value of the range",
+            truths(rows.iter().map(|row| Some(row.everywhere))),
+        ))
+        .with(Column::new(
+            "complete",
+            Unit::NONE,
+            "whether the values are proved to be all in the range; else they are those found",
+            truths(rows.iter().map(|row| Some(row.complete))),
+        ))
+        .with(Column::named(
+            "{parameter}",
+            &[&name],
+            Unit::NONE,
+            "the value of the parameter, in the unit of the range",
+            decimals(rows.iter().map(|row| row.at.as_ref().map(float))),
+        ))
+        .with(Column::named(
+            "{parameter}_exact",
+            &[&name],
+            Unit::NONE,
+            EXACT,
+            exact(rows.iter().map(|row| row.at.clone())),
+        ))
+}
+
+fn zeros_name(of: Zeros) -> &'static str {
+    match of {
+        Zeros::Direct => "direct",
+        Zeros::Reverse => "reverse",
+        Zeros::Largest => "all",
+        Zeros::Along => "along",
+        Zeros::Across => "across",
+    }
+}

@@ -1,0 +1,164 @@
+//! What is a column of a table? Values of one type, a name with the unit in it, and a sentence that tells what they mean.
+
+use super::Unit;
+use crate::text::Untrusted;
+
+/// The values of a column, a row each; `None` where there is nothing to say.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Words of this program.
+    Words(Vec<Option<String>>),
+    /// What a person wrote: a writer sees to it that it stays a text.
+    Person(Vec<Option<Untrusted>>),
+    /// Exact numbers as text, in closed form: `√10`, `1/3`, `0`.
+    Exact(Vec<Option<String>>),
+    /// Whole numbers.
+    Whole(Vec<Option<i64>>),
+    /// Decimals; 0 is written where it is proved, and the column beside it that ends in `vanishes` tells so.
+    Decimal(Vec<Option<f64>>),
+    /// True or false; `None` where it is not decided.
+    Truth(Vec<Option<bool>>),
+}
+
+/// The type of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Words of this program.
+    Words,
+    /// What a person wrote.
+    Person,
+    /// An exact number as text.
+    Exact,
+    /// A whole number.
+    Whole,
+    /// A decimal.
+    Decimal,
+    /// True or false.
+    Truth,
+}
+
+impl Kind {
+    /// What the documentation calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Words => "text",
+            Kind::Person => "text of the file",
+            Kind::Exact => "exact",
+            Kind::Whole => "whole",
+            Kind::Decimal => "decimal",
+            Kind::Truth => "truth",
+        }
+    }
+}
+
+impl Values {
+    /// How many rows they fill.
+    pub fn len(&self) -> usize {
+        match self {
+            Values::Words(values) | Values::Exact(values) => values.len(),
+            Values::Person(values) => values.len(),
+            Values::Whole(values) => values.len(),
+            Values::Decimal(values) => values.len(),
+            Values::Truth(values) => values.len(),
+        }
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Their type.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Values::Words(_) => Kind::Words,
+            Values::Person(_) => Kind::Person,
+            Values::Exact(_) => Kind::Exact,
+            Values::Whole(_) => Kind::Whole,
+            Values::Decimal(_) => Kind::Decimal,
+            Values::Truth(_) => Kind::Truth,
+        }
+    }
+}
+
+/// A column of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    name: String,
+    pattern: &'static str,
+    unit: Unit,
+    about: &'static str,
+    values: Values,
+}
+
+impl Column {
+    /// A column whose name is `pattern`, with its unit in place of `{unit}`.
+    ///
+    /// ```standalone_crate
+    /// use crankstar::table::{Column, Unit, Values};
+    /// let force = Column::new("force_y_{unit}", Unit::NEWTON, "along the reference direction", Values::Decimal(vec![Some(1.5)]));
+    /// assert_eq!(force.name(), "force_y_N");
+    /// ```
+    pub fn new(pattern: &'static str, unit: Unit, about: &'static str, values: Values) -> Self {
+        Column::named(pattern, &[], unit, about, values)
+    }
+
+    /// A column whose name has other holes besides the unit: each is filled in turn.
+    pub fn named(pattern: &'static str, holes: &[&str], unit: Unit, about: &'static str, values: Values) -> Self {
+        Column { name: filled(pattern, holes, unit), pattern, unit, about, values }
+    }
+
+    /// Its name, with the unit.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The same under another name.
+    pub(super) fn called(self, name: String) -> Self {
+        Column { name, ..self }
+    }
+
+    /// The name with its holes: `force_{order}_largest_{unit}`, by which the documentation lists it.
+    pub fn pattern(&self) -> &'static str {
+        self.pattern
+    }
+
+    /// What it is counted in.
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    /// What it tells.
+    pub fn about(&self) -> &'static str {
+        self.about
+    }
+
+    /// Its values.
+    pub fn values(&self) -> &Values {
+        &self.values
+    }
+
+    /// The same with decimals of so many digits.
+    pub(super) fn rounded(self, digits: usize) -> Self {
+        let round = |value: f64| format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
+        let values = match self.values {
+            Values::Decimal(values) => Values::Decimal(values.into_iter().map(|value| value.map(round)).collect()),
+            other @ (Values::Words(_) | Values::Person(_) | Values::Exact(_) | Values::Whole(_) | Values::Truth(_)) => {
+                other
+            }
+        };
+        Column { values, ..self }
+    }
+}
+
+/// A pattern with its holes filled: `{unit}` by the unit, the others in turn.
+pub fn filled(pattern: &str, holes: &[&str], unit: Unit) -> String {
+    let (mut name, mut rest, mut holes) = (String::new(), pattern, holes.iter());
+    while let Some((before, after)) = rest.split_once('{') {
+        let (hole, after) = after.split_once('}').unwrap_or((after, ""));
+        name.push_str(before);
+        name.push_str(if hole == "unit" { unit.suffix } else { holes.next().copied().unwrap_or_default() });
+        rest = after;
+    }
+    name + rest
+}

@@ -1,0 +1,83 @@
+//! What is a table of data made of, and how is it written for a spreadsheet or a notebook? Columns with a type, a name, a unit and a meaning.
+//!
+//! A table knows nothing of pages: it is filled once (room `data`), and every writer here writes the same values.
+
+mod column;
+mod csv;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod unit;
+mod write;
+#[cfg(feature = "xlsx")]
+mod xlsx;
+
+pub use column::{Column, Kind, Values, filled};
+pub use csv::csv;
+pub use unit::Unit;
+pub use write::{DataFile, Format, Unwritable};
+
+/// A table: columns of equal length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    name: &'static str,
+    about: &'static str,
+    rows: usize,
+    columns: Vec<Column>,
+}
+
+impl Table {
+    /// A table without columns, of so many rows; `about` says what a row is.
+    pub fn new(name: &'static str, about: &'static str, rows: usize) -> Self {
+        Table { name, about, rows, columns: Vec::new() }
+    }
+
+    /// The same with one more column.
+    pub fn with(mut self, column: Column) -> Self {
+        self.push(column);
+        self
+    }
+
+    /// Adds a column; a name that is there already gets a number.
+    pub fn push(&mut self, column: Column) {
+        let is_there = |name: &str| self.columns.iter().any(|column| column.name() == name);
+        let name = column.name().to_owned();
+        let numbered = (2_u32..).map(|number| format!("{name}_{number}"));
+        let free = [name.clone()].into_iter().chain(numbered).find(|name| !is_there(name));
+        let column = column.called(free.unwrap_or(name));
+        if column.values().len() != self.rows {
+            unreachable!("column {} of {} has a value per row", column.name(), self.name);
+        }
+        self.columns.push(column);
+    }
+
+    /// What it is called among the tables of its question: `orders`.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What a row is.
+    pub fn about(&self) -> &'static str {
+        self.about
+    }
+
+    /// How many rows it has.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The columns, from left to right.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The column of this name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name() == name)
+    }
+
+    /// The same with its decimals rounded to so many digits: for a file that is to be the same on every machine.
+    pub fn rounded(self, digits: usize) -> Self {
+        let columns = self.columns.into_iter().map(|column| column.rounded(digits)).collect();
+        Table { columns, ..self }
+    }
+}

@@ -1,0 +1,95 @@
+//! What does a reader see first: the verdicts, and the engine with its stars in motion?
+
+use serde_json::{Value, json};
+
+use super::mistake::Mistake;
+use super::slider::Set;
+use super::{Judged, Written};
+use crate::page::{self, Block, Document, Format, Language, Options, Table, text_in};
+use crate::report::{self, moving};
+use crate::text;
+use crate::verdict::{Judgement, OrderBalance};
+
+/// The verdicts and the scenes; with the text of the layout where a value was set in it.
+pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake> {
+    let layout = match set {
+        None => layout,
+        Some(set) => Written { text: set.within(&layout)?, ..layout },
+    };
+    let judged = layout.judged()?;
+    let (title, summary, answer, scenes) = match &judged {
+        Judged::Known { engine, judged, family } => {
+            let family = family.as_ref().map(|(family, orders)| (family.as_ref(), orders.as_slice()));
+            // The moving part knows one crankshaft.
+            let moves = engine.geared_cranks().is_empty();
+            let scenes = moves.then(|| moving::scene(engine, judged, family));
+            let summary = report::engine_summary(engine, judged);
+            (engine.title(), summary, report::engine_answer(engine, judged), scenes.into_iter().collect())
+        }
+        Judged::Open { family, orders } => {
+            let numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();
+            let scenes = moving::open_scenes(family, &numbers);
+            let summary = report::family_summary(family, orders);
+            (family.title(), summary, report::family_answer(family, orders), scenes)
+        }
+    };
+    let glance = match &judged {
+        Judged::Known { judged, .. } => stars(judged),
+        Judged::Open { .. } => Vec::new(),
+    };
+    let fragment = |(index, scene): (usize, &moving::Scene)| {
+        moving::moving_fragment(scene, &format!("scene-{}", index + 1), Language::En)
+    };
+    let scenes: Vec<String> = scenes.iter().enumerate().map(fragment).collect();
+    Ok(json!({
+        "text": set.map(|_| &layout.text),
+        "title": text::xml(&title.escaped(text::Format::Plain)),
+        "summary": html(std::slice::from_ref(&summary)),
+        "verdicts": html(&answer.blocks),
+        "spoken": spoken(&answer),
+        "scenes": scenes,
+        "stars": glance,
+    }))
+}
+
+/// The star of each sum in the size of a stamp, in the order in which a scene has them.
+fn stars(judged: &Judgement) -> Vec<Value> {
+    let parts = judged.orders.iter().flat_map(|order| &order.parts);
+    let star = |part: &OrderBalance| {
+        let name = format!("Order {}", report::order_name(part));
+        json!({ "svg": page::svg(&report::small_star(part, None), &name), "name": name })
+    };
+    parts.map(star).collect()
+}
+
+/// Blocks as parts of the page.
+pub(super) fn html(blocks: &[Block]) -> String {
+    page::blocks_in(blocks, Format::Html, &Options::default())
+}
+
+/// What a table of verdicts says, as sentences for those who hear the page.
+fn spoken(answer: &Document) -> String {
+    let tables = answer.blocks.iter().filter_map(|block| match block {
+        Block::Table(table) => Some(sentences(table)),
+        Block::Heading(..)
+        | Block::Paragraph(_)
+        | Block::Answer(_)
+        | Block::Pictures(_)
+        | Block::Formula(..)
+        | Block::List(_)
+        | Block::Folded(_)
+        | Block::Note(_)
+        | Block::Live(_)
+        | Block::Verbatim(..) => None,
+    });
+    tables.collect::<Vec<_>>().join(" ")
+}
+
+fn sentences(table: &Table) -> String {
+    let plain = |text: &page::Text| text_in(text, Format::PLAIN);
+    let of_row = |row: &Vec<page::Text>| {
+        let cells = table.header.iter().zip(row).map(|(head, cell)| format!("{} {}", plain(head), plain(cell)));
+        cells.collect::<Vec<_>>().join(", ") + "."
+    };
+    table.rows.iter().map(of_row).collect::<Vec<_>>().join(" ")
+}

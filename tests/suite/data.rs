@@ -1,0 +1,587 @@
+//! Do tables of data say what pages and documents say, do they read back, and is every column of theirs documented?
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use crankstar::engine::{Cycle, Engine};
+use crankstar::exact::Turn;
+use crankstar::file::{self, Layout};
+use crankstar::numbers::Form;
+use crankstar::search::Problem;
+use crankstar::table::{Column, Format, Kind, Table, Unit, Values, csv};
+use crankstar::text::{self, Untrusted};
+use num_complex::Complex;
+use serde_json::Value;
+
+use crate::support::dice::Dice;
+use crate::support::every_form;
+use crate::support::program::{call, scratch};
+use crate::support::tables::{self, Answered, decimals, texts, truths};
+
+const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
+const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
+const TWO_RODS: &str = include_str!("../../reports/examples/i6-two-rods/layout.toml");
+const V6: &str =
+    "cycle = 'four-stroke'\nfiring_order = '1-4-3-6-2-5'\nvee = { bank_angle = 60, throws = [0, 240, 120] }";
+const SILENT_V6: &str = "vee = { bank_angle = 60, throws = [0, 240, 120] }";
+const GEARED: &str = "speed = 3000\neffects = ['torque']\n[u]\nsense = 'against'\nphase = 0\ndistance = '200 mm'\nthrows = [0, 180]\nspacing = '100 mm'\n\
+    [mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n";
+
+#[track_caller]
+fn known(text: &str) -> Engine {
+    match file::parse_layout("layout.toml", text) {
+        Ok(Layout::Known(engine, _)) => *engine,
+        Ok(Layout::Open(_)) => panic!("the layout has unknowns"),
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// Engines of every form, as it happens.
+fn random(seed: u64, count: usize) -> Vec<Engine> {
+    let mut dice = Dice::new(seed);
+    let layouts = std::iter::repeat_with(|| every_form::known(&mut dice));
+    let read = layouts.filter_map(|text| match file::parse_layout("layout.toml", &text) {
+        Ok(Layout::Known(engine, _)) => Some(*engine),
+        Ok(Layout::Open(_)) | Err(_) => None,
+    });
+    read.take(count).collect()
+}
+
+/// Answers that have every table and every column between them.
+fn every_answer() -> &'static [Answered] {
+    static ALL: LazyLock<Vec<Answered>> = LazyLock::new(answer_all);
+    &ALL
+}
+
+fn answer_all() -> Vec<Answered> {
+    let mut all = Vec::new();
+    for text in [V8_GAS, I3, TWO_RODS, GEARED, V6] {
+        all.extend(tables::of_engine(&known(text), &[1, 2, 4]));
+    }
+    all.push(tables::swept(V6, &["vee.bank_angle=0..180:20"], &[1, 2], &["1", "3/2"]).1);
+    all.push(tables::swept(V8_GAS, &["speed=1000..3000:1000"], &[1], &[]).1);
+    let vee = Problem {
+        cylinders: 6,
+        cycle: Cycle::FourStroke,
+        bank_angle: Some(Turn::fraction(1, 6)),
+        directions: None,
+        grid: None,
+        orders: vec![1, 2],
+        neighbours: false,
+    };
+    all.push(tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true).1);
+    all.push(tables::searched(&vee, false).1);
+    all
+}
+
+/// The fields of a table in CSV, read by another program's reader.
+fn read_back(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let mut reader = ::csv::Reader::from_reader(text.as_bytes());
+    let fields = |record: &::csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
+    let header = fields(reader.headers().expect("a header"));
+    (header, reader.records().map(|record| fields(&record.expect("a record"))).collect())
+}
+
+fn is_read(column: &Column, row: usize, field: &str) -> bool {
+    match column.values() {
+        Values::Words(values) | Values::Exact(values) => values[row].as_deref().unwrap_or_default() == field,
+        Values::Person(values) => {
+            values[row].as_ref().map(|text| text.escaped(text::Format::Csv)).unwrap_or_default() == field
+        }
+        Values::Whole(values) => values[row] == field.parse().ok(),
+        Values::Decimal(values) => values[row].map(f64::to_bits) == field.parse::<f64>().ok().map(f64::to_bits),
+        Values::Truth(values) => values[row] == field.parse().ok(),
+    }
+}
+
+fn reads_back(table: &Table) {
+    let (header, rows) = read_back(&csv(table));
+    assert_eq!(header, table.columns().iter().map(Column::name).collect::<Vec<_>>());
+    assert_eq!(rows.len(), table.rows(), "{}", table.name());
+    for (row, fields) in rows.iter().enumerate() {
+        for (column, field) in table.columns().iter().zip(fields) {
+            assert!(is_read(column, row, field), "{} {row}: {field}", column.name());
+        }
+    }
+}
+
+/// A name with the unit in it, each once; and a number that is proved to be 0 is 0, and no other is.
+fn is_consistent(table: &Table) {
+    let names: BTreeSet<&str> = table.columns().iter().map(Column::name).collect();
+    assert_eq!(names.len(), table.columns().len(), "{}", table.name());
+    for column in table.columns() {
+        let is_plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '/';
+        assert!(column.name().chars().all(is_plain), "{}", column.name());
+        let Values::Truth(vanishes) = column.values() else { continue };
+        let Some(stem) = column.name().strip_suffix("vanishes") else { continue };
+        // `force_2_largest` and `force_2_largest_N`, `direct_zero_to_peak_N`, `moment_2_mrw2_ck_a`.
+        let of = |other: &&Column| {
+            let rest = other.name().strip_prefix(stem.trim_end_matches('_')).unwrap_or("?");
+            let rest = rest.trim_start_matches('_');
+            let unit = other.unit().suffix;
+            rest.is_empty()
+                || rest == unit
+                || rest == format!("zero_to_peak_{unit}")
+                || rest == format!("modulus_{unit}")
+        };
+        let mut found = 0;
+        for size in table.columns().iter().filter(of) {
+            let Values::Decimal(sizes) = size.values() else { continue };
+            found += 1;
+            for (vanishes, value) in vanishes.iter().zip(sizes) {
+                let Some(value) = value else { continue };
+                match vanishes {
+                    Some(true) => assert_eq!(*value, 0.0, "{} {}", table.name(), size.name()),
+                    Some(false) => assert!(*value != 0.0, "{} {}", table.name(), size.name()),
+                    None => {}
+                }
+            }
+        }
+        assert!(found > 0, "{}: {} is of no number", table.name(), column.name());
+    }
+}
+
+#[test]
+fn every_table_reads_back_as_it_is_and_zeros_are_those_that_are_proved() {
+    let engines = random(15, 25);
+    let random: Vec<Answered> = engines.iter().flat_map(|engine| tables::of_engine(engine, &[1, 2, 3, 4])).collect();
+    let mut count = 0;
+    for table in random.iter().chain(every_answer()).flat_map(|answer| &answer.tables) {
+        reads_back(table);
+        is_consistent(table);
+        count += 1;
+    }
+    assert!(count > 100, "only {count} tables");
+}
+
+#[test]
+fn a_text_is_quoted_and_never_a_formula() {
+    let words = ["a,b", "say \"so\"", "=cmd|' /C calc'!A0", "+1", "-1+2", "@sum", "two\nlines", "\u{1b}[31m"];
+    let person = Values::Person(words.iter().map(|words| Some(Untrusted::new(*words))).collect());
+    let table = Table::new("t", "a row", words.len()).with(Column::new("text", Unit::NONE, "a text", person));
+    let (_, rows) = read_back(&csv(&table));
+    let read: Vec<&str> = rows.iter().map(|row| row[0].as_str()).collect();
+    let right = ["a,b", "say \"so\"", "'=cmd|' /C calc'!A0", "'+1", "'-1+2", "'@sum", "two lines", "[U+001B][31m"];
+    assert_eq!(read, right);
+}
+
+#[test]
+fn a_decimal_has_all_its_digits_and_what_is_none_is_empty() {
+    let values = [0.1 + 0.2, 1e300, 5e-324, -2.5e-7, 123456789.0, 1e15, f64::NAN, f64::INFINITY, -0.0];
+    let column = Column::new("x", Unit::NONE, "a number", Values::Decimal(values.iter().copied().map(Some).collect()));
+    let text = csv(&Table::new("t", "a row", values.len()).with(column));
+    let lines: Vec<&str> = text.lines().skip(1).collect();
+    assert_eq!(lines[..6], ["0.30000000000000004", "1e300", "5e-324", "-2.5e-7", "123456789", "1e15"]);
+    assert_eq!(lines[6..], ["", "", "0"]);
+}
+
+fn same(found: Option<f64>, told: &Value, what: &str) {
+    // −0 is 0 in a table.
+    assert!(found == told.as_f64(), "{what}: {found:?} and {told}");
+}
+
+#[test]
+fn the_tables_of_loads_are_the_document() {
+    for text in [V8_GAS, I3, TWO_RODS, GEARED] {
+        let engine = known(text);
+        let answer = tables::loads(&engine, &[1, 2, 4]).expect("numbers");
+        let orders = answer.table("orders");
+        let entries = answer.document["orders"].as_array().expect("entries");
+        let mut compared = 0;
+        for (quantity, suffixes) in [("force", ["N", "N"]), ("moment", ["N_m", "N_a"])] {
+            let entries: Vec<&Value> = entries.iter().filter(|entry| entry["quantity"] == quantity).collect();
+            let unit = suffixes.iter().find(|unit| orders.column(&format!("{quantity}_zero_to_peak_{unit}")).is_some());
+            let unit = unit.expect("newtons");
+            let column = |part: &str| decimals(orders, &format!("{quantity}_{part}_{unit}"));
+            let (largest, y) = (column("zero_to_peak"), column("y_zero_to_peak"));
+            let reverse = column("reverse_zero_to_peak");
+            let angles = decimals(orders, &format!("{quantity}_direct_angle_deg"));
+            let vanishes = truths(orders, &format!("{quantity}_vanishes"));
+            for (row, entry) in entries.into_iter().enumerate() {
+                same(largest[row], &entry["largest"], "largest");
+                same(y[row], &entry["along"], "along");
+                same(reverse[row], &entry["reverse"]["amplitude"], "reverse");
+                same(angles[row], &entry["direct"]["angle_deg"], "angle");
+                assert_eq!(vanishes[row], entry["vanishes"].as_bool());
+                compared += 1;
+            }
+        }
+        assert_eq!(compared, 2 * orders.rows());
+        let largest = decimals(answer.table("largest"), "force_zero_to_peak_N");
+        same(largest[0], &answer.document["largest"]["force"]["value"], "the largest force");
+        // Only what the scene calls for.
+        assert_eq!(answer.tables.iter().any(|table| table.name() == "torque"), engine.effects().torque);
+        let theta = answer.table("theta");
+        assert_eq!(theta.column("torque_N_m").is_some(), engine.effects().torque);
+        let peak = answer.document["peaks"]["force"]["value"].as_f64().expect("a peak");
+        let sampled = decimals(theta, "force_y_N").into_iter().zip(decimals(theta, "force_x_N"));
+        let sampled = sampled.map(|(y, x)| y.expect("y").hypot(x.expect("x"))).fold(0.0, f64::max);
+        assert!(sampled <= peak * (1.0 + 1e-12) && sampled >= peak * 0.99, "{sampled} of {peak}");
+    }
+}
+
+/// The acceleration of a piston over the crank angle, in crank radii, from its place alone.
+fn acceleration(psi: f64, ratio: f64) -> f64 {
+    let place = |psi: f64| psi.cos() + (1.0 / (ratio * ratio) - psi.sin() * psi.sin()).sqrt();
+    let step = 1e-3;
+    // Of fourth order in the step.
+    let far = place(psi + 2.0 * step) + place(psi - 2.0 * step);
+    let near = place(psi + step) + place(psi - step);
+    (-far + 16.0 * near - 30.0 * place(psi)) / (12.0 * step * step)
+}
+
+#[test]
+fn forces_and_moments_over_the_crank_angle_are_those_of_pistons_on_their_paths() {
+    let text = "speed = 3000\n[vee]\nbank_angle = 70\nthrows = [0, 110, 200]\nspacing = '100 mm'\n\
+                [mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n";
+    let engine = known(text);
+    let orders: Vec<u32> = (1..=24).collect();
+    let answer = tables::loads(&engine, &orders).expect("numbers");
+    let theta = answer.table("theta");
+    let columns = ["force_y_N", "force_x_N", "moment_y_N_m", "moment_x_N_m"].map(|name| decimals(theta, name));
+    let omega = 3000.0 / 60.0 * TAU;
+    let scale = 0.5 * 0.04 * omega * omega;
+    // Throws and banks grow anticlockwise from y; the first pin, at the free end, has the largest z.
+    let pistons = [(0.0, 0.1), (110.0, 0.0), (200.0, -0.1)];
+    for (row, degrees) in decimals(theta, "theta_deg").into_iter().enumerate() {
+        let degrees = degrees.expect("an angle");
+        let (mut force, mut moment) = (Complex::new(0.0, 0.0), Complex::new(0.0, 0.0));
+        for bank in [-35.0_f64, 35.0] {
+            for (throw, z) in pistons {
+                let psi = (degrees + throw - bank).to_radians();
+                let one = -scale * acceleration(psi, 0.25) * Complex::cis(bank.to_radians());
+                force += one;
+                moment += one * z;
+            }
+        }
+        for (column, right) in columns.iter().zip([force.re, -force.im, moment.re, -moment.im]) {
+            let found = column[row].expect("a load");
+            assert!((found - right).abs() < 1e-3, "θ = {degrees}: {found} and {right}");
+        }
+    }
+}
+
+#[test]
+fn the_tables_of_a_sweep_are_the_document() {
+    let (swept, answer) = tables::swept(V6, &["vee.bank_angle=0..180:20/3"], &[1, 2], &["1", "3/2"]);
+    let points = answer.table("points");
+    let exact = texts(points, "bank_angle_exact");
+    assert_eq!(exact[1].as_deref(), Some("20/3"));
+    let value = decimals(points, "bank_angle");
+    for (row, point) in answer.document["points"].as_array().expect("points").iter().enumerate() {
+        assert_eq!(exact[row].as_deref(), point["values"][0].as_str());
+        for order in point["orders"].as_array().expect("orders") {
+            for part in ["largest", "smallest", "along", "across", "direct", "reverse"] {
+                let name = format!("{}_{}_{part}", order["quantity"].as_str().expect("a name"), order["order"]);
+                same(decimals(points, &name)[row], &order[part]["value"], &name);
+                let vanishes = truths(points, &format!("{name}_vanishes"))[row];
+                assert_eq!(vanishes, order[part]["proved_zero"].as_bool(), "{name}");
+            }
+        }
+        same(decimals(points, "firing_star_3/2_r")[row], &point["firing_stars"][1]["length"]["value"], "star");
+    }
+    assert!((value[1].expect("a value") - 20.0 / 3.0).abs() < 1e-15);
+    let zeros = answer.table("zeros");
+    let told = answer.document["zeros"].as_array().expect("zeros");
+    let rows: usize = told.iter().map(|set| set["at"].as_array().expect("values").len().max(1)).sum();
+    assert_eq!(zeros.rows(), rows);
+    assert!(truths(zeros, "complete").iter().all(|complete| *complete == Some(true)));
+    let at = |quantity: &str, of: &str, order: i64| -> Vec<String> {
+        let orders = match zeros.column("order").expect("orders").values() {
+            Values::Whole(orders) => orders.clone(),
+            other => panic!("{:?}", other.kind()),
+        };
+        let rows = (0..zeros.rows()).filter(|row| {
+            orders[*row] == Some(order)
+                && texts(zeros, "quantity")[*row].as_deref() == Some(quantity)
+                && texts(zeros, "of")[*row].as_deref() == Some(of)
+        });
+        rows.filter_map(|row| texts(zeros, "bank_angle_exact")[row].clone()).collect()
+    };
+    assert_eq!(at("moment", "along", 2), ["90", "180"]);
+    assert!(decimals(answer.table("firing_zeros"), "bank_angle").contains(&Some(120.0)));
+    assert_eq!(swept.points.len(), points.rows());
+}
+
+#[test]
+fn a_map_has_both_parameters_even_of_one_list() {
+    let (_, answer) = tables::swept(SILENT_V6, &["vee.throws.2=0..120:60", "vee.throws.3=0..240:120"], &[1], &[]);
+    let points = answer.table("points");
+    assert_eq!(points.rows(), 9);
+    let two = decimals(points, "vee_throws_2");
+    let three = decimals(points, "vee_throws_3");
+    assert_eq!((two[5], three[5]), (Some(60.0), Some(240.0)));
+}
+
+#[test]
+fn the_tables_of_a_search_are_the_document() {
+    let (_, answer) = tables::searched(&Problem::inline(5, Cycle::TwoStroke, &[1, 2]), false);
+    let stars = answer.table("stars");
+    let mut closed = 0;
+    for (row, star) in answer.document["stars"].as_array().expect("stars").iter().enumerate() {
+        assert_eq!(texts(stars, "firing_order")[row].as_deref(), star["firing_order"].as_str());
+        for (moment, order) in star["moments"].as_array().expect("moments").iter().zip([1, 2]) {
+            let (value, exact) = (format!("moment_{order}_mrw2_ck_a"), format!("moment_{order}_exact"));
+            same(decimals(stars, &value)[row], &moment["decimal"], &value);
+            let exact = texts(stars, &exact)[row].clone();
+            assert_eq!(exact.as_deref(), moment["exact"].as_str());
+            let Some(exact) = exact else { continue };
+            let form = Form::parse(&exact).expect("a form").to_float();
+            assert!((form - moment["decimal"].as_f64().expect("a number")).abs() < 1e-9, "{exact}");
+            closed += 1;
+        }
+    }
+    assert!(stars.rows() > 1 && closed > 1, "{closed} of {}", stars.rows());
+    let question = answer.table("question");
+    assert_eq!(texts(question, "all_stars")[0].as_deref(), answer.document["all_stars"].as_str());
+    let (_, answer) = tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true);
+    let orders = answer.table("firing_orders");
+    let told = &answer.document["stars"][0]["torsion"];
+    same(decimals(orders, "phase_sum")[1], &told[0]["sums"][1]["decimal"], "the second sum");
+    assert_eq!(texts(orders, "firing_order")[0].as_deref(), told[0]["firing_order"].as_str());
+}
+
+#[test]
+fn the_tables_of_verdicts_are_the_documents() {
+    for engine in random(51, 30).iter().chain(&[known(TWO_RODS), known(GEARED)]) {
+        let answer = tables::classify(engine, &[1, 2, 4]);
+        let sums = answer.table("sums");
+        let verdicts = answer.document["verdicts"].as_array().expect("verdicts");
+        for quantity in ["force", "moment"] {
+            let verdicts: Vec<&Value> = verdicts.iter().filter(|one| one["quantity"] == quantity).collect();
+            assert_eq!(verdicts.len(), sums.rows());
+            let stem = format!("{quantity}_modulus_m_r");
+            let is_modulus =
+                |column: &&Column| column.name().starts_with(&stem) && column.values().kind() == Kind::Decimal;
+            let modulus = sums.columns().iter().find(is_modulus).expect("lengths").name().to_owned();
+            let exact = texts(sums, &format!("{quantity}_modulus_exact"));
+            let evidence = texts(sums, &format!("{quantity}_evidence"));
+            for (row, verdict) in verdicts.into_iter().enumerate() {
+                same(decimals(sums, &modulus)[row], &verdict["modulus"], "modulus");
+                same(decimals(sums, &format!("{quantity}_angle_deg"))[row], &verdict["angle_deg"], "angle");
+                let vanishes = truths(sums, &format!("{quantity}_vanishes"))[row];
+                assert_eq!(vanishes, verdict["vanishes"].as_bool());
+                assert_eq!(exact[row].as_deref() == Some("0"), vanishes == Some(true));
+                assert_eq!(evidence[row].as_deref(), verdict["certificate"]["kind"].as_str());
+            }
+        }
+        let answer = tables::compare(engine, &[1, 2, 4]);
+        let orders = answer.table("orders");
+        let entries = answer.document["engines"].as_array().expect("engines").iter();
+        let entries: Vec<&Value> = entries.flat_map(|entry| entry["orders"].as_array().expect("orders")).collect();
+        assert_eq!(entries.len(), orders.rows());
+        for (row, entry) in entries.into_iter().enumerate().filter(|(_, entry)| entry["exists"] == true) {
+            same(decimals(orders, "force_zero_to_peak_mrw2_ck")[row], &entry["force"]["largest"], "force");
+            assert_eq!(texts(orders, "moment_exact")[row].as_deref(), entry["moment"]["exact"].as_str());
+        }
+    }
+}
+
+#[test]
+fn the_tables_of_bearings_are_the_document() {
+    let answer = tables::bearings(&known(V8_GAS), &[1, 2, 3]).expect("bearings");
+    let told = |method: &str| answer.document[method]["bearings"].as_array().expect("bearings").clone();
+    let all: Vec<Value> = [told("continuous"), told("determinate")].concat();
+    let peaks = decimals(answer.table("bearings"), "force_zero_to_peak_N");
+    assert_eq!(peaks.len(), all.len());
+    for (peak, entry) in peaks.into_iter().zip(&all) {
+        same(peak, &entry["peak"]["value"], "peak");
+    }
+    let orders = answer.table("orders");
+    let entries = all.iter().flat_map(|entry| entry["orders"].as_array().expect("orders"));
+    for (row, entry) in entries.enumerate() {
+        same(decimals(orders, "direct_zero_to_peak_N")[row], &entry["direct"]["amplitude"], "direct");
+        assert_eq!(truths(orders, "reverse_vanishes")[row], entry["reverse"]["vanishes"].as_bool());
+    }
+    let gas = answer.table("gas_bearings");
+    let entry = &answer.document["with_gas"]["continuous"]["bearings"][0]["peak"];
+    same(decimals(gas, "force_zero_to_peak_N")[0], &entry["value"], "with gas");
+    // The largest load over the crank angle is that of the table, as near as a degree comes.
+    let theta = answer.table("gas_theta");
+    assert_eq!(theta.rows(), 720);
+    let tips = decimals(theta, "bearing_1_y_N").into_iter().zip(decimals(theta, "bearing_1_x_N"));
+    let sampled = tips.map(|(y, x)| y.expect("y").hypot(x.expect("x"))).fold(0.0, f64::max);
+    let peak = entry["value"].as_f64().expect("a peak");
+    assert!(sampled <= peak * (1.0 + 1e-9) && sampled > 0.98 * peak, "{sampled} of {peak}");
+    let at = entry["crank_angle_deg"].as_f64().expect("an angle").round() as usize % 720;
+    let y = decimals(theta, "bearing_1_y_N")[at].expect("y");
+    assert!((y - entry["y"].as_f64().expect("y")).abs() < 0.02 * peak, "{y}");
+}
+
+/// What stands before the tables that a test writes.
+const MARK: &str = "\n<!-- What follows is written by `CRANKSTAR_RENEW=1 cargo test --test suite data`. -->\n";
+
+/// Where the unit of a column is told.
+fn unit_told(column: &Column) -> &'static str {
+    match column.unit() {
+        Unit::NONE => "",
+        _ if column.pattern().contains("{unit}") => "in the name",
+        Unit::MASS_RADIUS => "m r",
+        unit if unit.suffix.starts_with("mrw2") => "multiples",
+        unit => unit.shown,
+    }
+}
+
+/// What a row of a table is, and its columns: name, unit, type, meaning.
+type Listed<'a> = (&'a str, Vec<[&'a str; 4]>);
+
+/// Every table with every column that some answer has, in the order in which they stand.
+fn reference() -> String {
+    let mut all: BTreeMap<(&str, &str), Listed> = BTreeMap::new();
+    for answer in every_answer() {
+        for table in &answer.tables {
+            let (_, rows) = all.entry((answer.question, table.name())).or_insert((table.about(), Vec::new()));
+            for column in table.columns() {
+                let row = [column.pattern(), unit_told(column), column.values().kind().name(), column.about()];
+                if !rows.contains(&row) {
+                    rows.push(row);
+                }
+            }
+        }
+    }
+    let mut text = String::new();
+    for (question, tables) in crankstar::data::TABLES {
+        for table in tables {
+            let (about, rows) = all.remove(&(question, *table)).unwrap_or_else(|| panic!("no {table} of {question}"));
+            text += &format!(
+                "\n### {question}: {table}\n\nA row: {about}.\n\n| Column | Unit | Type | Meaning |\n| --- | --- | --- | --- |\n"
+            );
+            for [pattern, unit, kind, about] in rows {
+                let about = about.replace('|', "\\|");
+                text += &format!("| `{pattern}` | {unit} | {kind} | {about} |\n");
+            }
+        }
+    }
+    assert!(all.is_empty(), "tables that `data::TABLES` does not name: {:?}", all.keys());
+    text
+}
+
+#[test]
+fn the_documentation_lists_every_column_of_every_table_and_no_other() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/data.md");
+    let page = fs::read_to_string(&path).expect("the page");
+    let (told, listed) = page.split_once(MARK).expect("the mark");
+    let reference = reference();
+    if std::env::var_os("CRANKSTAR_RENEW").is_some() {
+        fs::write(&path, format!("{told}{MARK}{reference}")).expect("the page is written");
+    } else {
+        assert!(listed == reference, "docs/data.md is not what the tables are; CRANKSTAR_RENEW=1 writes it anew");
+    }
+}
+
+/// Each unit that a name may hold, as the documentation explains it.
+#[test]
+fn the_documentation_explains_every_unit_in_a_name() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/data.md")).expect("the page");
+    let mut found = BTreeSet::new();
+    for answer in every_answer() {
+        for column in answer.tables.iter().flat_map(Table::columns) {
+            let Unit { suffix, shown } = column.unit();
+            if !suffix.is_empty() && found.insert(suffix) {
+                assert!(page.contains(&format!("| `{suffix}` | {shown} |")), "| `{suffix}` | {shown} | is not told");
+            }
+        }
+    }
+    assert!(found.len() > 10, "{found:?}");
+}
+
+/// A call that is refused, and what it says.
+#[track_caller]
+fn refused(arguments: &[&str], status: i32, words: &str) {
+    let output = call(arguments);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {error}");
+    assert!(error.contains(words) && output.stdout.is_empty(), "{arguments:?}: {error}");
+}
+
+#[test]
+fn what_cannot_be_had_is_refused_before_anything_is_written() {
+    let folder = scratch("data-refused");
+    let file = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
+    let inch = ["loads", "I4", "--format", "csv", "--units", "inch"];
+    refused(&inch, 2, "in SI units");
+    refused(&["classify", "I4", "--format", "csv", "--units", "inch"], 2, "in SI units");
+    refused(&["compare", "I4", "I6", "--format", "csv", "--table", "theta"], 2, "it has orders, engines");
+    refused(&["compare", "I4", "I6", "--table", "orders"], 2, "--table is for data");
+    refused(&["classify", "I4", "--output", &file("x.csv")], 2, "--output is for data");
+    refused(&["classify", "I4", "--format", "csv", "--output", &file("x.xlsx")], 2, "--format xlsx, or a name");
+    refused(&["compare", "I4", "I6", "--format", "json", "--output", &file("x.csv")], 2, "--format csv, or a name");
+    refused(&["classify", "I4", "--firing", "--format", "csv"], 2, "no tables of data");
+    refused(&["classify", "I4", "--format", "csv", "--table", "roll"], 1, "it has orders, sums");
+    refused(&["classify", "I4", "--all-orders"], 2, "add --json");
+    refused(&["classify", "I4", "--json", "--format", "csv"], 2, "cannot be used with");
+    refused(&["loads", "I4", "--format", "csv"], 1, "rods");
+    for format in ["xlsx", "parquet"] {
+        let is_built =
+            [("xlsx", cfg!(feature = "xlsx")), ("parquet", cfg!(feature = "parquet"))].contains(&(format, true));
+        let search = ["search", "--cylinders", "12", "--cycle", "four-stroke", "--format", format];
+        match is_built {
+            true => refused(&search, 2, &format!("name a file: --output search.{format}")),
+            false => refused(&search, 1, &format!("--features {format}")),
+        }
+    }
+    assert_eq!(fs::read_dir(&folder).expect("the folder").count(), 0);
+}
+
+#[test]
+fn a_table_goes_to_standard_output_a_file_or_a_folder() {
+    let folder = scratch("data-written");
+    let layout = folder.join("i3.toml");
+    fs::write(&layout, I3).expect("a layout");
+    let layout = layout.to_str().expect("UTF-8");
+    let printed = |arguments: &[&str]| {
+        let output = call(arguments);
+        assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let main = printed(&["loads", layout, "--format", "csv"]);
+    assert!(main.starts_with("order,exists,force_vanishes,force_zero_to_peak_N,"), "{main}");
+    let theta = printed(&["loads", layout, "--format", "csv", "--table", "theta"]);
+    assert!(theta.starts_with("theta_deg,force_y_N,force_x_N,moment_y_N_m,") && theta.lines().count() == 361);
+    let file = folder.join("of-theta.csv");
+    let file = file.to_str().expect("UTF-8");
+    let told = printed(&["loads", layout, "--format", "csv", "--table", "theta", "--output", file]);
+    assert_eq!(told, format!("Written: {file}\n"));
+    assert_eq!(fs::read_to_string(file).expect("the file"), theta);
+    let all = folder.join("all");
+    printed(&["loads", layout, "--format", "csv", "--output", all.to_str().expect("UTF-8")]);
+    assert_eq!(fs::read_to_string(all.join("loads.csv")).expect("the file"), main);
+    assert_eq!(fs::read_to_string(all.join("loads-theta.csv")).expect("the file"), theta);
+    let json = printed(&["loads", layout, "--format", "json"]);
+    assert_eq!(json, printed(&["loads", layout, "--json"]));
+    // An answer in German has the same tables.
+    assert_eq!(printed(&["loads", layout, "--format", "csv", "--lang", "de"]), main);
+}
+
+#[test]
+fn a_format_that_was_not_built_is_refused_in_words() {
+    let table = Table::new("t", "a row", 0);
+    for (format, is_built) in
+        [(Format::Xlsx, cfg!(feature = "xlsx")), (Format::Parquet, cfg!(feature = "parquet")), (Format::Csv, true)]
+    {
+        let written = format.one_file(std::slice::from_ref(&table));
+        match is_built {
+            true => assert!(format.is_built().is_ok() && written.is_ok(), "{written:?}"),
+            false => {
+                let why = written.expect_err("it is not built").to_string();
+                assert!(why.contains("was built without") && why.contains("--features"), "{why}");
+                assert_eq!(format.is_built().expect_err("it is not built").to_string(), why);
+            }
+        }
+    }
+}
+
+#[cfg(feature = "xlsx")]
+#[test]
+fn a_workbook_is_the_same_whenever_it_is_written() {
+    let answer = tables::compare(&known(V6), &[1, 2]);
+    let write = || Format::Xlsx.one_file(&answer.tables).expect("a workbook");
+    let first = write();
+    // Longer than the seconds in which a file's time is counted.
+    std::thread::sleep(std::time::Duration::from_millis(2100));
+    assert!(first == write());
+    assert!(first.starts_with(b"PK"));
+}

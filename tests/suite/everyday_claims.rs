@@ -1,0 +1,241 @@
+//! Are everyday sentences and Fourier series read as they are meant, and asked about where they may mean two things?
+
+use crankstar::claim::{self, Answer, Finding, Status, TermVerdict, parse_statement};
+use crankstar::engine::Engine;
+use crankstar::file;
+use crankstar::page::{Language, Text};
+use crankstar::report;
+
+use crate::support::class::vectors;
+use crate::support::dice::Dice;
+use crate::support::every_form;
+use crate::support::german::has_words;
+
+fn engine(text: &str) -> Engine {
+    match file::find(text) {
+        Some(entry) => entry.engine().expect("it reads"),
+        None => file::parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}")),
+    }
+}
+
+fn answer(layout: &str, says: &str) -> Answer {
+    let statement = parse_statement(says).unwrap_or_else(|error| panic!("{says}: {error:?}"));
+    claim::answer(&engine(layout), &statement, None)
+}
+
+fn verdicts(answer: &Answer) -> Vec<(u32, bool, TermVerdict)> {
+    match &answer.finding {
+        Finding::Terms(terms) => terms.iter().map(|term| (term.wave.order, term.wave.is_sine, term.verdict)).collect(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn everyday_sentences_say_what_the_words_of_the_readme_say() {
+    for (canonical, sentences) in [
+        (
+            "second-order force vanishes",
+            vec![
+                "F2 = 0",
+                "F_2=0",
+                "F₂ = 0",
+                "F2 vanishes",
+                "force of order 2 vanishes",
+                "the forces of second order cancel",
+                "no second-order shaking force",
+                "There is no second-order force.",
+                "the engine has no secondary forces",
+                "the second-order force vanishes",
+                "secondary forces are balanced",
+                "secondary force is zero",
+                "no unbalanced 2nd-order inertia force",
+                "no second-order force remains",
+                "second-order force doesn't remain",
+                "the shaking force at order 2 equals zero",
+            ],
+        ),
+        (
+            "second-order force does not vanish",
+            vec![
+                "F2 ≠ 0",
+                "F2 != 0",
+                "the second-order force is not balanced",
+                "secondary forces are unbalanced",
+                "there is a second-order force",
+                "an unbalanced secondary force remains",
+            ],
+        ),
+        (
+            "first-order moment vanishes",
+            vec!["M1 = 0", "C_{1} = 0", "no primary couple", "the primary moment is balanced"],
+        ),
+        ("first-order moment = √3", vec!["M1 = √3", "M_1 = sqrt(3)"]),
+        ("second-order direct force vanishes", vec!["F2⁺ = 0", "F_2^+ = 0", "the direct force of order 2 cancels"]),
+        (
+            "orders 1 and 2 of the force vanish",
+            vec![
+                "F1 = F2 = 0",
+                "primary and secondary forces are balanced",
+                "no first- or second-order forces",
+                "forces of orders 1 and 2 cancel",
+            ],
+        ),
+        (
+            "orders 2 vanish",
+            vec!["F2 = M2 = 0", "second-order forces and moments are balanced", "no secondary force or couple"],
+        ),
+        ("every order of the force vanishes", vec!["no force of any order", "forces of all orders vanish"]),
+    ] {
+        let meant = parse_statement(canonical).expect(canonical);
+        for sentence in sentences {
+            assert_eq!(parse_statement(sentence).as_ref(), Ok(&meant), "{sentence}");
+        }
+    }
+}
+
+#[test]
+fn a_sentence_that_may_mean_two_things_is_asked_about_and_others_are_not_read() {
+    for sentence in [
+        "the second order vanishes",
+        "order 2 is balanced",
+        "the force vanishes",
+        "no shaking force",
+        "no second-order force vanishes",
+        "second-order forces and moments do not vanish",
+        "primary and secondary forces are unbalanced",
+        "no free second-order moment",
+        "no second-order torque",
+        "the direct force and moment of order 2 vanish",
+        "F1 = M2 = 0",
+    ] {
+        let told = parse_statement(sentence).expect_err(sentence);
+        assert!(
+            told.message.contains("two things") && told.right.contains('"')
+                || told.right.contains("such as")
+                || told.right.contains("say it"),
+            "{sentence}: {told:?}"
+        );
+    }
+    for sentence in [
+        "second-order farce vanishes",
+        "the engine is perfectly smooth",
+        "F2 is small",
+        "second-order force is larger than the first",
+        "second force vanishes",
+        "F2 ≠ 3",
+        "forces",
+    ] {
+        assert!(parse_statement(sentence).is_err(), "{sentence}");
+    }
+}
+
+#[test]
+fn a_series_is_compared_term_by_term() {
+    use TermVerdict::{Missing, NoRatio, Right, Rounded, UpTo, Wrong, WrongUnit};
+    let two = "inline.throws = [0, 0]";
+    let quarter = "mechanism.rod_ratio = 0.25\ninline.throws = [0, 0]";
+    let turned = "inline.throws = [0, 90]";
+    for (layout, says, status, expected) in [
+        (two, "F = 2 m r w^2 (cos(θ) + λ cos 2θ)", Status::True, vec![Right, UpTo(1)]),
+        (two, "F = 2 m r ω² cos θ + 2 m r² ω²/L cos(2θ)", Status::True, vec![Right, UpTo(1)]),
+        (
+            two,
+            "shaking force = 2 m r ω² (cos θ + (λ + λ^3/4) cos 2θ − λ³/4 cos 4θ)",
+            Status::True,
+            vec![Right, UpTo(3), UpTo(3)],
+        ),
+        (two, "F = 2 m r ω² (cos θ + λ (2cos²θ − 1))", Status::True, vec![Right, UpTo(1)]),
+        (two, "F = 2 m r w^2 (cos(θ) + 1/4 cos 2θ)", Status::NotDecided, vec![Right, NoRatio]),
+        (quarter, "F = 2 m r w^2 (cos(θ) + 1/4 cos 2θ)", Status::True, vec![Right, UpTo(1)]),
+        (quarter, "F = 2 m r w^2 (cos(θ) + 0.254 cos 2θ)", Status::TrueAsRounded, vec![Right, Rounded]),
+        (quarter, "F = 2 m r w^2 (cos(θ) + 0.257 cos 2θ)", Status::False, vec![Right, Wrong]),
+        (two, "F = 2 m r ω² (cos θ + λ/2 cos 2θ)", Status::False, vec![Right, Wrong]),
+        (two, "F = 2 m r ω² cos θ", Status::False, vec![Right, Missing]),
+        (two, "F = 2 m r ω (cos θ + λ cos 2θ)", Status::False, vec![WrongUnit, WrongUnit]),
+        (turned, "F = m r ω² (cos θ + cos(θ + 90°))", Status::True, vec![Right, Right]),
+        (turned, "F = √2 m r ω² cos(θ + π/4)", Status::True, vec![Right, Right]),
+        (turned, "F = √2 m r ω² cos(θ − 45°)", Status::False, vec![Right, Wrong]),
+        ("I4", "F = 4 m r ω² λ cos 2θ", Status::True, vec![UpTo(1)]),
+        ("I4", "F = 4 m r ω² (cos θ + λ cos 2θ)", Status::False, vec![Wrong, UpTo(1)]),
+        ("I6", "F = 0", Status::True, vec![]),
+    ] {
+        let answer = answer(layout, says);
+        let found: Vec<TermVerdict> = verdicts(&answer).into_iter().map(|(_, _, verdict)| verdict).collect();
+        assert_eq!((&answer.status, &found), (&status, &expected), "{layout}: {says}");
+    }
+    let told = answer("V8-flatplane", "F = 0");
+    assert!(
+        matches!(&told.finding, Finding::Nothing(why) if why.contains("along")) && told.status == Status::NotDecided,
+        "{told:?}"
+    );
+    assert_eq!(answer("V8-flatplane", "shaking force along = 0").status, Status::True);
+    for wrong in [
+        "F = m r ω² cos(θ/2)",
+        "F = m r ω² tan θ",
+        "F = m r ω² θ",
+        "F = m r ω² cos(1)",
+        "F = p cos θ",
+        "F = 1/cos θ",
+        "F = (cos 60θ)^4",
+    ] {
+        assert!(parse_statement(wrong).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn the_series_of_random_engines_found_in_the_time_domain_is_right_and_a_changed_one_is_wrong() {
+    let mut dice = Dice::new(151);
+    let (mut found, mut across_left) = (0, 0);
+    while found < 40 {
+        let text = every_form::known(&mut dice);
+        let Ok(engine) = file::parse("layout.toml", &text) else { continue };
+        if engine.has_links() || engine.has_offset() || engine.mechanisms().len() > 1 {
+            continue;
+        }
+        for across in [false, true] {
+            let [direct, reverse] = vectors(&engine, 1, crankstar::proof::Quantity::Force, |_| [0.0, 0.0]);
+            let (cosine, sine) = match across {
+                false => ((direct + reverse).re / 2.0, (reverse - direct).im / 2.0),
+                true => ((direct + reverse).im / 2.0, (direct - reverse).re / 2.0),
+            };
+            let series = |cosine: f64| {
+                format!(
+                    "shaking force {} = m r ω² ({cosine:.6} cos θ + ({sine:.6}) sin θ)",
+                    if across { "across" } else { "along" }
+                )
+            };
+            let of_first = |says: &str| -> Vec<TermVerdict> {
+                let statement = parse_statement(says).unwrap_or_else(|error| panic!("{says}: {error:?}"));
+                let answer = claim::answer(&engine, &statement, None);
+                verdicts(&answer).into_iter().filter(|(order, ..)| *order == 1).map(|(_, _, verdict)| verdict).collect()
+            };
+            let agrees = |verdicts: &[TermVerdict]| {
+                verdicts.iter().all(|one| [TermVerdict::Right, TermVerdict::Rounded].contains(one))
+            };
+            assert!(agrees(&of_first(&series(cosine))), "{text}\n{}", series(cosine));
+            assert!(!agrees(&of_first(&series(cosine + 0.012_345))), "{text}\n{}", series(cosine + 0.012_345));
+            across_left += usize::from(across && (cosine.abs() > 1e-6 || sine.abs() > 1e-6));
+        }
+        found += 1;
+    }
+    assert!(across_left > 8, "{across_left}");
+}
+
+#[test]
+fn findings_of_series_have_german_for_every_phrase() {
+    for (layout, says) in [
+        ("inline.throws = [0, 0]", "F = m r ω² (cos θ + 1/4 cos 2θ) + m cos 3θ + 2 m r ω²"),
+        ("inline.throws = [0, 0]", "F = 0"),
+        ("mechanism.rod_ratio = 0.25\ninline.throws = [0, 0]", "F = 2 m r w^2 (cos(θ) + 0.254 cos 2θ)"),
+        ("inline.throws = [0, 0]", "F = 2 m r w^2 (cos(θ) + λ cos 2θ)"),
+        ("I6", "F = 0"),
+    ] {
+        let statement = parse_statement(says).expect(says);
+        let text: Text = report::claim_finding(&statement, &claim::answer(&engine(layout), &statement, None));
+        let mut page = crankstar::page::Document::new("x", text);
+        page.has_contents = false;
+        let missing: Vec<&str> =
+            page.phrases().into_iter().filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+        assert!(missing.is_empty(), "no German for {missing:#?}");
+    }
+}

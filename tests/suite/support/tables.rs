@@ -1,0 +1,143 @@
+//! The tables of data that the program gives: of an engine, of a sweep, of a search.
+
+use crankstar::data;
+use crankstar::engine::{CycleOrder, Engine};
+use crankstar::file::Template;
+use crankstar::journal::cycle_loads;
+use crankstar::loads::{Method, bearing_loads};
+use crankstar::proof::Quantity;
+use crankstar::report::{self, Compared, Numbers};
+use crankstar::search::{Front, Options, Problem, search, torsion};
+use crankstar::sweep::{self, Geometry, Parameter, Sweep};
+use crankstar::table::{Table, Values};
+use crankstar::text::Untrusted;
+use crankstar::verdict::{self, Judgement};
+use serde_json::Value;
+
+/// The tables that answer a question, and the JSON document that answers it.
+pub struct Answered {
+    pub question: &'static str,
+    pub tables: Vec<Table>,
+    pub document: Value,
+}
+
+impl Answered {
+    #[track_caller]
+    pub fn table(&self, name: &str) -> &Table {
+        let found = self.tables.iter().find(|table| table.name() == name);
+        found.unwrap_or_else(|| panic!("{} has no table {name}", self.question))
+    }
+}
+
+fn json(document: &impl serde::Serialize) -> Value {
+    serde_json::to_value(document).expect("JSON")
+}
+
+/// All questions that can be asked of an engine.
+pub fn of_engine(engine: &Engine, orders: &[u32]) -> Vec<Answered> {
+    let mut all = vec![classify(engine, orders), compare(engine, orders)];
+    all.extend(loads(engine, orders));
+    all.extend(bearings(engine, orders));
+    all
+}
+
+pub fn classify(engine: &Engine, orders: &[u32]) -> Answered {
+    let quantities = match engine.has_links() {
+        true => vec![Quantity::Force, Quantity::Moment],
+        false => verdict::quantities(engine, true),
+    };
+    let judged = Judgement::new(engine, orders, &quantities).expect("orders");
+    let document = report::document(engine, judged.masses, &judged.orders, &quantities, None);
+    let tables = data::classify(engine, &judged, &document);
+    Answered { question: "classify", tables, document: json(&document) }
+}
+
+pub fn compare(engine: &Engine, orders: &[u32]) -> Answered {
+    let names = ["=one", "two"];
+    let compared = names.map(|name| Compared::new(Untrusted::new(name), engine, orders).expect("orders"));
+    Answered {
+        question: "compare",
+        tables: data::compare(&compared),
+        document: json(&report::compare_document(&compared)),
+    }
+}
+
+/// None where the layout lacks numbers.
+pub fn loads(engine: &Engine, orders: &[u32]) -> Option<Answered> {
+    let numbers = Numbers::new(engine, orders, None).ok()?;
+    let document = report::loads_document(engine, &numbers, None);
+    Some(Answered { question: "loads", tables: data::loads(engine, &numbers, &document), document: json(&document) })
+}
+
+/// None where the layout lacks bearings.
+pub fn bearings(engine: &Engine, orders: &[u32]) -> Option<Answered> {
+    let solve = |method| bearing_loads(engine, orders, method).ok();
+    let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
+    let gas = engine.effects().gas.then(|| cycle_loads(engine).ok()).flatten();
+    let document = report::bearings_document(engine, &continuous, &determinate);
+    let document = match &gas {
+        Some(loads) => document.with_gas(report::CycleLoadsDocument::new(engine, loads)),
+        None => document,
+    };
+    let tables = data::bearings(engine, [&continuous, &determinate], &document, gas.as_ref());
+    Some(Answered { question: "bearings", tables, document: json(&document) })
+}
+
+pub fn swept(text: &str, parameters: &[&str], orders: &[u32], firing: &[&str]) -> (Sweep, Answered) {
+    let template = Template::new("layout.toml", text).expect("TOML");
+    let parameters: Vec<Parameter> = parameters.iter().map(|text| Parameter::parse(text).expect("a range")).collect();
+    let firing: Vec<CycleOrder> = firing.iter().map(|order| order.parse().expect("an order")).collect();
+    let mut swept = sweep::sweep(&template, &parameters, orders, &Geometry::default()).expect("a sweep");
+    if !firing.is_empty() {
+        swept.firing = Some(sweep::firing_stars(&template, &swept, &firing).expect("stars"));
+    }
+    let document = json(&report::sweep_document(&swept));
+    let answered = Answered { question: "sweep", tables: data::sweep(&swept), document };
+    (swept, answered)
+}
+
+pub fn searched(problem: &Problem, with_torsion: bool) -> (Front, Answered) {
+    let front = search(problem, &Options::default()).expect("a front");
+    let judged = with_torsion.then(|| torsion(&front, None).expect("in line"));
+    let document = crankstar::search::document(&front);
+    let document = match &judged {
+        Some(torsion) => document.with_torsion(torsion),
+        None => document,
+    };
+    let tables = data::search(&front, judged.as_ref());
+    let answered = Answered { question: "search", tables, document: json(&document) };
+    (front, answered)
+}
+
+/// A column of decimals.
+#[track_caller]
+pub fn decimals(table: &Table, name: &str) -> Vec<Option<f64>> {
+    match values(table, name) {
+        Values::Decimal(values) => values.clone(),
+        other => panic!("{name} is {:?}", other.kind()),
+    }
+}
+
+/// A column of true and false.
+#[track_caller]
+pub fn truths(table: &Table, name: &str) -> Vec<Option<bool>> {
+    match values(table, name) {
+        Values::Truth(values) => values.clone(),
+        other => panic!("{name} is {:?}", other.kind()),
+    }
+}
+
+/// A column of exact numbers, or of words.
+#[track_caller]
+pub fn texts(table: &Table, name: &str) -> Vec<Option<String>> {
+    match values(table, name) {
+        Values::Exact(values) | Values::Words(values) => values.clone(),
+        other => panic!("{name} is {:?}", other.kind()),
+    }
+}
+
+#[track_caller]
+fn values<'a>(table: &'a Table, name: &str) -> &'a Values {
+    let names: Vec<&str> = table.columns().iter().map(|column| column.name()).collect();
+    table.column(name).unwrap_or_else(|| panic!("no column {name} among {names:?}")).values()
+}
