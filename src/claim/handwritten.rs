@@ -57,6 +57,11 @@ impl WrittenAngle {
         Ok(WrittenAngle { text: Untrusted::new(text), turn, rounding })
     }
 
+    /// By how many turns it may have been rounded.
+    pub fn rounding(&self) -> BigRational {
+        self.rounding.clone().unwrap_or_default()
+    }
+
     /// Whether it is this angle, modulo a turn.
     pub fn agrees(&self, right: &Turn) -> Agrees {
         let off = &self.turn - right;
@@ -88,13 +93,20 @@ impl WrittenLength {
 
     /// Whether it is the length of this sum.
     pub fn agrees(&self, sum: &PhasorSum) -> Agrees {
+        self.agrees_within(sum, &BigRational::zero())
+    }
+
+    /// The same where the sum itself is known only to be this far from that of the true one.
+    pub fn agrees_within(&self, sum: &PhasorSum, slack: &BigRational) -> Agrees {
         if is_length(&self.form, sum) {
             return Agrees::Exactly;
         }
         // Zero is proved or not: it is no rounding of anything, and nothing else is one of it.
         let written = self.form.as_rational().filter(|written| !written.is_zero() && !written.is_negative());
         match (&self.rounding, written) {
-            (Some(half), Some(written)) if !sum.vanishes() && is_within(sum, &written, half) => Agrees::Rounded,
+            (Some(half), Some(written)) if !sum.vanishes() && is_within(sum, &written, &(half + slack)) => {
+                Agrees::Rounded
+            }
             _ => Agrees::Not,
         }
     }

@@ -1,6 +1,7 @@
 //! Which entries of a vector-star table are right, which are wrong, and which only follow from a wrong one?
 
 use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 
 use super::handwritten::{Agrees, WrittenAngle, WrittenLength};
 use crate::engine::Engine;
@@ -127,14 +128,14 @@ pub struct Marked {
 pub fn mark(star: &Star, filled: &Filled) -> Vec<Marked> {
     let mut marks = Vec::new();
     // The phases that the sums of each column rest on: the true one where what is written is it, rounded perhaps.
-    let mut own: [Vec<Option<Turn>>; 2] = [Vec::new(), Vec::new()];
+    let mut own: [Vec<Option<OwnPhase>>; 2] = [Vec::new(), Vec::new()];
     for (cylinder, right) in star.phases.iter().enumerate() {
         for (sense, right) in SENSES.into_iter().zip(right) {
             let written = filled.phases.iter().find(|(index, own, _)| (*index, *own) == (cylinder, sense));
             let judged = judged(written.map(|(_, _, written)| written), |angle| angle.agrees(right));
             own[column(sense)].push(match (judged, written) {
-                (Judged::Right, _) => Some(right.clone()),
-                (_, Some((_, _, Ok(angle)))) => Some(angle.turn.clone()),
+                (Judged::Right, _) => Some(OwnPhase { turn: right.clone(), rounding: BigRational::zero() }),
+                (_, Some((_, _, Ok(angle)))) => Some(OwnPhase { turn: angle.turn.clone(), rounding: angle.rounding() }),
                 (_, _) => None,
             });
             let written = written.map(|(_, _, written)| words(written, |angle| &angle.text));
@@ -142,7 +143,7 @@ pub fn mark(star: &Star, filled: &Filled) -> Vec<Marked> {
             marks.push(Marked { place: Place::Phase(cylinder, sense), written, judged, right });
         }
     }
-    let own = own.map(|column| column.into_iter().collect::<Option<Vec<Turn>>>());
+    let own = own.map(|column| column.into_iter().collect::<Option<Vec<OwnPhase>>>());
     for quantity in SUMS {
         for sense in SENSES {
             let sum = star.sum(quantity, sense);
@@ -176,15 +177,25 @@ fn words<T>(written: &Written<T>, text: impl FnOnce(&T) -> &Untrusted) -> Untrus
     }
 }
 
-/// Whether a length is that of the sum of the phases that stand in the column.
+/// A phase that a sum rests on, and by how many turns it may have been rounded.
+struct OwnPhase {
+    turn: Turn,
+    rounding: BigRational,
+}
+
+/// Whether a length is that of the sum of the phases that stand in the column, or of the phases that they are the roundings of.
 fn follows(
     star: &Star,
-    own: Option<&Vec<Turn>>,
+    own: Option<&Vec<OwnPhase>>,
     quantity: Quantity,
     written: Option<&(Quantity, Sense, Written<WrittenLength>)>,
 ) -> bool {
     let (Some(own), Some((_, _, Ok(length)))) = (own, written) else { return false };
-    length.agrees(&star.sum_of(own.clone(), quantity)) != Agrees::Not
+    let sum = star.sum_of(own.iter().map(|phase| phase.turn.clone()).collect(), quantity);
+    // A vector moves by less than 44/7 of its length times the turns that it is turned by.
+    let moved = sum.terms().iter().zip(own).map(|(term, phase)| term.weight.abs() * &phase.rounding);
+    let slack = moved.sum::<BigRational>() * BigRational::new(44.into(), 7.into());
+    length.agrees_within(&sum, &slack) != Agrees::Not
 }
 
 fn length_of(sum: &PhasorSum) -> RightEntry {
