@@ -43,7 +43,11 @@ pub struct Circle {
 impl Circle {
     /// A revolution in this many steps.
     pub fn new(steps: usize) -> Self {
-        let direction = |j: usize| Complex::cis(TAU * j as f64 / steps as f64);
+        // Curves are drawn with these: their last digits, on which places of names hang, are the same on every machine.
+        let direction = |j: usize| {
+            let (sin, cos) = libm::sincos(TAU * j as f64 / steps as f64);
+            Complex::new(cos, sin)
+        };
         Circle { directions: (0..steps).map(direction).collect() }
     }
 
