@@ -35,7 +35,8 @@ pub(in crate::python) struct Remedy {
 
 #[pymethods]
 impl Remedy {
-    /// The layout file of the corrected engine, exact: `Engine.parse` reads it.
+    /// The layout file of the corrected engine: `Engine.parse` reads it. Exact, but for weights against what links on a master rod leave:
+    /// these are rounded, and a comment in it says so.
     ///
     /// Raises CrankstarError where no file can say it.
     #[getter]
@@ -55,7 +56,9 @@ pub(in crate::python) fn remedy(engine: &Engine, source: &Source, wanted: &Wante
         Wish { orders: orders.clone(), planes: planes.transpose()?, factors: factors.clone(), skews: skews.clone() };
     let cured = remedy::remedy(engine, &wish).map_err(told)?;
     let read = |path: &str| source.beside(path);
-    let layout = remedy::corrected_file(&cured, &source.name, Beside::new(&read)).map_err(|error| error.to_string());
+    let layout = remedy::corrected_file(&cured, &source.name, Beside::new(&read))
+        .map(|file| file.text)
+        .map_err(|error| error.to_string());
     let holds = cured.holds();
     Ok((Answer::new(Cured(cured)), Remedy { holds, layout }))
 }
