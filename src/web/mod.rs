@@ -125,7 +125,8 @@ impl Judged {
 ///
 /// ```standalone_crate
 /// let asked = r#"{"ask": "claim", "name": "mine", "text": "inline.throws = [0, 180, 180, 0]", "says": "second-order force vanishes"}"#;
-/// assert!(crankstar::web::answer(asked).starts_with(r#"{"ok":{"status":"false","#));
+/// let answer = crankstar::web::answer(asked);
+/// assert!(answer.starts_with(r#"{"ok":{"#) && answer.contains(r#""status":"false""#), "{answer}");
 /// ```
 pub fn answer(question: &str) -> String {
     let found = match serde_json::from_str::<Question>(question) {
