@@ -3,7 +3,7 @@
 //! `question → layout → verdict, proof, sliders, report, claim → answer`
 //!
 //! The page decides nothing: every word and number that it shows comes from here, and it is what the program prints for the same
-//! layout. [`answer`] is all of it; in WebAssembly [`memory`] hands the texts over.
+//! layout. [`answer`] is all of it; in WebAssembly `memory` hands the texts over.
 
 mod catalogue;
 mod claim;
