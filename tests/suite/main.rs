@@ -71,6 +71,7 @@ mod moving;
 mod narrow_banks;
 mod odd_surroundings;
 mod open_certificate_cheats;
+mod open_circles;
 mod open_firing;
 #[cfg(feature = "optimise")]
 mod optimise;
