@@ -11,6 +11,7 @@ mod bearings;
 mod book_words;
 mod certificate_cheats;
 mod certificate_words;
+mod circle_cheats;
 mod citation;
 mod claims;
 mod claims_files;

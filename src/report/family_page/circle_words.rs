@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::One;
 
 use super::super::typeset;
 use super::words::{open_angle, unknowns};
@@ -55,21 +55,37 @@ pub(super) fn zeros(circle: &Circle) -> Option<Text> {
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(circle: &Circle) -> Text {
-    let arcs = match zeros(circle) {
-        Some(zeros) => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}; the circle is cut into {} arcs, and each shows how often it vanishes there \
-             (proved): where {}, and nowhere else that is not named here.",
-            circle.polynomial.degree().to_string(),
-            unknown(circle),
-            circle.arcs.len(),
+    let degree = || circle.polynomial.degree().to_string();
+    let (unknown, count) = (unknown(circle), circle.arcs.len());
+    let arcs = match (zeros(circle), circle.is_complete()) {
+        (Some(zeros), true) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs, on each of which it is proved how often it \
+             vanishes: exactly where {}.",
+            degree(),
+            unknown,
+            count,
             zeros
         ),
-        None => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}; the circle is cut into {} arcs, and it vanishes on none that is not named \
-             here (proved).",
-            circle.polynomial.degree().to_string(),
-            unknown(circle),
-            circle.arcs.len()
+        (None, true) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs, and it is proved that it vanishes on none.",
+            degree(),
+            unknown,
+            count
+        ),
+        (Some(zeros), false) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs; but for those that are left open it vanishes \
+             exactly where {} (proved).",
+            degree(),
+            unknown,
+            count,
+            zeros
+        ),
+        (None, false) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs; but for those that are left open it vanishes \
+             on none (proved).",
+            degree(),
+            unknown,
+            count
         ),
     };
     let only = circle.irrational().map(|near| {
@@ -78,7 +94,7 @@ pub(super) fn why(circle: &Circle) -> Text {
     });
     let open = circle.open().map(|ends| {
         let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
-        phrase!("From {} to {} it is not solved: the count of steps ended.", from, to)
+        phrase!("From {} to {} it is left open: the count of steps ended.", from, to)
     });
     Text::joined([arcs].into_iter().chain(only).chain(open), " ")
 }
@@ -100,7 +116,7 @@ fn unknown(circle: &Circle) -> String {
 /// In degrees from 0 on.
 fn middle([low, high]: [&BigRational; 2]) -> f64 {
     let middle = (low + high) / BigRational::from_integer(2.into());
-    numbers::float(&(degrees(&(&middle - middle.floor()))))
+    numbers::float(&degrees(&(&middle - middle.floor())))
 }
 
 fn degrees(turns: &BigRational) -> BigRational {
@@ -128,7 +144,7 @@ fn between(circle: &Circle, near: [&BigRational; 2]) -> [String; 2] {
         .collect();
     let ends = |places: u32| [rounded(near[0], places, false), rounded(near[1], places, true)];
     let is_alone = |[from, to]: &[BigRational; 2]| {
-        to - from < BigRational::one().abs() && others.iter().all(|[low, high]| high < from || to < low)
+        to - from < BigRational::one() && others.iter().all(|[low, high]| high < from || to < low)
     };
     let found = (1..12).map(ends).find(is_alone).unwrap_or_else(|| near.map(degrees));
     found.map(|end| typeset::degrees(&end))
