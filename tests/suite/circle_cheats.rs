@@ -75,8 +75,7 @@ fn an_identity_modulo_no_prime_or_with_a_wrong_root_is_refused() {
     has(&coprime(|claim| claim.root += 1), "does not have the order");
     has(&coprime(|claim| claim.root += claim.prime), "does not have the order");
     has(&coprime(|claim| claim.scale = 0.into()), "do not make every angle and every weight whole");
-    // 5 ≡ 0: of the mirror image only; 1 stays the leading coefficient of the sum itself, so that five is refused for the identity.
-    has(&coprime(|claim| (claim.prime, claim.root) = (5, 1)), "not below the prime");
+    has(&coprime(|claim| claim.scale *= claim.prime), "the leading coefficient is 0 modulo the prime");
 }
 
 #[test]
@@ -195,7 +194,7 @@ fn a_crossing_that_may_be_a_rational_zero_is_refused() {
         };
         claim.mirrored = other.mirrored;
     });
-    assert!(reason.contains("a rational turn in it may be the zero") || reason.contains("collect to"), "{reason}");
+    has(&reason, "a rational turn in it may be the zero");
 }
 
 #[test]

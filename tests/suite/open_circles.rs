@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use crankstar::engine::{Cylinder, DELTA, Family, Linear, PHI};
-use crankstar::family::{self, OpenVerdict, Solutions, When, Zeros};
+use crankstar::family::{self, Circle, Closed, OpenVerdict, Solutions, When, Zeros};
 use crankstar::file::{self, Layout};
+use crankstar::numbers::Direction;
 use crankstar::proof::{Quantity, Sense, check_open_document};
 use crankstar::report;
 use num_complex::Complex;
@@ -185,4 +186,73 @@ fn three_hundred_families_with_one_open_angle_are_solved_as_a_dense_search_finds
         assert!(checked.not_covered.iter().all(|words| !words.contains("not-solved")), "{text}");
     }
     assert!(zeros > 1000 && circles > 100, "{zeros} zeros, {circles} circles");
+}
+
+fn reverse_force(family: &Family) -> OpenVerdict {
+    family::classify(family, &[1]).expect("orders").remove(0).force[1].clone()
+}
+
+fn circle_of(verdict: &OpenVerdict) -> &Circle {
+    let [sum] = verdict.sums.as_slice() else { panic!("{verdict:?}") };
+    let When::Circle(circle) = &sum.when else { panic!("{:?}", sum.when) };
+    circle
+}
+
+#[test]
+fn two_parts_in_an_irrational_direction_cancel_at_an_arctangent() {
+    // (1 − 2i) e^{−iφ} + (2 − i) e^{iφ}: 2φ = arg(−4 + 3i).
+    let family = family(
+        "cylinder = [{ throw = 0, bank = '-phi/2', position = 0 }, { throw = 90, bank = '-phi/2', position = 0, reciprocating_mass = 2 },
+                     { throw = 0, bank = 'phi/2', position = 1, reciprocating_mass = 2 }, { throw = 90, bank = 'phi/2', position = 1 }]",
+    );
+    let verdict = reverse_force(&family);
+    let circle = circle_of(&verdict);
+    let Some(Closed::Argument(Direction::Arctangent { tangent, opposite: true })) = circle.closed() else {
+        panic!("{:?}", circle.closed())
+    };
+    assert_eq!(tangent.to_string(), "−3/4");
+    assert!(circle.is_complete() && circle.irrational().count() == 1 && circle.rational().next().is_none());
+}
+
+#[test]
+fn a_cosine_that_is_not_rational_is_written_with_its_root() {
+    let family = family(
+        "cylinder = [{ throw = 0, bank = '-phi', position = 0 }, { throw = 0, bank = 0, position = 0, reciprocating_mass = '1/2' },
+                     { throw = 90, bank = 0, position = 1, reciprocating_mass = '1/2' }, { throw = 90, bank = 'phi', position = 1 }]",
+    );
+    let verdict = reverse_force(&family);
+    let Some(Closed::Cosine { turn, cosine }) = circle_of(&verdict).closed() else { panic!("{verdict:?}") };
+    let found = decimals(&match verdict.zeros(PHI, [&BigRational::zero(), &BigRational::from_integer(1.into())]) {
+        Zeros::At(found) => found,
+        other => panic!("{other:?}"),
+    });
+    let turn = turn.turns().to_f64().expect("a number");
+    assert_eq!(found.len(), 4);
+    for at in found {
+        assert!(((TAU * (2.0 * at + turn)).cos() - cosine.to_float()).abs() < 1e-11, "{at}");
+    }
+    assert!((cosine.to_float().abs() - 2_f64.sqrt() / 4.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_sum_with_an_irrational_zero_that_is_not_its_own_mirror_image_names_two_open_arcs() {
+    // (x² − x/2 + 1)(x + 2), x = e^{iφ}: 0 where cos φ = 1/4.
+    let family = family(
+        "cylinder = [{ throw = 0, bank = 0, position = 0, reciprocating_mass = 2 },
+                     { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '3/2' }, { throw = 0, bank = '3/2 phi', position = 1 }]",
+    );
+    let verdict = reverse_force(&family);
+    let Zeros::At(found) = verdict.zeros(PHI, [&BigRational::zero(), &BigRational::from_integer(1.into())]) else {
+        panic!("not solved")
+    };
+    assert!(found.exact.is_empty() && found.irrational.is_empty());
+    let float = |value: &BigRational| value.to_f64().expect("a number");
+    let zero = 0.25_f64.acos() / TAU;
+    let [first, second] = found.open.as_slice() else { panic!("{:?}", found.open) };
+    for ([low, high], zero) in [(first, zero), (second, 1.0 - zero)] {
+        assert!(float(low) - 1e-12 < zero && zero < float(high) + 1e-12 && float(high) - float(low) < 1e-9);
+    }
+    let orders = family::classify(&family, &[1]).expect("orders");
+    let checked = check_open_document(&report::open_document(&family, &orders)).expect("it holds");
+    assert!(checked.not_covered.iter().any(|words| words.contains("`open`")));
 }
