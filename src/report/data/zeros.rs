@@ -43,7 +43,7 @@ pub(super) fn zeros(sweep: &Sweep) -> Table {
     let rows: Vec<Zero> = rows.collect();
     let table = Table::new(
         "zeros",
-        "a value at which a vector vanishes; one row without a value where there is none",
+        "a value at which a vector vanishes; one row without a value where there is none, and no exact value at an angle that is no rational turn",
         rows.len(),
     )
     .with(Column::new("quantity", Unit::NONE, "force or moment", words(rows.iter().map(|row| row.quantity))))
@@ -78,7 +78,7 @@ pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
         })
     });
     let rows: Vec<Zero> = rows.collect();
-    let about = "a value at which a firing star vanishes; one row without a value where there is none";
+    let about = "a value at which a firing star vanishes; one row without a value where there is none, and no exact value at an angle that is no rational turn";
     let table = Table::new("firing_zeros", about, rows.len())
         .with(Column::new(
             "order",
