@@ -25,12 +25,16 @@ const MOST_BITS: u32 = 512;
 
 /// Checks the arcs against the parts.
 pub(super) fn check_circle(claim: &CircleClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
+    check_arcs(claim, &Unknown::of(left, &claim.phi, &claim.delta, audit)?, audit)
+}
+
+/// Checks the arcs against a polynomial.
+pub(super) fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
     if !(FEWEST_BITS..=MOST_BITS).contains(&claim.bits) {
         return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
     }
-    let unknown = Unknown::of(left, &claim.phi, &claim.delta, audit)?;
-    check_mirrored(claim, &unknown, audit)?;
-    let ground = Ground::new(&unknown, claim.bits, audit)?;
+    check_mirrored(claim, unknown, audit)?;
+    let ground = Ground::new(unknown, claim.bits, audit)?;
     let mut from = &claim.from;
     for arc in &claim.arcs {
         audit.spend(1 + steps_of(from) + steps_of(arc.to()))?;

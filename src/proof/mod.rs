@@ -12,6 +12,7 @@ mod check;
 mod checked;
 mod circle;
 mod circle_check;
+mod classes_check;
 mod coefficient;
 mod collected;
 mod coprime_check;
@@ -29,6 +30,8 @@ mod knuckle;
 mod link;
 mod open;
 mod open_check;
+mod plane;
+mod product_check;
 mod reading;
 mod refusal;
 mod remedy;
@@ -38,6 +41,7 @@ mod shape;
 mod source;
 mod splitting;
 mod theorem;
+mod triangle_check;
 mod unknown;
 mod verdict;
 mod when;
@@ -64,6 +68,7 @@ pub use open::{
     SumClaim, WhenClaim,
 };
 pub use open_check::check_open_document;
+pub use plane::{ClassesClaim, MeetingClaim, ProductClaim, TriangleClaim, TriangleShape};
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
 pub use refusal::Refusal;
 pub use remedy::{

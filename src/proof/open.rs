@@ -9,6 +9,7 @@ use super::certificate::Certificate;
 use super::circle::{CircleClaim, CoprimeClaim};
 use super::engine::{Masses, Quantity, Sense};
 use super::fraction;
+use super::plane::{ClassesClaim, ProductClaim, TriangleClaim};
 use super::reading::Format;
 use super::verdict::Vector;
 
@@ -149,6 +150,12 @@ pub enum WhenClaim {
     Coprime(Box<CoprimeClaim>),
     /// Where the arcs say so: parts in one unknown.
     Circle(Box<CircleClaim>),
+    /// Where three parts in two unknowns make a triangle.
+    Triangle(Box<TriangleClaim>),
+    /// Where two classes of parts in two unknowns are equally long and opposite.
+    Classes(Box<ClassesClaim>),
+    /// Where one of two sums vanishes whose product it is.
+    Product(Box<ProductClaim>),
     /// Two parts of equal length that cancel at an angle for which no rational turn is claimed.
     EqualLengths {
         /// Evidence that `|S_1|² − |S_2|²` is zero.
@@ -159,7 +166,7 @@ pub enum WhenClaim {
 }
 
 /// Turns of the parts after the first against the first at which they cancel.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AlternativeClaim {
     /// One a part after the first.
@@ -169,7 +176,7 @@ pub struct AlternativeClaim {
 }
 
 /// `phi·φ + delta·δ ≡ turn`, modulo a turn.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ConditionClaim {
     /// How many times φ enters.

@@ -46,17 +46,25 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
         return Err(Fault::new("open_verdicts", "nothing is proved: no cylinder has a weight"));
     }
     let sums = document.open_verdicts.iter().flat_map(|verdict| &verdict.sums);
-    let all_solved = sums.into_iter().all(|sum| match &sum.when {
+    let all_solved = sums.into_iter().all(|sum| is_solved(&sum.when));
+    Ok(Checked::family(document, all_solved, audit.counts()))
+}
+
+/// Whether all angles are told at which a sum vanishes.
+fn is_solved(when: &WhenClaim) -> bool {
+    match when {
         WhenClaim::Always
         | WhenClaim::Never
         | WhenClaim::UnequalLengths { .. }
         | WhenClaim::Where { .. }
         | WhenClaim::Cosine { .. }
-        | WhenClaim::Coprime(_) => true,
+        | WhenClaim::Coprime(_)
+        | WhenClaim::Triangle(_) => true,
         WhenClaim::Circle(claim) => claim.is_complete(),
+        WhenClaim::Classes(claim) => claim.is_complete(),
+        WhenClaim::Product(claim) => is_solved(&claim.group) && is_solved(&claim.firsts),
         WhenClaim::EqualLengths { .. } | WhenClaim::NotSolved => false,
-    });
-    Ok(Checked::family(document, all_solved, audit.counts()))
+    }
 }
 
 fn check_head(document: &OpenDocument) -> Result<(), Fault> {

@@ -10,7 +10,7 @@ use super::collected::{Collected, collect, common_multiple};
 use super::when::Part;
 
 /// Higher exponents are not read.
-const HIGHEST_EXPONENT: i64 = 4096;
+pub(super) const HIGHEST_EXPONENT: i64 = 4096;
 
 /// `Σ_j S_j x^{n_j}`, with `n_0 = 0`.
 pub(super) struct Unknown<'a> {
@@ -99,7 +99,7 @@ impl<'a> Unknown<'a> {
 }
 
 /// `conj(A)·B`, not collected.
-fn product(a: &Collected, b: &Collected, audit: &Audit) -> Result<Vec<(BigRational, BigRational)>, Reason> {
+pub(super) fn product(a: &Collected, b: &Collected, audit: &Audit) -> Result<Vec<(BigRational, BigRational)>, Reason> {
     let mut terms = Vec::new();
     for (s, v) in a {
         for (t, w) in b {

@@ -7,11 +7,15 @@ use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle_check::check_circle;
+use super::classes_check::check_classes;
 use super::collected::{Collected, collect, collected, difference_of_squares};
 use super::coprime_check::check_coprime;
 use super::open::{AlternativeClaim, PartClaim, WhenClaim};
+use super::product_check::check_product;
+use super::triangle_check::check_triangle;
 
 /// A part with its terms collected.
+#[derive(Clone)]
 pub(super) struct Part<'a> {
     claim: &'a PartClaim,
     sum: Collected,
@@ -62,6 +66,9 @@ pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> 
         },
         WhenClaim::Coprime(claim) => check_coprime(claim, left, audit),
         WhenClaim::Circle(claim) => check_circle(claim, left, audit),
+        WhenClaim::Triangle(claim) => check_triangle(claim, left, audit),
+        WhenClaim::Classes(claim) => check_classes(claim, left, audit),
+        WhenClaim::Product(claim) => check_product(claim, left, audit),
         WhenClaim::Cosine { middle, phi, delta, turn, cosine, multiples } => {
             let condition = CosineCondition { phi, delta, turn, cosine };
             match (left, middle) {
@@ -166,7 +173,7 @@ fn check_lengths(
 }
 
 /// Each condition is about how its part is turned against the first, and the parts turned so cancel.
-fn check_alternative(
+pub(super) fn check_alternative(
     first: &Part<'_>,
     others: &[&Part<'_>],
     claim: &AlternativeClaim,
