@@ -2,7 +2,8 @@
 //!
 //! One part never vanishes. Two do iff |S_1| = |S_2| and `x_2 − x_1 ≡ arg S_1 − arg S_2 + 180°`. Three of equal length do
 //! iff they stand 120° apart. Of three, two may be mirror images of each other about the third: then a cosine decides. All
-//! else in one unknown is solved on the circle ([`circle`]); two unknowns that enter on their own are not, and it is said so.
+//! else in one unknown is solved on the circle ([`circle`]); two unknowns that enter on their own, as a triangle or as two classes
+//! ([`plane`]), and where neither fits it is said so.
 
 use std::collections::BTreeSet;
 
@@ -13,6 +14,7 @@ use num_traits::{One, Signed, Zero};
 use super::Part;
 use super::circle::{self, Circle, Coprime, Solved};
 use super::left::ratio;
+use super::plane::{self, Classes, Product, Triangle};
 use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -43,7 +45,14 @@ pub enum When {
         /// Evidence that the two parts are equally long.
         equal_lengths: Certificate,
     },
-    /// This many parts in which two unknowns enter on their own, or one too many times.
+    /// Exactly where three parts, turned by two unknowns on their own, make a triangle.
+    Triangle(Box<Triangle>),
+    /// Exactly where two classes of parts, in two unknowns, are equally long and opposite, where their circle is
+    /// [complete](Circle::is_complete).
+    Classes(Box<Classes>),
+    /// Exactly where one of two sums vanishes, in two unknowns, whose product it is.
+    Product(Box<Product>),
+    /// This many parts of more than two classes in two unknowns, or an unknown that enters too many times.
     NotSolved(usize),
 }
 
@@ -75,6 +84,12 @@ pub enum Never {
     Coprime(Box<Coprime>),
     /// Parts in one unknown, whose arcs hold no zero.
     Circle(Box<Circle>),
+    /// Three parts in two unknowns, one of them longer than the others together.
+    Triangle(Box<Triangle>),
+    /// Two classes of parts in two unknowns, which are nowhere equally long.
+    Classes(Box<Classes>),
+    /// A product of two sums in two unknowns, neither of which vanishes.
+    Product(Box<Product>),
 }
 
 /// The angles at which parts of equal length cancel: for φ alone a list, for φ and δ a line of solutions.
@@ -153,13 +168,13 @@ pub(super) fn when(parts: &[&Part]) -> When {
     }
 }
 
-/// Any number of parts in one unknown.
+/// Any number of parts.
 fn general(parts: &[&Part]) -> When {
     match circle::solve(parts) {
         Some(Solved::Never(coprime)) => When::Never(Never::Coprime(coprime)),
         Some(Solved::Circle(circle)) if circle.is_free() => When::Never(Never::Circle(circle)),
         Some(Solved::Circle(circle)) => When::Circle(circle),
-        None => When::NotSolved(parts.len()),
+        None => plane::when(parts).unwrap_or(When::NotSolved(parts.len())),
     }
 }
 
@@ -196,7 +211,7 @@ fn irrational(first: &Part, second: &Part, quotient: &PhasorSum, equal_lengths: 
 }
 
 /// The parts after the first, each turned against it by its angle.
-fn alternative(first: &Part, others: &[(&Part, Turn)]) -> Alternative {
+pub(super) fn alternative(first: &Part, others: &[(&Part, Turn)]) -> Alternative {
     let conditions = others.iter().map(|(part, turn)| Condition {
         phi: &part.phi - &first.phi,
         delta: &part.delta - &first.delta,

@@ -77,6 +77,7 @@ mod open_firing;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;
+mod plane_cheats;
 mod plots;
 mod printed_lines;
 mod random_engines;
@@ -95,6 +96,7 @@ mod theory;
 mod thesis;
 mod torque;
 mod torsion;
+mod two_angles;
 mod views;
 #[cfg(feature = "web")]
 mod web;
@@ -121,6 +123,7 @@ mod support {
     pub mod stiffness;
     pub mod tables;
     pub mod time_domain;
+    pub mod two_angles;
     pub mod verdicts;
     pub mod whole_degrees;
     pub mod whole_documents;

@@ -36,6 +36,11 @@ pub(super) fn solve(parts: &[&Part]) -> Option<Solved> {
     })
 }
 
+/// The arcs of a polynomial that is known.
+pub(super) fn arcs_of_polynomial(polynomial: Polynomial) -> Circle {
+    arcs::cover(polynomial)
+}
+
 /// The arcs of a sum of two parts at least, also where it vanishes nowhere.
 pub(super) fn arcs_of(parts: &[&Part]) -> Option<Circle> {
     Polynomial::of(parts).map(arcs::cover)

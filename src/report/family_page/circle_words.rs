@@ -15,12 +15,16 @@ use crate::page::{Piece, Text, phrase};
 /// `0 where φ ≡ 60°, or φ ≈ 75.52°`, and where it is not known; `never 0` where it has no zero.
 pub(super) fn condition(circle: &Circle) -> Text {
     let zeros = zeros(circle).map(|zeros| phrase!("0 where {}", zeros));
-    let open = circle.open().map(|ends| {
+    let told: Vec<Text> = zeros.into_iter().chain(open(circle)).collect();
+    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+}
+
+/// Where it is not known.
+pub(super) fn open(circle: &Circle) -> impl Iterator<Item = Text> + '_ {
+    circle.open().map(|ends| {
         let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
         phrase!("not solved for {} between {} and {}", unknown(circle), from, to)
-    });
-    let told: Vec<Text> = zeros.into_iter().chain(open).collect();
-    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+    })
 }
 
 /// `φ ≡ 60°, or φ ≈ 75.52°`: closed forms where there are such; none where no zero is known.
@@ -114,7 +118,7 @@ fn unknown(circle: &Circle) -> String {
 }
 
 /// In degrees from 0 on.
-fn middle([low, high]: [&BigRational; 2]) -> f64 {
+pub(super) fn middle([low, high]: [&BigRational; 2]) -> f64 {
     let middle = (low + high) / BigRational::from_integer(2.into());
     numbers::float(&degrees(&(&middle - middle.floor())))
 }
@@ -131,7 +135,7 @@ fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
 }
 
 /// Degrees about an irrational zero, with as few places as keep every other zero out.
-fn between(circle: &Circle, near: [&BigRational; 2]) -> [String; 2] {
+pub(super) fn between(circle: &Circle, near: [&BigRational; 2]) -> [String; 2] {
     let rational: Vec<BigRational> = circle.rational().map(|turn| turn.turns().clone()).collect();
     let others = circle.irrational().chain(circle.open()).filter(|ends| *ends != near);
     let others: Vec<[BigRational; 2]> = others

@@ -2,10 +2,13 @@
 
 use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
-use crate::family::{Arc, Circle, Kind, Never, OpenOrder, OpenSum, OpenVerdict, Part, When};
+use crate::family::{
+    Arc, Circle, Classes, Corner, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Shape, Triangle, When,
+};
 use crate::proof::{
-    AlternativeClaim, ArcClaim, CircleClaim, ConditionClaim, CoprimeClaim, Exact, Format, LinearClaim, Masses,
-    OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, Quantity, SumClaim, WhenClaim,
+    AlternativeClaim, ArcClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim, Exact, Format, LinearClaim,
+    Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, Quantity, SumClaim,
+    TriangleClaim, TriangleShape, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -85,17 +88,26 @@ fn when(when: &When) -> WhenClaim {
             v: found.v.clone(),
         })),
         When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
+        When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
+        When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(classes(found))),
+        When::Never(Never::Product(found)) | When::Product(found) => WhenClaim::Product(Box::new(ProductClaim {
+            groups: found.groups.clone(),
+            certificates: found.certificates.clone(),
+            group: self::when(&found.group),
+            firsts: self::when(&found.firsts),
+        })),
         When::NotSolved(_) => WhenClaim::NotSolved,
-        When::Where(angles) => {
-            let alternative = |alternative: &crate::family::Alternative| AlternativeClaim {
-                conditions: alternative.conditions.iter().map(condition).collect(),
-                certificate: alternative.certificate.clone(),
-            };
-            WhenClaim::Where {
-                alternatives: angles.alternatives.iter().map(alternative).collect(),
-                equal_lengths: angles.equal_lengths.clone(),
-            }
-        }
+        When::Where(angles) => WhenClaim::Where {
+            alternatives: angles.alternatives.iter().map(alternative).collect(),
+            equal_lengths: angles.equal_lengths.clone(),
+        },
+    }
+}
+
+fn alternative(alternative: &crate::family::Alternative) -> AlternativeClaim {
+    AlternativeClaim {
+        conditions: alternative.conditions.iter().map(condition).collect(),
+        certificate: alternative.certificate.clone(),
     }
 }
 
@@ -123,5 +135,37 @@ fn circle(circle: &Circle) -> CircleClaim {
         mirrored: circle.mirrored.clone(),
         from: circle.from.clone(),
         arcs: circle.arcs.iter().map(arc).collect(),
+    }
+}
+
+fn triangle(triangle: &Triangle) -> TriangleClaim {
+    let exact = triangle.corners.iter().filter_map(|corner| match corner {
+        Corner::Exact(exact) => Some(alternative(exact)),
+        Corner::Near(_) => None,
+    });
+    let shape = match &triangle.shape {
+        Shape::Never(bits) => TriangleShape::Never { bits: *bits },
+        Shape::Flat(certificate) => TriangleShape::Flat { certificate: certificate.clone() },
+        Shape::Two(bits) => TriangleShape::Two { bits: *bits },
+    };
+    TriangleClaim { shape, alternatives: exact.collect() }
+}
+
+fn classes(classes: &Classes) -> ClassesClaim {
+    let [phi, delta] = classes.u.clone();
+    let meeting = |meeting: &Meeting| match meeting.clone() {
+        Meeting::All(certificates) => MeetingClaim::All { certificates },
+        Meeting::Rational { first, turn, certificate } => {
+            MeetingClaim::Rational { first, turn: turn.turns().clone(), certificate }
+        }
+        Meeting::Once { first, .. } => MeetingClaim::Once { first },
+    };
+    ClassesClaim {
+        phi,
+        delta,
+        second: classes.second.clone(),
+        squares: classes.squares.clone(),
+        circle: classes.circle.as_ref().map(circle),
+        meetings: classes.meetings.iter().map(meeting).collect(),
     }
 }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::super::{argument, residual, typeset};
-use super::circle_words;
+use super::{circle_words, plane_words};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Alternative, Angles, Condition, Cosine, Left, Never, OpenSum, OpenVerdict, Part, When};
@@ -46,7 +46,12 @@ pub(super) fn list(angles: &BTreeSet<Turn>) -> String {
 }
 
 pub(in crate::report) fn condition_of(sum: &OpenSum) -> Option<Text> {
-    match &sum.when {
+    told(&sum.when)
+}
+
+/// When a sum vanishes, in a few words; none where it always does.
+pub(super) fn told(when: &When) -> Option<Text> {
+    match when {
         When::Always => None,
         When::Never(_) => Some("never 0".into()),
         When::Where(angles) => Some(phrase!("0 where {}", conditions(angles))),
@@ -56,12 +61,20 @@ pub(in crate::report) fn condition_of(sum: &OpenSum) -> Option<Text> {
         }
         When::Cosine(found) => Some(phrase!("0 where {}", cosine(found))),
         When::Circle(circle) => Some(circle_words::condition(circle)),
+        When::Triangle(triangle) => Some(plane_words::triangle_condition(triangle)),
+        When::Classes(classes) => Some(plane_words::condition(classes)),
+        When::Product(product) => Some(plane_words::product_condition(product)),
         When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
 }
 
 /// `2φ − δ ≡ 180°`, alternatives joined by "or".
 fn conditions(angles: &Angles) -> Text {
+    Text::joined(angles.alternatives.iter().map(together), ", or ")
+}
+
+/// `φ ≡ 60° and δ ≡ 90°`.
+pub(super) fn together(alternative: &Alternative) -> Text {
     let one = |condition: &Condition| {
         // φ, or else δ, is shown entering positively.
         let Condition { phi, delta, turn } = condition;
@@ -70,8 +83,7 @@ fn conditions(angles: &Angles) -> Text {
             false => format!("{} ≡ {}", unknowns(phi, delta), typeset::angle(turn)),
         })
     };
-    let together = |alternative: &Alternative| Text::joined(alternative.conditions.iter().map(one), " and ");
-    Text::joined(angles.alternatives.iter().map(together), ", or ")
+    Text::joined(alternative.conditions.iter().map(one), " and ")
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
@@ -151,7 +163,7 @@ pub(in crate::report) fn argument(sum: &OpenSum) -> Text {
     }
 }
 
-fn why(when: &When) -> Text {
+pub(super) fn why(when: &When) -> Text {
     match when {
         When::Always => "Every part vanishes, so the sum does for all angles.".into(),
         When::Never(Never::OnePart) => "One part is left, so the sum vanishes for no angle.".into(),
@@ -160,6 +172,9 @@ fn why(when: &When) -> Text {
         }
         When::Never(Never::Coprime(found)) => circle_words::coprime(found),
         When::Never(Never::Circle(circle)) | When::Circle(circle) => circle_words::why(circle),
+        When::Never(Never::Triangle(triangle)) | When::Triangle(triangle) => plane_words::triangle_why(triangle),
+        When::Never(Never::Classes(classes)) | When::Classes(classes) => plane_words::why(classes),
+        When::Never(Never::Product(product)) | When::Product(product) => plane_words::product_why(product),
         When::Where(angles) => {
             let words = match angles.alternatives.len() {
                 1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",

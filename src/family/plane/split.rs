@@ -1,0 +1,76 @@
+//! Into which two classes do the parts fall, so that one angle turns the parts in each, and another the classes?
+
+use std::collections::BTreeSet;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::super::Part;
+
+/// u may enter so many times in one class; in the squared lengths it enters twice as often.
+const HIGHEST_TIMES: i64 = 2048;
+
+/// Two angles, `[phi, delta]` times φ and δ, and the parts of two classes.
+pub(super) struct Split {
+    /// What turns the parts of one class against each other.
+    pub u: [BigRational; 2],
+    /// What turns the first part of the second class against that of the first.
+    pub v: [BigRational; 2],
+    /// How many times u turns a part against the first of its class, with its place.
+    pub classes: [Vec<(i64, usize)>; 2],
+}
+
+/// How many times more φ and δ turn a part than another.
+pub(super) fn apart(part: &Part, other: &Part) -> [BigRational; 2] {
+    [&part.phi - &other.phi, &part.delta - &other.delta]
+}
+
+/// Splits parts in rising order.
+pub(super) fn split(parts: &[&Part]) -> Option<Split> {
+    directions(parts).find_map(|direction| along(parts, direction))
+}
+
+/// Along δ, along φ, and along the lines from one part to another, each direction once.
+pub(super) fn directions(parts: &[&Part]) -> impl Iterator<Item = [BigRational; 2]> {
+    let axes = [[0, 1], [1, 0]].map(|axis: [i64; 2]| axis.map(|times| BigRational::from_integer(times.into())));
+    let pairs = parts.iter().enumerate().flat_map(|(i, low)| parts[i + 1..].iter().map(|high| apart(high, low)));
+    let mut tried: BTreeSet<Option<BigRational>> = BTreeSet::new();
+    let is_new = move |[phi, delta]: &[BigRational; 2]| tried.insert((!phi.is_zero()).then(|| delta / phi));
+    let all: Vec<[BigRational; 2]> = axes.into_iter().chain(pairs).collect();
+    all.into_iter().filter(is_new)
+}
+
+/// The two classes of parts that stand on lines in a direction, where there are two.
+fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split> {
+    let start = *parts.first()?;
+    let across = |part: &Part| {
+        let [phi, delta] = apart(part, start);
+        phi * &direction[1] - delta * &direction[0]
+    };
+    let (first, second): (Vec<usize>, Vec<usize>) = (0..parts.len()).partition(|&place| across(parts[place]).is_zero());
+    let other = *parts.get(*second.first()?)?;
+    let line = across(other);
+    if second.iter().any(|&place| across(parts[place]) != line) {
+        return None;
+    }
+    let axis = usize::from(direction[0].is_zero());
+    let times = |place: usize, from: &Part| &apart(parts[place], from)[axis] / &direction[axis];
+    let placed = [(first, start), (second, other)]
+        .map(|(places, from)| places.into_iter().map(|place| (times(place, from), place)).collect::<Vec<_>>());
+    let all = placed.iter().flatten().map(|(times, _)| times);
+    let (divisor, multiple) = all.fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
+        (divisor.gcd(times.numer()), multiple.lcm(times.denom()))
+    });
+    if divisor.is_zero() {
+        return None;
+    }
+    let unit = BigRational::new(divisor, multiple);
+    let whole = |(times, place): &(BigRational, usize)| {
+        let times = (times / &unit).to_integer().to_i64().filter(|times| (0..=HIGHEST_TIMES).contains(times))?;
+        Some((times, *place))
+    };
+    let [first, second] = placed.map(|class| class.iter().map(whole).collect::<Option<Vec<_>>>());
+    Some(Split { u: direction.map(|times| times * &unit), v: apart(other, start), classes: [first?, second?] })
+}

@@ -1,0 +1,118 @@
+//! When do three parts cancel that φ and δ turn on their own? Where they make a triangle: never, once, or in two mirror images.
+
+use num_bigint::BigInt;
+use num_complex::Complex;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive};
+
+use super::super::Part;
+use super::super::solve::{Alternative, Never, When, alternative};
+use crate::exact::{PhasorSum, Turn};
+use crate::numbers;
+use crate::proof::Certificate;
+
+/// Three parts that cancel somewhere, or nowhere.
+#[derive(Clone, Debug)]
+pub struct Triangle {
+    /// How many triangles have these sides, with evidence.
+    pub shape: Shape,
+    /// How many times φ and δ turn second and third part against the first.
+    pub multiples: [[BigRational; 2]; 2],
+    /// What they come to in each triangle.
+    pub corners: Vec<Corner>,
+}
+
+/// The sign of the squared area, with evidence.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// None: one side is longer than the others together. Enclosed with so many bits.
+    Never(u32),
+    /// One, which is flat.
+    Flat(Certificate),
+    /// Two, mirror images. Enclosed with so many bits.
+    Two(u32),
+}
+
+/// What turns second and third part against the first.
+#[derive(Clone, Debug)]
+pub enum Corner {
+    /// Rational turns.
+    Exact(Alternative),
+    /// In degrees from 0 to 360; no rational turns were found.
+    Near([f64; 2]),
+}
+
+/// The bits of enclosures that are tried; what the checker gets has some to spare.
+const BITS: [u32; 4] = [64, 128, 256, 448];
+const SPARE_BITS: u32 = 32;
+
+/// When they cancel; `None` where the sign of the squared area is not found.
+pub(super) fn when(parts: [&Part; 3]) -> Option<When> {
+    let [first, second, third] = parts;
+    let multiples = [second, third].map(|part| [&part.phi - &first.phi, &part.delta - &first.delta]);
+    if &multiples[0][0] * &multiples[1][1] == &multiples[0][1] * &multiples[1][0] {
+        return None;
+    }
+    let shape = shape(parts.map(|part| &part.sum))?;
+    let signs: &[f64] = match &shape {
+        Shape::Never(_) => {
+            let triangle = Triangle { shape, multiples, corners: Vec::new() };
+            return Some(When::Never(Never::Triangle(Box::new(triangle))));
+        }
+        Shape::Flat(_) => &[1.0],
+        Shape::Two(_) => &[1.0, -1.0],
+    };
+    let corners = signs.iter().map(|sign| corner(parts, *sign)).collect();
+    Some(When::Triangle(Box::new(Triangle { shape, multiples, corners })))
+}
+
+/// The sign of `2(ab + bc + ca) − a² − b² − c²`, 16 times the squared area (Heron).
+fn shape(sums: [&PhasorSum; 3]) -> Option<Shape> {
+    let [a, b, c] = sums.map(PhasorSum::squared_modulus);
+    let mixed = a.times(&b).plus(&b.times(&c)).plus(&c.times(&a)).scaled(&BigRational::from_integer(2.into()));
+    let area = mixed.minus(&a.times(&a).plus(&b.times(&b)).plus(&c.times(&c)));
+    let area = PhasorSum::new(area.collected());
+    if area.vanishes() {
+        return Some(Shape::Flat(area.certificate()));
+    }
+    let total: BigRational = area.terms().iter().map(|term| term.weight.abs()).sum();
+    let area = area.scaled(&total.recip());
+    BITS.iter().find_map(|&bits| {
+        let [(low, high), _] = numbers::enclose(&area, bits);
+        match (low.is_positive(), high.is_negative()) {
+            (true, _) => Some(Shape::Two(bits + SPARE_BITS)),
+            (_, true) => Some(Shape::Never(bits + SPARE_BITS)),
+            (false, false) => None,
+        }
+    })
+}
+
+/// The triangle on one side of the first part, in decimals, and at rational turns where these cancel exactly.
+fn corner([first, second, third]: [&Part; 3], sign: f64) -> Corner {
+    let [one, two, three] = [first, second, third].map(|part| numbers::evaluate(&part.sum));
+    let cosine = (three.norm_sqr() - one.norm_sqr() - two.norm_sqr()) / (2.0 * one.norm() * two.norm());
+    let degrees = sign * libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees();
+    let to_second = numbers::degrees(one) + degrees - numbers::degrees(two);
+    let (sin, cos) = libm::sincos(degrees.to_radians());
+    let turned = one / one.norm() * two.norm() * Complex::new(cos, sin);
+    let to_third = numbers::degrees(-one - turned) - numbers::degrees(three);
+    let near = [to_second, to_third].map(|degrees| degrees.rem_euclid(360.0));
+    let rational = modulus([first, second, third]).map(|modulus| {
+        let turn = |degrees: f64| Turn::fraction((degrees / 360.0 * modulus as f64).round() as i64, modulus);
+        alternative(first, &[(second, turn(near[0])), (third, turn(near[1]))])
+    });
+    match rational.filter(|alternative| alternative.certificate.claims_zero()) {
+        Some(exact) => Corner::Exact(exact),
+        None => Corner::Near(near),
+    }
+}
+
+/// Rational turns at which three parts cancel are multiples of one over this (theory, section 16).
+fn modulus(parts: [&Part; 3]) -> Option<i64> {
+    let angles = parts.iter().flat_map(|part| part.sum.terms()).map(|term| term.angle.denominator());
+    let conductor = angles.fold(BigInt::one(), |all, denominator| all.lcm(denominator));
+    // The primes up to three.
+    let modulus = conductor.lcm(&BigInt::from(6));
+    modulus.to_i64().filter(|modulus| *modulus < 1_000_000_000)
+}

@@ -1,0 +1,157 @@
+//! How is it put for which φ and δ a sum vanishes in which both enter on their own?
+
+use num_rational::BigRational;
+
+use super::super::typeset;
+use super::circle_words;
+use super::words::{self, together, unknowns};
+use crate::exact::Turn;
+use crate::family::{Classes, Corner, Meeting, Product, Triangle, When};
+use crate::page::number::Bearing;
+use crate::page::{Text, phrase};
+
+/// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; `0 on a curve, at one φ for each δ`.
+pub(super) fn condition(classes: &Classes) -> Text {
+    let [u, v] = names(classes);
+    if classes.is_curve() {
+        return phrase!("0 on a curve: at one {} for each {}, or all", v, u);
+    }
+    let open = classes.circle.iter().flat_map(circle_words::open);
+    let told: Vec<Text> = zeros(classes).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
+    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+}
+
+/// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
+fn zeros(classes: &Classes) -> Option<Text> {
+    let [u, v] = names(classes);
+    let rational = classes.rational().map(|(at, meeting)| {
+        let at = Text::label(format!("{u} ≡ {}", typeset::angle(&Turn::new(at.clone()))));
+        let v = match meeting {
+            Meeting::All(_) => return at,
+            Meeting::Rational { turn, .. } => Text::label(format!("{v} ≡ {}", typeset::angle(turn))),
+            Meeting::Once { exact: Some(exact), degrees, .. } => {
+                phrase!("{} ≡ {}", v.clone(), Bearing { exact: Some(exact.clone()), decimal: *degrees })
+            }
+            Meeting::Once { exact: None, degrees, .. } => near(&v, degrees.rem_euclid(360.0)),
+        };
+        Text::joined([at, v], " and ")
+    });
+    let irrational = classes
+        .irrational()
+        .map(|(ends, degrees)| Text::joined([near(&u, circle_words::middle(ends)), near(&v, degrees)], " and "));
+    let told: Vec<Text> = rational.chain(irrational).collect();
+    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn why(classes: &Classes) -> Text {
+    let [u, v] = names(classes);
+    let lead = phrase!(
+        "The parts make two classes: {} turns the parts of each, {} turns one class against the other, and they cancel where they are equally \
+         long and opposite.",
+        u.clone(),
+        v.clone()
+    );
+    let equal = match (&classes.circle, classes.is_curve()) {
+        (_, true) => phrase!(
+            "They are equally long for every {} (proved), so that each has one {} at which the sum vanishes, or all, where both classes \
+             vanish.",
+            u,
+            v
+        ),
+        (None, false) => {
+            "The squares of their lengths differ by the same for all angles (proved), so they never cancel.".into()
+        }
+        (Some(circle), false) => {
+            let difference = phrase!(
+                "The difference of the squares of their lengths is a real polynomial of degree {} in the turn by {}; the circle is cut into {} \
+                 arcs, and each shows how often it vanishes there (proved).",
+                (circle.polynomial.degree() / 2).to_string(),
+                u.clone(),
+                circle.arcs.len()
+            );
+            let told = match zeros(classes) {
+                Some(zeros) => phrase!("So the sum vanishes where {}, and nowhere else that is not named here.", zeros),
+                None => "So it vanishes nowhere that is not named here.".into(),
+            };
+            let only = circle.irrational().map(|near| {
+                let [from, to] = circle_words::between(circle, near);
+                phrase!("Between {} and {} there is one such {}, which is no rational turn.", from, to, u.clone())
+            });
+            Text::joined([difference, told].into_iter().chain(only).chain(circle_words::open(circle).map(ended)), " ")
+        }
+    };
+    Text::joined([lead, equal], " ")
+}
+
+/// As a sentence of its own.
+fn ended(open: Text) -> Text {
+    phrase!("What is left open is {}: the count of steps ended.", open)
+}
+
+/// `0 where φ ≡ 90° and δ ≡ 45°, or φ ≈ 30° and δ ≈ 75.52°`.
+pub(super) fn triangle_condition(triangle: &Triangle) -> Text {
+    match corners(triangle) {
+        Some(corners) => phrase!("0 where {}", corners),
+        None => "never 0".into(),
+    }
+}
+
+fn corners(triangle: &Triangle) -> Option<Text> {
+    let corner = |corner: &Corner| match corner {
+        Corner::Exact(exact) => together(exact),
+        Corner::Near(degrees) => {
+            let each = triangle.multiples.iter().zip(degrees);
+            Text::joined(each.map(|([phi, delta], degrees)| near(&unknowns(phi, delta), *degrees)), " and ")
+        }
+    };
+    let told: Vec<Text> = triangle.corners.iter().map(corner).collect();
+    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn triangle_why(triangle: &Triangle) -> Text {
+    match (corners(triangle), triangle.corners.len()) {
+        (None, _) => {
+            "Three parts are left, and one is longer than the others together (proved), so they cancel for no angles."
+                .into()
+        }
+        (Some(corners), 1) => phrase!(
+            "Three parts are left, and one is as long as the others together (proved), so they cancel in one way: where {} (modulo 360°).",
+            corners
+        ),
+        (Some(corners), _) => phrase!(
+            "Three parts are left, which can be the sides of a triangle (proved), and of its mirror image, so they cancel in two ways: where \
+             {} (modulo 360°).",
+            corners
+        ),
+    }
+}
+
+/// `0 where δ ≡ 90°; 0 where φ ≡ 60°`, without what never vanishes.
+pub(super) fn product_condition(product: &Product) -> Text {
+    let factors = [&product.group, &product.firsts].map(|when| match when {
+        When::Never(_) => None,
+        other => words::told(other),
+    });
+    Text::joined(factors.into_iter().flatten(), "; ")
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn product_why(product: &Product) -> Text {
+    phrase!(
+        "The parts make {} groups, each a multiple of the first and turned against it (proved), so that the sum is a product: that of one group, and          that of the first parts of all; it vanishes where either does. The group: {} The first parts: {}",
+        product.groups.len(),
+        words::why(&product.group),
+        words::why(&product.firsts)
+    )
+}
+
+/// u and v.
+fn names(classes: &Classes) -> [String; 2] {
+    [&classes.u, &classes.v].map(|[phi, delta]: &[BigRational; 2]| unknowns(phi, delta))
+}
+
+fn near(name: &str, degrees: f64) -> Text {
+    Text::label(format!("{name} ≈ {}°", typeset::decimal(degrees)))
+}

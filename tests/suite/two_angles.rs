@@ -1,0 +1,307 @@
+//! Where two angles are open: does a sum vanish exactly where it is said, as a dense search without the solver finds it?
+
+use std::f64::consts::TAU;
+
+use crankstar::engine::{Cylinder, DELTA, Family, Linear, PHI};
+use crankstar::family::{self, Alternative, Classes, Corner, Meeting, OpenVerdict, When};
+use crankstar::proof::{Quantity, Sense, check_open_document};
+use crankstar::report;
+use num_complex::Complex;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::support::dice::Dice;
+use crate::support::two_angles::{broad_arrow, family, vee};
+
+fn float(value: &BigRational) -> f64 {
+    value.to_f64().expect("a number")
+}
+
+/// The sum at φ and δ in turns, straight from the cylinders, in decimals.
+struct Star {
+    /// Known angle, times φ, times δ, weight.
+    terms: Vec<[f64; 4]>,
+    total: f64,
+}
+
+impl Star {
+    fn of(family: &Family, verdict: &OpenVerdict) -> Star {
+        let k = f64::from(verdict.order);
+        let [of_throw, of_bank] = match verdict.sense {
+            Sense::Direct => [k, 1.0 - k],
+            Sense::Reverse => [-k, 1.0 + k],
+        };
+        let term = |cylinder: &Cylinder<Linear, Linear>| {
+            let phase = |throw: &BigRational, bank: &BigRational| of_throw * float(throw) + of_bank * float(bank);
+            let times = |name| phase(&cylinder.throw.coefficient(name), &cylinder.bank.coefficient(name));
+            let arm = match verdict.quantity {
+                Quantity::Moment => float(cylinder.position.known()) - float(family.reference_plane().known()),
+                _ => 1.0,
+            };
+            let weight = float(&cylinder.reciprocating_mass) * float(&cylinder.crank_radius) * arm;
+            [phase(cylinder.throw.known(), cylinder.bank.known()), times(PHI), times(DELTA), weight]
+        };
+        let terms: Vec<[f64; 4]> = family.cylinders().iter().map(term).collect();
+        let total = terms.iter().map(|[.., weight]| weight.abs()).sum::<f64>().max(1e-9);
+        Star { terms, total }
+    }
+
+    /// The sum over its weights, and its derivatives by φ and δ.
+    fn at(&self, [phi, delta]: [f64; 2]) -> [Complex<f64>; 3] {
+        let none = Complex::new(0.0, 0.0);
+        self.terms.iter().fold([none; 3], |[value, by_phi, by_delta], [known, p, d, weight]| {
+            let turned = Complex::from_polar(weight / self.total, TAU * (known + p * phi + d * delta));
+            let slope = turned * Complex::new(0.0, TAU);
+            [value + turned, by_phi + slope * p, by_delta + slope * d]
+        })
+    }
+
+    fn length(&self, at: [f64; 2]) -> f64 {
+        self.at(at)[0].norm()
+    }
+
+    /// Steps of least squares, damped, from a point.
+    fn descend(&self, mut at: [f64; 2]) -> [f64; 2] {
+        for _ in 0..60 {
+            let [value, p, d] = self.at(at);
+            if value.norm() < 1e-14 {
+                break;
+            }
+            let damping = 1e-3 * value.norm() * TAU;
+            let [a, b, c] = [p.norm_sqr() + damping, (p * d.conj()).re, d.norm_sqr() + damping];
+            let [x, y] = [(value * p.conj()).re, (value * d.conj()).re];
+            let determinant = a * c - b * b;
+            let steps = [(c * x - b * y) / determinant, (a * y - b * x) / determinant];
+            at = [at[0] - steps[0].clamp(-0.03, 0.03), at[1] - steps[1].clamp(-0.03, 0.03)];
+        }
+        at
+    }
+
+    fn zeros(&self) -> Vec<[f64; 2]> {
+        let starts =
+            (0..18).flat_map(|i| (0..18).map(move |j| [f64::from(i) / 18.0 + 0.01, f64::from(j) / 18.0 + 0.017]));
+        starts.map(|start| self.descend(start)).filter(|at| self.length(*at) < 1e-12).collect()
+    }
+}
+
+/// How far a number of turns is from another, modulo a turn.
+fn apart(turns: f64, other: f64) -> f64 {
+    let difference = (turns - other).rem_euclid(1.0);
+    difference.min(1.0 - difference)
+}
+
+/// `[phi, delta]` times φ and δ.
+fn times([phi, delta]: &[BigRational; 2], [at, other]: [f64; 2]) -> f64 {
+    float(phi) * at + float(delta) * other
+}
+
+/// φ and δ at which two angles have their turns.
+fn solved([one, other]: [&[BigRational; 2]; 2], [u, v]: [f64; 2]) -> [f64; 2] {
+    let [[a, b], [c, d]] = [one, other].map(|multiples| multiples.each_ref().map(float));
+    let determinant = a * d - b * c;
+    [(d * u - b * v) / determinant, (a * v - c * u) / determinant]
+}
+
+/// The points `[u, v]` of two classes, v none where all of a line vanishes.
+fn meetings(classes: &Classes) -> Vec<(f64, Option<f64>)> {
+    let rational = classes.rational().map(|(at, meeting)| {
+        let v = match meeting {
+            Meeting::All(_) => None,
+            Meeting::Rational { turn, .. } => Some(float(turn.turns())),
+            Meeting::Once { degrees, .. } => Some(degrees / 360.0),
+        };
+        (float(at), v)
+    });
+    let irrational =
+        classes.irrational().map(|([low, high], degrees)| ((float(low) + float(high)) / 2.0, Some(degrees / 360.0)));
+    rational.chain(irrational).collect()
+}
+
+fn of_alternative(alternative: &Alternative, at: [f64; 2]) -> f64 {
+    let each = alternative.conditions.iter().map(|condition| {
+        apart(times(&[condition.phi.clone(), condition.delta.clone()], at), float(condition.turn.turns()))
+    });
+    each.fold(0.0, f64::max)
+}
+
+/// How far a zero is from those that are told, in turns; none where nothing is told of the place.
+fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
+    let least = |all: &mut dyn Iterator<Item = f64>| all.fold(f64::INFINITY, f64::min);
+    Some(match when {
+        When::Always => 0.0,
+        When::Never(_) => f64::INFINITY,
+        When::Where(angles) => least(&mut angles.alternatives.iter().map(|one| of_alternative(one, at))),
+        When::Cosine(found) => {
+            let x = times(&[found.phi.clone(), found.delta.clone()], at) + float(found.turn.turns());
+            ((TAU * x).cos() - float(&found.cosine)).abs()
+        }
+        When::Circle(circle) => {
+            assert!(circle.is_complete());
+            let u = times(&[circle.polynomial.phi.clone(), circle.polynomial.delta.clone()], at);
+            let rational = circle.rational().map(|turn| apart(u, float(turn.turns())));
+            let irrational = circle.irrational().map(|[low, high]| apart(u, (float(low) + float(high)) / 2.0));
+            least(&mut rational.chain(irrational))
+        }
+        When::Irrational { phi, delta, degrees, .. } => {
+            apart(times(&[phi.clone(), delta.clone()], at), degrees / 360.0)
+        }
+        When::Triangle(triangle) => least(&mut triangle.corners.iter().map(|corner| match corner {
+            Corner::Exact(exact) => of_alternative(exact, at),
+            Corner::Near(degrees) => {
+                let each = triangle.multiples.iter().zip(degrees);
+                each.map(|(multiples, degrees)| apart(times(multiples, at), degrees / 360.0)).fold(0.0, f64::max)
+            }
+        })),
+        When::Classes(classes) if classes.is_curve() => 0.0,
+        When::Classes(classes) => {
+            let (u, v) = (times(&classes.u, at), times(&classes.v, at));
+            let told = meetings(classes);
+            let found = told.iter().map(|(x, y)| y.map_or(0.0, |y| apart(v, y)).max(apart(u, *x)));
+            let is_open = classes.circle.iter().flat_map(|circle| circle.open()).any(|[low, high]| {
+                let middle = (float(low) + float(high)) / 2.0;
+                apart(u, middle) < (float(high) - float(low)) / 2.0 + 1e-3
+            });
+            match least(&mut { found }) {
+                distance if distance > 1e-3 && is_open => return None,
+                distance => distance,
+            }
+        }
+        When::Product(product) => {
+            let [one, other] = [&product.group, &product.firsts].map(|factor| from_told(factor, at));
+            match (one, other) {
+                (Some(one), Some(other)) => one.min(other),
+                (one, other) => return one.or(other).filter(|distance| *distance < 1e-3),
+            }
+        }
+        When::NotSolved(_) => return None,
+    })
+}
+
+/// A point of the line where an angle has its turn.
+fn on_line([phi, delta]: &[BigRational; 2], turn: f64) -> [f64; 2] {
+    let [p, d] = [float(phi), float(delta)];
+    if p == 0.0 { [0.217, turn / d] } else { [(turn - d * 0.217) / p, 0.217] }
+}
+
+/// How many points, lines, curves and triangles were told, and how many sums have open arcs, or were not solved.
+#[derive(Debug, Default)]
+struct Told {
+    never: usize,
+    points: usize,
+    /// Also of one unknown.
+    lines: usize,
+    curves: usize,
+    triangles: usize,
+    products: usize,
+    open: usize,
+    not_solved: usize,
+}
+
+/// Whether the sum vanishes wherever it is told to.
+fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
+    let mut vanishes = |multiples: &[BigRational; 2], turn: f64| {
+        told.lines += 1;
+        assert!(star.length(on_line(multiples, turn)) < 1e-8, "{place}: {when:?}");
+    };
+    match when {
+        When::Where(angles) => {
+            for alternative in &angles.alternatives {
+                if let [only] = alternative.conditions.as_slice() {
+                    vanishes(&[only.phi.clone(), only.delta.clone()], float(only.turn.turns()));
+                }
+            }
+        }
+        When::Circle(circle) => {
+            let multiples = [circle.polynomial.phi.clone(), circle.polynomial.delta.clone()];
+            circle.rational().for_each(|turn| vanishes(&multiples, float(turn.turns())));
+            circle.irrational().for_each(|[low, high]| vanishes(&multiples, (float(low) + float(high)) / 2.0));
+        }
+        When::Irrational { phi, delta, degrees, .. } => vanishes(&[phi.clone(), delta.clone()], degrees / 360.0),
+        When::Product(product) => {
+            told.products += 1;
+            check_told(star, &product.group, told, place);
+            check_told(star, &product.firsts, told, place);
+        }
+        When::Triangle(triangle) => {
+            told.triangles += 1;
+            let [one, other] = triangle.multiples.each_ref();
+            for corner in &triangle.corners {
+                let turns = match corner {
+                    Corner::Exact(exact) => [0, 1].map(|at: usize| float(exact.conditions[at].turn.turns())),
+                    Corner::Near(degrees) => degrees.map(|degrees| degrees / 360.0),
+                };
+                let at = solved([one, other], turns);
+                assert!(star.length(at) < 1e-9, "{place}: {triangle:?}");
+            }
+        }
+        When::Classes(classes) => {
+            let at = |u: f64, v: f64| solved([&classes.u, &classes.v], [u, v]);
+            if classes.is_curve() {
+                told.curves += 1;
+                for u in [0.113, 0.377, 0.591, 0.873] {
+                    let length = |v: f64| star.length(at(u, v));
+                    let near = (0..400).map(|step| f64::from(step) / 400.0);
+                    let near = near.min_by(|one, other| length(*one).total_cmp(&length(*other))).expect("a step");
+                    let (mut low, mut high) = (near - 1.0 / 400.0, near + 1.0 / 400.0);
+                    for _ in 0..90 {
+                        let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+                        if length(one) < length(other) { high = other } else { low = one }
+                    }
+                    assert!(length(low) < 1e-9, "{place}: no curve");
+                }
+            }
+            for (u, v) in meetings(classes) {
+                let all = [v.unwrap_or(0.123), v.unwrap_or(0.789)];
+                if v.is_some() {
+                    told.points += 1
+                } else {
+                    told.lines += 1
+                }
+                assert!(all.iter().all(|v| star.length(at(u, *v)) < 1e-8), "{place}: u = {u}, v = {v:?}");
+            }
+            told.open += usize::from(classes.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
+        }
+        When::Never(_) => told.never += 1,
+        When::NotSolved(_) => told.not_solved += 1,
+        When::Always | When::Cosine(_) => (),
+    }
+}
+
+fn search(text: &str, orders: &[u32], told: &mut Told) {
+    let family = family(text);
+    let orders = family::classify(&family, orders).expect("orders");
+    for verdict in orders.iter().flat_map(|order| order.force.iter().chain(&order.moment)) {
+        let [sum] = verdict.sums.as_slice() else { continue };
+        let place = format!("{text}\norder {} {:?} {:?}", verdict.order, verdict.quantity, verdict.sense);
+        let star = Star::of(&family, verdict);
+        check_told(&star, &sum.when, told, &place);
+        for at in star.zeros() {
+            let distance = from_told(&sum.when, at).unwrap_or(0.0);
+            assert!(distance < 1e-3, "{place}: a zero at {at:?}, {distance} from {:?}", sum.when);
+        }
+    }
+    let checked = check_open_document(&report::open_document(&family, &orders));
+    checked.unwrap_or_else(|fault| panic!("{text}: {fault}"));
+}
+
+#[test]
+fn v_engines_with_pins_split_in_any_sense_vanish_exactly_where_it_is_told() {
+    let (mut dice, mut told) = (Dice::new(2), Told::default());
+    for round in 0..40 {
+        search(&vee(&mut dice), if round % 4 == 0 { &[1, 2, 4] } else { &[1, 2] }, &mut told);
+    }
+    eprintln!("{told:?}");
+    assert_eq!(told.not_solved, 0, "{told:?}");
+    assert!(told.points > 100 && told.never > 20 && told.triangles > 5, "{told:?}");
+}
+
+#[test]
+fn w_engines_with_pins_split_in_one_sense_vanish_exactly_where_it_is_told() {
+    let (mut dice, mut told) = (Dice::new(3), Told::default());
+    for _ in 0..20 {
+        search(&broad_arrow(&mut dice), &[1, 2], &mut told);
+    }
+    eprintln!("{told:?}");
+    assert_eq!(told.not_solved, 0, "{told:?}");
+    assert!(told.points > 50, "{told:?}");
+}
