@@ -11,7 +11,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
-use crate::support::two_angles::{broad_arrow, family, vee};
+use crate::support::two_angles::{broad_arrow, family, regular_vee, vee};
 
 fn float(value: &BigRational) -> f64 {
     value.to_f64().expect("a number")
@@ -290,9 +290,19 @@ fn v_engines_with_pins_split_in_any_sense_vanish_exactly_where_it_is_told() {
     for round in 0..40 {
         search(&vee(&mut dice), if round % 4 == 0 { &[1, 2, 4] } else { &[1, 2] }, &mut told);
     }
+    assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
+    assert!(told.points > 300 && told.never > 100 && told.triangles > 20 && told.lines > 5, "{told:?}");
+}
+
+#[test]
+fn v_engines_with_pins_split_alike_make_products_and_curves() {
+    let (mut dice, mut told) = (Dice::new(4), Told::default());
+    for _ in 0..40 {
+        search(&regular_vee(&mut dice), &[1, 2], &mut told);
+    }
     eprintln!("{told:?}");
     assert_eq!(told.not_solved, 0, "{told:?}");
-    assert!(told.points > 100 && told.never > 20 && told.triangles > 5, "{told:?}");
+    assert!(told.products > 10 && told.curves > 3 && told.lines > 50, "{told:?}");
 }
 
 #[test]
@@ -301,7 +311,6 @@ fn w_engines_with_pins_split_in_one_sense_vanish_exactly_where_it_is_told() {
     for _ in 0..20 {
         search(&broad_arrow(&mut dice), &[1, 2], &mut told);
     }
-    eprintln!("{told:?}");
-    assert_eq!(told.not_solved, 0, "{told:?}");
-    assert!(told.points > 50, "{told:?}");
+    assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
+    assert!(told.points > 150 && told.never > 30, "{told:?}");
 }

@@ -70,9 +70,13 @@ pub(super) fn why(classes: &Classes) -> Text {
                 u.clone(),
                 circle.arcs.len()
             );
-            let told = match zeros(classes) {
-                Some(zeros) => phrase!("So the sum vanishes where {}, and nowhere else that is not named here.", zeros),
-                None => "So it vanishes nowhere that is not named here.".into(),
+            let told = match (zeros(classes), circle.is_complete()) {
+                (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
+                (None, true) => "So it vanishes for no angles.".into(),
+                (Some(zeros), false) => {
+                    phrase!("So, but for the arcs that are left open, the sum vanishes exactly where {}.", zeros)
+                }
+                (None, false) => "So it vanishes nowhere but perhaps on the arcs that are left open.".into(),
             };
             let only = circle.irrational().map(|near| {
                 let [from, to] = circle_words::between(circle, near);

@@ -39,6 +39,22 @@ pub fn vee(dice: &mut Dice) -> String {
     engine(dice, &["-phi/2", "phi/2"], &["", " + delta", " - delta"])
 }
 
+/// A V engine whose pins are split alike on both banks, or in opposite senses, between equal pistons: products, and curves.
+pub fn regular_vee(dice: &mut Dice) -> String {
+    let (pins, opposite) = (2 + dice.below(3), dice.below(2) == 1);
+    let step = [60, 90, 120, 72][dice.below(4) as usize];
+    let pin = |place: u64| {
+        let throw = step * dice.below(6) % 360;
+        let senses = if dice.below(2) == 0 || place == 0 { [" + delta", " - delta"] } else { ["", ""] };
+        let second = senses[usize::from(opposite)];
+        let cylinder = |split: &str, bank: &str| {
+            format!("[[cylinder]]\nthrow = '{throw}{split}'\nbank = '{bank}'\nposition = {place}\n")
+        };
+        cylinder(senses[0], "-phi/2") + &cylinder(second, "phi/2")
+    };
+    (0..pins).map(pin).collect()
+}
+
 /// A W engine whose pins are split in one sense, or not.
 pub fn broad_arrow(dice: &mut Dice) -> String {
     engine(dice, &["-phi", "0", "phi"], &["", " + delta"])
