@@ -68,13 +68,14 @@ const REFINED: u32 = 44;
 const WIDEST_CROSSING: u32 = 12;
 /// Bits beyond those that tell two candidates apart.
 const SPARE_BITS: u64 = 64;
+const FEWEST_BITS: u64 = 128;
 /// Turns with more digits are not told apart.
 const MOST_BITS: u64 = 480;
 
 /// Cuts the circle.
 pub(super) fn cover(polynomial: Polynomial) -> Circle {
     let finest = polynomial.moduli().iter().map(BigInt::bits).max().unwrap_or(1);
-    let bits = (2 * finest + SPARE_BITS).max(128).min(MOST_BITS).next_multiple_of(32) as u32;
+    let bits = (2 * finest + SPARE_BITS).clamp(FEWEST_BITS, MOST_BITS).next_multiple_of(32) as u32;
     let mirrored = polynomial.mirrored();
     let ground = Ground::new(&polynomial, bits);
     let cutter = Cutter {
