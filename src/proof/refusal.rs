@@ -65,7 +65,10 @@ impl fmt::Display for Refusal {
                 write!(f, "the conductor {conductor} is not in 1..={LARGEST_CONDUCTOR}")
             }
             Refusal::WrongOrder(root) => {
-                write!(f, "the multiplicative order of the root {root} is not the conductor, or not by every factor of the modulus")
+                write!(
+                    f,
+                    "the multiplicative order of the root {root} is not the conductor, or not by every factor of the modulus"
+                )
             }
             Refusal::AngleNotWhole(angle) => write!(f, "the angle {angle} times the conductor is not whole"),
             Refusal::WeightNotWhole(weight) => write!(f, "the weight {weight} times a positive scale is not whole"),
@@ -75,7 +78,9 @@ impl fmt::Display for Refusal {
                 write!(f, "step {step}: {prime} divides the conductor and must divide the modulus of the class")
             }
             Refusal::ModulusNotPositive(step) => write!(f, "step {step}: the modulus of a class is positive"),
-            Refusal::NoSuchClasses(step) => write!(f, "step {step}: needs a prime up to a million and two different classes below it"),
+            Refusal::NoSuchClasses(step) => {
+                write!(f, "step {step}: needs a prime up to a million and two different classes below it")
+            }
             Refusal::PrimeSquared(step, prime) => write!(f, "step {step}: {prime} divides the conductor twice"),
             Refusal::NotOneVector(left) => write!(f, "the splitting ends in {left} vectors instead of one"),
             Refusal::TooManySteps => write!(f, "the check would take more than {MOST_STEPS} steps"),
