@@ -226,14 +226,15 @@ fn false_verdicts_are_refused() {
     cheats.put(&honest, &format!("{residue}/residue"), json!("2"), "the sum is 1 modulo 7");
     cheats.put(&honest, &format!("{residue}/scale"), json!("0"), "out of range");
     cheats.put(&honest, &format!("{residue}/conductor"), json!("12"), "a smaller order");
-    cheats.drop(&honest, "/verdicts", "here stands a verdict on");
-    cheats.twice(&honest, "/verdicts", "more verdicts than were asked for");
-    cheats.put(&honest, "/orders", json!([1]), "here stands a verdict on");
-    cheats.put(&honest, "/orders", json!([1, 2, 3]), "is missing");
+    cheats.drop(&honest, "/verdicts", "9 verdicts where 10 are due");
+    cheats.change(&honest, "/verdicts", |list| list.as_array_mut().expect("a list").swap(0, 1), "is due");
+    cheats.twice(&honest, "/verdicts", "11 verdicts where 10 are due");
+    cheats.put(&honest, "/orders", json!([1]), "10 verdicts where 5 are due");
+    cheats.put(&honest, "/orders", json!([1, 2, 3]), "10 verdicts where 15 are due");
     cheats.put(&honest, "/quantities", json!(["moment", "force"]), "quantities stand in the order");
     cheats.put(&honest, "/shapes/0/shape", json!("planar"), "the contrary");
     cheats.put(&honest, "/shapes/2/shape", json!("elliptical"), "the shape is rotating");
-    cheats.drop(&honest, "/shapes", "another shape stands here");
+    cheats.drop(&honest, "/shapes", "3 shapes where 4 are due");
     cheats.put(&honest, "/theorems/0/survivors/residues", json!([0]), "the statement contradicts");
     cheats.put(&honest, "/theorems/0/survivors/order_one", json!(false), "the statement contradicts");
     cheats.put(
@@ -244,8 +245,8 @@ fn false_verdicts_are_refused() {
     );
     cheats.put(&honest, "/theorems/0/period", json!("6"), "not whole");
     cheats.drop(&honest, "/theorems/0/verdicts", "not one verdict for each order");
-    cheats.drop(&honest, "/theorems", "theorems");
-    cheats.put(&honest, "/all_orders", json!(false), "theorems");
+    cheats.drop(&honest, "/theorems", "3 theorems where 4 are due");
+    cheats.put(&honest, "/all_orders", json!(false), "4 theorems where 0 are due");
     cheats.change(&honest, "/cylinders/0", |one| one["tilt"] = json!("1"), "the key tilt is unknown");
     cheats.change(&honest, "/cylinders/0", |one| one["position"] = json!("0/1"), "not in lowest terms");
     cheats.change(
@@ -270,7 +271,7 @@ fn false_families_remedies_and_firing_stars_are_refused() {
     cheats.twice(&family, &format!("{sum}/when/alternatives"), "alternatives");
     cheats.drop(&family, &format!("{sum}/parts"), "not those of the cylinders");
     cheats.put(&family, &format!("{sum}/parts/0/phi"), json!("-1"), "not those of the cylinders");
-    cheats.drop(&family, "/open_verdicts", "another verdict stands here");
+    cheats.drop(&family, "/open_verdicts", "3 open_verdicts where 4 are due");
     cheats.drop(&family, "/open_verdicts/2/sums", "not those of the lengths");
     cheats.put(&family, "/cylinders/0/bank/phi", json!("-1"), "not those of the cylinders");
     let remedy = seed("remedy.json");
@@ -282,8 +283,8 @@ fn false_families_remedies_and_firing_stars_are_refused() {
     cheats.put(&remedy, "/cylinders/0/weight", json!("2"), "not those of the engine and the weights");
     let firing = told(&["classify", "I4", "--json", "--firing"]);
     cheats.put(&firing, "/cylinders/1/firing_angle", json!("1/3"), "a top dead centre");
-    cheats.put(&firing, "/cylinders/1/firing_angle", json!("0"), "");
-    cheats.drop(&firing, "/verdicts", "another verdict stands here");
+    cheats.put(&firing, "/cylinders/1/firing_angle", json!("1/2"), "not those of the star");
+    cheats.drop(&firing, "/verdicts", "verdicts where");
     cheats.put(&firing, "/cylinders/1/deflection", json!("2"), "not those of the star");
     cheats.are_refused("second-checker-others");
 }
