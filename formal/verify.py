@@ -274,7 +274,7 @@ def check_engine(cylinders, turning):
     demand(rods and len({rod == ("unknown",) for rod in rods + shafts}) == 1, "there is no rod, or some are known and some are not")
     demand(all(rod[0] != "link" for rod in shafts), "a shaft takes the number of a link, which has several")
     demand(all(rod[0] == "link" or not c.knuckle_weight for c, rod in zip(cylinders, rods)), "a knuckle weight without a link")
-    demand(all(c.speed is None or c.speed > 1 and rod[0] != "link" for c, rod in zip(cylinders, rods)), "a speed is out of place")
+    demand(all(c.speed is None or type(c.speed) is int and c.speed > 1 and rod[0] != "link" for c, rod in zip(cylinders, rods)), "a speed is out of place")
     demand(all(mass.order >= 1 and mass.sense in SENSES["force"] for mass in turning), "a mass turns in no order or sense")
 
 
@@ -429,7 +429,7 @@ def check_classify(document, notes):
 
 def check_asked(document, allowed):
     orders, quantities = document.orders, document.quantities
-    demand(orders and orders[0] >= 1 and sorted(set(orders)) == orders, "orders rise from 1 on")
+    demand(orders and all(type(k) is int and k >= 1 for k in orders) and sorted(set(orders)) == orders, "orders rise from 1 on")
     demand(quantities and quantities == [one for one in allowed if one in quantities], f"quantities stand in the order {allowed}")
 
 
