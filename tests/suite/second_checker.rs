@@ -101,7 +101,7 @@ fn every_document_on_random_engines_of_every_form_verifies() {
     let (mut dice, mut files) = (Dice::new(16), Vec::new());
     let (mut verdicts, mut families, mut loads, mut remedies) = (0, 0, 0, 0);
     for index in 0..RANDOM {
-        let mut layout = |text: String| {
+        let layout = |text: String| {
             let path = folder.join(format!("{index}-{}.toml", files.len()));
             fs::write(&path, text).expect("written");
             path.to_str().expect("text").to_owned()
@@ -218,7 +218,7 @@ fn false_verdicts_are_refused() {
         let place = format!("/verdicts/6/certificate/polygons/0/{key}");
         cheats.put(&honest, &place, value, "the polygons do not add up");
     }
-    cheats.put(&honest, "/verdicts/6/certificate/polygons/0/sides", json!(1), "no whole number from 2 on");
+    cheats.put(&honest, "/verdicts/6/certificate/polygons/0/sides", json!(1), "a polygon has from 2");
     cheats.twice(&honest, "/verdicts/6/certificate/polygons", "the polygons do not add up");
     let residue = "/verdicts/1/certificate";
     cheats.put(&honest, &format!("{residue}/prime"), json!("13"), "the root");
@@ -233,7 +233,7 @@ fn false_verdicts_are_refused() {
     cheats.put(&honest, "/orders", json!([1, 2, 3]), "10 verdicts where 15 are due");
     cheats.put(&honest, "/quantities", json!(["moment", "force"]), "quantities stand in the order");
     cheats.put(&honest, "/shapes/0/shape", json!("planar"), "the contrary");
-    cheats.put(&honest, "/shapes/2/shape", json!("elliptical"), "the shape is rotating");
+    cheats.put(&honest, "/shapes/2/shape", json!("elliptical"), "rotating is due");
     cheats.drop(&honest, "/shapes", "3 shapes where 4 are due");
     cheats.put(&honest, "/theorems/0/survivors/residues", json!([0]), "the statement contradicts");
     cheats.put(&honest, "/theorems/0/survivors/order_one", json!(false), "the statement contradicts");
@@ -247,13 +247,13 @@ fn false_verdicts_are_refused() {
     cheats.drop(&honest, "/theorems/0/verdicts", "not one verdict for each order");
     cheats.drop(&honest, "/theorems", "3 theorems where 4 are due");
     cheats.put(&honest, "/all_orders", json!(false), "4 theorems where 0 are due");
-    cheats.change(&honest, "/cylinders/0", |one| one["tilt"] = json!("1"), "the key tilt is unknown");
+    cheats.change(&honest, "/cylinders/0", |one| one["tilt"] = json!("1"), "tilt, or lacks one");
     cheats.change(&honest, "/cylinders/0", |one| one["position"] = json!("0/1"), "not in lowest terms");
     cheats.change(
         &honest,
         "",
         |all| drop(all.as_object_mut().expect("an object").remove("shapes")),
-        "shapes is missing",
+        "or lacks one",
     );
     cheats.are_refused("second-checker-verdicts");
 }
@@ -278,11 +278,11 @@ fn false_families_remedies_and_firing_stars_are_refused() {
     cheats.drop(&remedy, "/weights", "not those of the engine and the weights");
     cheats.put(&remedy, "/weights/0/parts/0/terms/0/weight", json!("-1/2"), "not those of the engine and the weights");
     cheats.put(&remedy, "/weights/0/order", json!(3), "not asked for");
-    cheats.drop(&remedy, "/sums", "this sum is missing");
+    cheats.drop(&remedy, "/sums", "('force', 1, 'direct', ('one',)) is missing");
     cheats.twice(&remedy, "/sums", "stands twice");
     cheats.put(&remedy, "/cylinders/0/weight", json!("2"), "not those of the engine and the weights");
     let firing = told(&["classify", "I4", "--json", "--firing"]);
-    cheats.put(&firing, "/cylinders/1/firing_angle", json!("1/3"), "a top dead centre");
+    cheats.put(&firing, "/cylinders/1/firing_angle", json!("1/3"), "a dead centre of its own");
     cheats.put(&firing, "/cylinders/1/firing_angle", json!("1/2"), "not those of the star");
     cheats.drop(&firing, "/verdicts", "verdicts where");
     cheats.put(&firing, "/cylinders/1/deflection", json!("2"), "not those of the star");
@@ -295,7 +295,7 @@ fn numbers_that_contradict_their_evidence_are_refused() {
     let compare = told(&["compare", "I4", "V8-crossplane", "--json"]);
     cheats.put(&compare, "/engines/0/orders/0/force/shape", json!("elliptical"), "differs");
     cheats.put(&compare, "/evidence/1/verdicts/0/terms/0/weight", json!("7"), "evidence[1].verdicts");
-    cheats.drop(&compare, "/evidence", "one document of evidence for each engine");
+    cheats.drop(&compare, "/evidence", "2 engines where 1 are due");
     cheats.are_refused("second-checker-numbers");
 }
 
