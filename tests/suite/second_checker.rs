@@ -101,12 +101,13 @@ fn every_document_on_random_engines_of_every_form_verifies() {
     let (mut dice, mut files) = (Dice::new(16), Vec::new());
     let (mut verdicts, mut families, mut loads, mut remedies) = (0, 0, 0, 0);
     for index in 0..RANDOM {
-        let layout = |text: String| {
-            let path = folder.join(format!("{index}-{}.toml", files.len()));
+        let layout = |kind: &str, text: String| {
+            let path = folder.join(format!("{kind}-{index}.toml"));
             fs::write(&path, text).expect("written");
             path.to_str().expect("text").to_owned()
         };
-        let (known, open) = (layout(every_form::known(&mut dice)), layout(every_form::open(&mut dice) + "\n"));
+        let known = layout("known", every_form::known(&mut dice));
+        let open = layout("open", every_form::open(&mut dice));
         let mut made = |name: &str, arguments: &[&str]| {
             usize::from(write(&folder, &format!("{name}-{index}"), arguments, &mut files))
         };
@@ -249,12 +250,7 @@ fn false_verdicts_are_refused() {
     cheats.put(&honest, "/all_orders", json!(false), "4 theorems where 0 are due");
     cheats.change(&honest, "/cylinders/0", |one| one["tilt"] = json!("1"), "tilt, or lacks one");
     cheats.change(&honest, "/cylinders/0", |one| one["position"] = json!("0/1"), "not in lowest terms");
-    cheats.change(
-        &honest,
-        "",
-        |all| drop(all.as_object_mut().expect("an object").remove("shapes")),
-        "or lacks one",
-    );
+    cheats.change(&honest, "", |all| drop(all.as_object_mut().expect("an object").remove("shapes")), "or lacks one");
     cheats.are_refused("second-checker-verdicts");
 }
 
