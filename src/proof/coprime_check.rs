@@ -13,13 +13,20 @@ use super::audit::{Audit, Reason, squared_words, steps_of};
 use super::check::LARGEST_CONDUCTOR;
 use super::circle::CoprimeClaim;
 use super::collected::Collected;
-use super::unknown::Unknown;
+use super::unknown::{Unknown, is_prime};
 use super::when::Part;
-use super::whole::{added, is_prime, multiplied, power, prime_divisors};
+use super::whole::{added, multiplied, power, prime_divisors};
+
+/// Larger primes are not tried by division.
+const LARGEST_PRIME: u64 = 1 << 32;
 
 /// Checks that the parts cancel for no angle.
 pub(super) fn check_coprime(claim: &CoprimeClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
     let unknown = Unknown::of(left, &claim.phi, &claim.delta, audit)?;
+    if claim.prime > LARGEST_PRIME {
+        return Err(format!("the prime is at most {LARGEST_PRIME}").into());
+    }
+    audit.spend(LARGEST_PRIME.isqrt() / 64)?;
     if !is_prime(claim.prime) {
         return Err(format!("{} is not prime", claim.prime).into());
     }

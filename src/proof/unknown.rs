@@ -89,13 +89,18 @@ impl<'a> Unknown<'a> {
             modulus = common_multiple(&modulus, angle.denom());
         }
         let conductor = modulus.clone();
-        for prime in (2..=self.sums.len() as u64).filter(|candidate| super::whole::is_prime(*candidate)) {
+        for prime in (2..=self.sums.len() as u64).filter(|candidate| is_prime(*candidate)) {
             if !(&conductor % prime).is_zero() {
                 modulus *= prime;
             }
         }
         Ok(self.exponents.iter().skip(1).map(|exponent| &modulus * exponent).collect())
     }
+}
+
+/// By trial division: small numbers alone are asked for.
+pub(super) fn is_prime(number: u64) -> bool {
+    number > 1 && (2..).take_while(|divisor| divisor * divisor <= number).all(|divisor| !number.is_multiple_of(divisor))
 }
 
 /// `conj(A)·B`, not collected.

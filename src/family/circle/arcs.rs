@@ -68,13 +68,14 @@ const REFINED: u32 = 44;
 const WIDEST_CROSSING: u32 = 12;
 /// Bits beyond those that tell two candidates apart.
 const SPARE_BITS: u64 = 64;
+const FEWEST_BITS: u64 = 128;
 /// Turns with more digits are not told apart.
 const MOST_BITS: u64 = 480;
 
 /// Cuts the circle.
 pub(super) fn cover(polynomial: Polynomial) -> Circle {
     let finest = polynomial.moduli().iter().map(BigInt::bits).max().unwrap_or(1);
-    let bits = (2 * finest + SPARE_BITS).max(128).min(MOST_BITS).next_multiple_of(32) as u32;
+    let bits = (2 * finest + SPARE_BITS).clamp(FEWEST_BITS, MOST_BITS).next_multiple_of(32) as u32;
     let mirrored = polynomial.mirrored();
     let ground = Ground::new(&polynomial, bits);
     let cutter = Cutter {
@@ -262,50 +263,5 @@ impl Cutter<'_> {
             .filter(|(from, to, _)| from < to)
             .map(|(from, to, kind)| slope.is_free([&from, &to]).then_some(Arc { to, kind }));
         arcs.collect()
-    }
-}
-
-impl Circle {
-    /// The arcs with both of their ends.
-    pub fn pieces(&self) -> impl Iterator<Item = ([&BigRational; 2], &Kind)> {
-        let starts = [&self.from].into_iter().chain(self.arcs.iter().map(|arc| &arc.to));
-        starts.zip(&self.arcs).map(|(from, arc)| ([from, &arc.to], &arc.kind))
-    }
-
-    /// Whether every arc is known.
-    pub fn is_complete(&self) -> bool {
-        self.open().next().is_none()
-    }
-
-    /// The arcs that are not known, in turns of u.
-    pub fn open(&self) -> impl Iterator<Item = [&BigRational; 2]> {
-        self.pieces().filter_map(|(ends, kind)| match kind {
-            Kind::Open => Some(ends),
-            Kind::Free | Kind::Monotone | Kind::Crossing { .. } | Kind::Rational { .. } => None,
-        })
-    }
-
-    /// The zeros that are rational turns of u, in [0, 1).
-    pub fn rational(&self) -> impl Iterator<Item = Turn> + '_ {
-        self.pieces().filter_map(|(_, kind)| match kind {
-            Kind::Rational { at, .. } => Some(Turn::new(at.clone())),
-            Kind::Free | Kind::Monotone | Kind::Crossing { .. } | Kind::Open => None,
-        })
-    }
-
-    /// Between which turns of u each irrational zero is, narrowly.
-    pub fn irrational(&self) -> impl Iterator<Item = [&BigRational; 2]> {
-        self.pieces().filter_map(|(_, kind)| match kind {
-            Kind::Crossing { near } => Some(near.each_ref()),
-            Kind::Free | Kind::Monotone | Kind::Rational { .. } | Kind::Open => None,
-        })
-    }
-
-    /// Whether it is shown to vanish nowhere.
-    pub fn is_free(&self) -> bool {
-        self.pieces().all(|(_, kind)| match kind {
-            Kind::Free | Kind::Monotone => true,
-            Kind::Crossing { .. } | Kind::Rational { .. } | Kind::Open => false,
-        })
     }
 }

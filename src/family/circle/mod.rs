@@ -4,6 +4,7 @@
 //! phasor sums as its coefficients. A Bézout identity modulo one prime shows that it has no zero on the circle; else the circle is
 //! cut into arcs, each with its evidence: free, around a rational zero, or crossed once at an irrational one (theory, section 16).
 
+mod answer;
 mod arcs;
 mod closed;
 mod curve;
