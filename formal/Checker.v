@@ -315,10 +315,11 @@ pose i := Z.modulo (Z.sub (Z.div k 2) 1) (Z.of_nat (size evs)).
 have size0 : Z.lt 0 (Z.of_nat (size evs)) by lia.
 have ib := Z.mod_pos_bound (Z.sub (Z.div k 2) 1) _ size0; rewrite -/i in ib.
 have id := Z.div_mod (Z.sub (Z.div k 2) 1) (Z.of_nat (size evs)); rewrite -/i in id.
-set j := Z.div _ _ in id.
+set j := Z.div (Z.sub (Z.div k 2) 1) _ in id.
 have i_lt : (Z.to_nat i < size evs)%N by lia.
 have /= := check_period_sound ok i_lt; rewrite Z2Nat.id; last lia.
-set r := Z.add 2 _; have kr : Z.sub k r = Z.mul j period by rewrite /r /period; nia.
+set r := Z.add 2 _; have kr : Z.sub k r = Z.mul j period.
+  have {}kd := kd ltac:(lia); have {}id := id ltac:(lia); rewrite /r /period; lia.
 have <- : vector e E q k = vector e E q r.
   by apply: (@vectors_period _ _ _ period) => //; rewrite ?kr ?Z.mod_mul //; rewrite /r; lia.
 have [c pE] : exists c, period = Z.mul c modulus.
