@@ -2,7 +2,6 @@
 From Coq Require Import ZArith QArith List Lia.
 From mathcomp Require Import all_ssreflect all_algebra all_field zify ssrZ.
 From Crankstar Require Import Sums Splitting Engine.
-Local Delimit Scope Q_scope with q.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Import GRing.Theory Num.Theory.
 
@@ -10,7 +9,7 @@ Import GRing.Theory Num.Theory.
 
 Inductive certificate : Type :=
 | Polygons (ps : list polygon)
-| Residue (ell g : Z)
+| Residue (n ell g : Z)      (* over the n-th part of a turn, once like directions are added *)
 | Split (steps : list step).
 
 (* Angles times [conductor] and weights times [scaled_by] are whole; the certificate is about these numbers. *)
@@ -24,7 +23,10 @@ Definition integral (N D : Z) (l : seq (Q * Q)) : seq term := [seq (times N v.1,
 Definition check_certificate (N : Z) (l : seq term) (c : certificate) : bool :=
   match c with
   | Polygons ps => check_polygons N l ps
-  | Residue ell g => check_residue N l ell g
+  | Residue n ell g =>
+      let l1 := collected N l in
+      let d := Z.div N n in
+      Z.ltb 0 n && Z.eqb (Z.mul d n) N && all (in_class d 0) l1 && check_residue n (divide d l1) ell g
   | Split steps => check_splitting N l steps
   end.
 
@@ -193,9 +195,13 @@ Proof.
 case: ev => N D c /= /andP[/andP[/andP[/Z.ltb_spec0 N0 /Z.ltb_spec0 D0] whole]].
 rewrite /claims_zero /= (total_integral N0 D0 whole).
 have prim := prim_part N0; have D_neq0 := Zint_neq0 D0.
-case: c => [ps|ell g|steps] /= H.
+case: c => [ps|n ell g|steps] /= H.
 - by rewrite (check_polygons_sound N0 prim H) mul0r.
-- by apply/eqP; rewrite mulf_neq0 ?invr_neq0 //; apply/eqP/(check_residue_sound N0 prim H).
+- case/andP: H => /andP[/andP[/Z.ltb_spec0 n0 /Z.eqb_spec nE] steps] H.
+  have d0 : Z.lt 0 (Z.div N n) by nia.
+  apply/eqP; rewrite mulf_neq0 ?invr_neq0 // -(value_collected N) (value_divide N0 prim d0 (esym nE) steps).
+  rewrite turn0 mulf_neq0 ?(zpow_unit N0 prim) //; apply/eqP.
+  exact: (check_residue_sound n0 (prim_divide N0 prim d0 (esym nE)) H).
 - by apply/eqP; rewrite mulf_neq0 ?invr_neq0 //; apply/eqP/(check_splitting_sound N0 prim H).
 Qed.
 

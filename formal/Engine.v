@@ -1,7 +1,7 @@
 (* What is said of an engine?  Definitions only: who reads a theorem of a file on an engine has to trust these lines. *)
 From Coq Require Import ZArith QArith List.
 From mathcomp Require Import all_ssreflect all_algebra ssrZ.
-Local Delimit Scope Q_scope with q.
+Delimit Scope Q_scope with q.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Import GRing.Theory.
 

@@ -120,6 +120,9 @@ rewrite -[RHS](value_collect N z) /collected; elim: (collect N l) => //= -[e w] 
 by case: Z.eqb_spec => /= [->|_]; rewrite !value_cons -IH // mul0r add0r.
 Qed.
 
+Lemma turn0 l : turn Z0 l = l.
+Proof. by rewrite /turn -[RHS]map_id; apply: eq_map => -[e w] /=; rewrite Z.sub_0_r. Qed.
+
 (* Another primitive root: a zero stays zero. *)
 Lemma prim_conj a : Z.gcd a N = Zpos 1 -> (Z.to_nat N).-primitive_root (zpow a).
 Proof.
@@ -388,7 +391,7 @@ all: rewrite ?EN; rewrite Z.mul_comm in NE.
 all: have N'0 : Z.lt Z0 N' by nia.
 all: have prim' := prim_divide N0 prim_z g0 NE.
 all: rewrite (value_divide N0 prim_z g0 NE gl) (zpow0 N0 prim_z) mul1r.
-all: have -> : turn Z0 l1 = l1 by rewrite /turn -[RHS]map_id; apply: eq_map => -[e w] /=; rewrite Z.sub_0_r.
+all: rewrite turn0.
   move=> /Z.eqb_spec; rewrite size_map; case: l1 all_neq0 gl => [|[e w] [|? ?]] //; last by move=> _ _ /=; lia.
   case/andP => /Z.eqb_spec w0 _ _ _; rewrite value_cons value_nil addr0 => /eqP; rewrite mulf_eq0 (negbTE (zpow_unit N'0 prim' _)) orbF.
   by rewrite intr_eq0 => /eqP w_eq0; apply: w0; rewrite -(int_of_ZK w) w_eq0.
