@@ -34,7 +34,7 @@ Proof.
 move=> _; rewrite cis_add !mulrA; congr (_ * _ * _).
 have -> : number F (inject_Z (2 * order * order) * U * arm)%q = number F (inject_Z 2 * (inject_Z (order * order) * U * arm))%q.
   by apply: number_eq; rewrite !inject_Z_mult; ring.
-by rewrite [RHS]numberM number_Z.
+by rewrite [RHS]numberM number_Z -[LHS]mulrA.
 Qed.
 
 Variables (q : sense -> quantity) (arm : Q -> Q).
@@ -50,9 +50,8 @@ Theorem shaking_vectors k theta :
 Proof.
 rewrite /shaking /vector /vectors !total_cat /total !big_map !big_filter mulrDr !mulr_sumr.
 rewrite !mulrDl addrACA; congr (_ + _).
-  rewrite !mulr_suml -big_split; apply: eq_bigr => c _ /=.
-  rewrite of_cylinder; congr (_ * _ * _ + _ * _ * _).
-  all: by case: arm_of_q => -[-> ->].
+  rewrite !mulr_suml -big_split; apply: eq_bigr => c _ /=; rewrite of_cylinder.
+  by case: arm_of_q => -[qE armE]; rewrite qE armE.
 rewrite !mulr_suml big_mkcond [X in _ = X + _]big_mkcond [X in _ = _ + X]big_mkcond -big_split; apply: eq_bigr => t _ /=.
 have partE s : takes_part (q s) k t = Z.eqb (order t) k && same_sense s (turns t) by case: arm_of_q => -[-> _].
 rewrite !partE; case: Z.eqb_spec => [ok|_] /=; last by rewrite addr0.

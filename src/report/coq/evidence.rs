@@ -51,7 +51,8 @@ impl Grid {
     }
 }
 
-/// The certificate as `Evidence` of Checker.v; nothing where the scale is no unit modulo the prime of a residue.
+/// The certificate as `Evidence` of Checker.v; nothing where the image of a residue would vanish, because the
+/// scale that all terms need holds its prime once more than that of the collected ones.
 pub(super) fn evidence(grid: Grid, certificate: &Certificate) -> Option<String> {
     let grid = grid.with(certificate);
     let certified = match certificate {
@@ -62,7 +63,7 @@ pub(super) fn evidence(grid: Grid, certificate: &Certificate) -> Option<String> 
             };
             format!("Polygons {}", list(polygons.iter().map(polygon).collect()))
         }
-        Certificate::Residue(residue) if (&grid.scale % &residue.prime).is_zero() => return None,
+        Certificate::Residue(residue) if (&grid.scale / &residue.scale % &residue.prime).is_zero() => return None,
         Certificate::Residue(residue) => {
             format!("Residue {} {} {}", residue.conductor, residue.prime, residue.root)
         }

@@ -25,7 +25,7 @@ pub enum NotStated {
         /// The order.
         order: u32,
     },
-    /// The scale of the weights is a multiple of the prime of a residue.
+    /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
     Scale {
         /// Of what.
         quantity: Quantity,
