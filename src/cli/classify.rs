@@ -54,7 +54,9 @@ impl Classify {
             return Err(Failure::misuse("--all-orders adds to the JSON document; add --json, or --format coq"));
         }
         if self.firing && self.data.is_coq() {
-            return Err(Failure::misuse("theorems are about forces, moments and torque of inertia; leave out --firing or --format coq"));
+            return Err(Failure::misuse(
+                "theorems are about forces, moments and torque of inertia; leave out --firing or --format coq",
+            ));
         }
         if self.firing {
             return self.run_firing(wanted.is_some());
@@ -69,7 +71,9 @@ impl Classify {
                 return Err(Failure::new("tables need an engine without unknowns; give them values below [values]"));
             }
             Layout::Open(_) if self.data.is_coq() => {
-                return Err(Failure::new("a file of Coq states numbers, and this engine has unknowns; give them values below [values]"));
+                return Err(Failure::new(
+                    "a file of Coq states numbers, and this engine has unknowns; give them values below [values]",
+                ));
             }
             Layout::Open(family) => return self.run_open(&family, &orders),
         };

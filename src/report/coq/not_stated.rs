@@ -39,10 +39,18 @@ impl fmt::Display for NotStated {
         f.write_str("no file of Coq can state this engine: ")?;
         match self {
             NotStated::Link(name) => {
-                write!(f, "cylinder {} is a link on a master rod, whose numbers are enclosed and not rational", harmless(name))
+                write!(
+                    f,
+                    "cylinder {} is a link on a master rod, whose numbers are enclosed and not rational",
+                    harmless(name)
+                )
             }
             NotStated::Offset(name) => {
-                write!(f, "the rod of cylinder {} has an offset; formal/Engine.v knows rods in line with the crank", harmless(name))
+                write!(
+                    f,
+                    "the rod of cylinder {} has an offset; formal/Engine.v knows rods in line with the crank",
+                    harmless(name)
+                )
             }
             NotStated::SeveralCrankshafts => {
                 f.write_str("it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")
