@@ -85,6 +85,7 @@ mod reports;
 mod rooms;
 mod search;
 mod search_torsion;
+mod second_checker;
 mod side_force;
 mod sweep;
 mod sweep_firing;
@@ -110,6 +111,7 @@ mod support {
     pub mod german;
     pub mod hard;
     pub mod imports;
+    pub mod linked;
     pub mod oracle;
     pub mod pages;
     pub mod piston;
