@@ -85,7 +85,7 @@ fn statements_on_every_order_have_a_certificate_for_each_even_order_of_a_period(
 fn paths_of_classes_are_stated_too() {
     let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/formal/engines/large-denominator.toml");
     let file = answered(&["classify", layout, "--orders", "1", "--format", "coq"]);
-    assert!(file.contains("(Split [:: "), "{file}");
+    assert!(file.contains("(Split [:: Class ") && file.contains("; Compare "), "{file}");
 }
 
 #[test]
