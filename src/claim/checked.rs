@@ -100,12 +100,14 @@ pub(super) fn checked(
             let mut found = set.at.clone();
             found.sort();
             let claim = at.as_ref().map_or_else(|| "everywhere".to_owned(), Values::in_words);
+            // A zero at no rational turn is none of the values.
+            let complete = set.complete && set.irrational.is_empty();
             let holds = match &at {
                 None => set.everywhere,
                 Some(Values::Among(_)) if set.everywhere => true,
-                Some(values) => !set.everywhere && values.are(&found, set.complete),
+                Some(values) => !set.everywhere && values.are(&found, complete),
             };
-            let found = Found::Values { at: found, everywhere: set.everywhere, complete: set.complete };
+            let found = Found::Values { at: found, everywhere: set.everywhere, complete };
             (format!("{} vanishes {claim}", part.words), holds, found)
         }
         Check::Constant { part, at } => {
@@ -115,7 +117,8 @@ pub(super) fn checked(
             let one_left = direct.at.iter().chain(&reverse.at).filter(|value| !both.at.contains(value));
             let mut found: Vec<BigRational> = one_left.cloned().collect();
             found.sort();
-            let complete = direct.complete && reverse.complete && !direct.everywhere && !reverse.everywhere;
+            let all_told = |set: &sweep::ZeroSet| set.complete && set.irrational.is_empty() && !set.everywhere;
+            let complete = all_told(direct) && all_told(reverse);
             let claim = format!("{} is of constant length {}", part.words, at.in_words());
             (claim, at.are(&found, complete), Found::Values { at: found, everywhere: false, complete })
         }

@@ -4,19 +4,23 @@
 //! symbols. So every sum is `Σ_s s Σ_{j,l} e^{i(jφ + lδ)} S_{s,j,l}` with phasor sums S without unknowns: it vanishes for
 //! all values of the symbols iff each `Σ_{j,l}` does, and for all angles iff every S does (theory, section 5).
 
+mod circle;
 mod comparable;
 mod component;
 mod firing;
 mod left;
 mod solve;
 mod torque;
+mod zeros;
 
+pub use circle::{Arc, Circle, Closed, Coprime, Kind, Polynomial};
 pub use comparable::{NotComparable, comparable};
-pub use component::{Component, Zeros, component_zeros};
+pub use component::{Component, component_zeros};
 pub use firing::even_firing;
 pub use left::{Left, left};
 pub use solve::{Alternative, Angles, Condition, Cosine, Never, When};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};
+pub use zeros::{Solutions, Zeros};
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -84,7 +88,7 @@ impl OpenVerdict {
     }
 
     /// The angles φ in (0°, 360°) at which it vanishes for all lengths; `None` where it always does, where δ enters,
-    /// or where some sum is not solved.
+    /// or where not all of them are rational.
     pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
         self.angles_of(PHI)
     }
@@ -97,18 +101,12 @@ impl OpenVerdict {
     }
 
     /// The values of one unknown, φ or δ, in a range at which it vanishes for all lengths, in turns and with the ends of the
-    /// range; `None` where it always does, where the other one enters, or where some sum is not solved.
+    /// range; `None` where it always does, where the other one enters, or where not all of them are rational.
     pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
-        if self.never() {
-            return Some(BTreeSet::new());
+        match self.zeros(unknown, range) {
+            Zeros::At(solutions) => solutions.all_exact().cloned(),
+            Zeros::Everywhere | Zeros::NotSolved => None,
         }
-        let open = self.sums.iter().filter(|sum| !matches!(sum.when, When::Always));
-        let sets = open.map(|sum| match &sum.when {
-            When::Where(angles) => angles.values(unknown, range),
-            When::Always | When::Never(_) | When::Irrational { .. } | When::Cosine(_) | When::NotSolved(_) => None,
-        });
-        let sets = sets.collect::<Option<Vec<_>>>()?;
-        sets.into_iter().reduce(|common, set| common.intersection(&set).cloned().collect())
     }
 }
 

@@ -1,8 +1,8 @@
 //! When does `S_1 e^{ix_1} + S_2 e^{ix_2} + … = 0`, with x linear in φ and δ?
 //!
 //! One part never vanishes. Two do iff |S_1| = |S_2| and `x_2 − x_1 ≡ arg S_1 − arg S_2 + 180°`. Three of equal length do
-//! iff they stand 120° apart. Of three, two may be mirror images of each other about the third: then a cosine decides. The
-//! rest is not solved here, and said so.
+//! iff they stand 120° apart. Of three, two may be mirror images of each other about the third: then a cosine decides. All
+//! else in one unknown is solved on the circle ([`circle`]); two unknowns that enter on their own are not, and it is said so.
 
 use std::collections::BTreeSet;
 
@@ -11,6 +11,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::Part;
+use super::circle::{self, Circle, Coprime, Solved};
 use super::left::ratio;
 use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
@@ -26,7 +27,12 @@ pub enum When {
     Never(Never),
     /// Exactly where one of these conditions holds.
     Where(Angles),
-    /// Exactly where `phi·φ + delta·δ` is an angle for which no rational turn was found, in degrees.
+    /// Exactly where a cosine has a value that no rational turn gives.
+    Cosine(Box<Cosine>),
+    /// Exactly at the zeros on the arcs of a circle, where it is [complete](Circle::is_complete).
+    Circle(Box<Circle>),
+    /// Exactly where `phi·φ + delta·δ` is an angle, in degrees, for which no rational turn was found: two parts of which the
+    /// unknowns turn one too many times for arcs.
     Irrational {
         /// How many times φ enters.
         phi: BigRational,
@@ -37,9 +43,7 @@ pub enum When {
         /// Evidence that the two parts are equally long.
         equal_lengths: Certificate,
     },
-    /// Exactly where a cosine has a value that no rational turn gives.
-    Cosine(Box<Cosine>),
-    /// This many parts are too many to solve for.
+    /// This many parts in which two unknowns enter on their own, or one too many times.
     NotSolved(usize),
 }
 
@@ -67,6 +71,10 @@ pub enum Never {
     OnePart,
     /// Two parts of different length: evidence that `|S_1|² − |S_2|²` is not zero.
     UnequalLengths(Certificate),
+    /// Parts in one unknown, which have no zero on the circle: evidence by one prime.
+    Coprime(Box<Coprime>),
+    /// Parts in one unknown, whose arcs hold no zero.
+    Circle(Box<Circle>),
 }
 
 /// The angles at which parts of equal length cancel: for φ alone a list, for φ and δ a line of solutions.
@@ -141,7 +149,17 @@ pub(super) fn when(parts: &[&Part]) -> When {
         [_] => When::Never(Never::OnePart),
         [first, second] => two(first, second),
         [first, second, third] => three(first, second, third),
-        more => When::NotSolved(more.len()),
+        more => general(more),
+    }
+}
+
+/// Any number of parts in one unknown.
+fn general(parts: &[&Part]) -> When {
+    match circle::solve(parts) {
+        Some(Solved::Never(coprime)) => When::Never(Never::Coprime(coprime)),
+        Some(Solved::Circle(circle)) if circle.is_free() => When::Never(Never::Circle(circle)),
+        Some(Solved::Circle(circle)) => When::Circle(circle),
+        None => When::NotSolved(parts.len()),
     }
 }
 
@@ -160,12 +178,20 @@ fn two(first: &Part, second: &Part) -> When {
             let alternatives = vec![alternative(first, &[(second, turn.opposite())])];
             When::Where(Angles { alternatives, equal_lengths: Vec::new() })
         }
-        _ => When::Irrational {
-            phi: &second.phi - &first.phi,
-            delta: &second.delta - &first.delta,
-            degrees: numbers::evaluate(&quotient).arg().to_degrees() + 180.0,
-            equal_lengths: comparison,
+        Some(Direction::Arctangent { .. }) | None => match circle::arcs_of(&[first, second]) {
+            // An angle beyond the digits of the arcs is named without them.
+            Some(circle) if circle.is_complete() => When::Circle(Box::new(circle)),
+            Some(_) | None => irrational(first, second, &quotient, comparison),
         },
+    }
+}
+
+fn irrational(first: &Part, second: &Part, quotient: &PhasorSum, equal_lengths: Certificate) -> When {
+    When::Irrational {
+        phi: &second.phi - &first.phi,
+        delta: &second.delta - &first.delta,
+        degrees: numbers::evaluate(quotient).arg().to_degrees() + 180.0,
+        equal_lengths,
     }
 }
 
@@ -191,7 +217,7 @@ fn three(first: &Part, second: &Part, third: &Part) -> When {
     let (true, Some(to_second), Some(to_third)) = (equal, relative(second), relative(third)) else {
         let middles = [(first, [second, third]), (second, [first, third]), (third, [first, second])];
         let mut found = middles.iter().enumerate().filter_map(|(at, (middle, others))| mirrored(at, middle, *others));
-        return found.next().map_or(When::NotSolved(3), |cosine| When::Cosine(Box::new(cosine)));
+        return found.next().map_or_else(|| general(&[first, second, third]), |cosine| When::Cosine(Box::new(cosine)));
     };
     let alternatives = [1, 2].map(|thirds| {
         let turned = |relative: &Turn, thirds: i64| relative + &Turn::fraction(thirds, 3);

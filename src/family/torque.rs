@@ -8,8 +8,7 @@ use std::fmt;
 
 use num_rational::BigRational;
 
-use super::component::values_of_multiples;
-use super::{OpenSum, When, sum_of};
+use super::{OpenSum, Solutions, When, Zeros, sum_of};
 use crate::engine::{CycleOrder, Family, FiringSpan, Linear, NoSpans};
 use crate::firing::{NoStar, Weights, are_orders_of};
 
@@ -117,10 +116,22 @@ impl OpenStar {
     }
 
     /// The values of an unknown in a range, in turns and with its ends, at which it vanishes; `None` where it does in a whole
-    /// span, where the other unknown enters, or where some star is not solved.
+    /// span, where the other unknown enters, or where not all of them are rational.
     pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
-        let sets = self.known().iter().map(|star| star.values(unknown, range)).collect::<Option<Vec<_>>>()?;
-        (!sets.is_empty()).then(|| sets.into_iter().flatten().collect())
+        self.solutions(unknown, range)?.all_exact().cloned()
+    }
+
+    /// The same with those that are irrational; `None` where it vanishes in a whole span, or the other unknown enters.
+    pub fn solutions(&self, unknown: &str, range: [&BigRational; 2]) -> Option<Solutions> {
+        let each = self.known().iter().map(|star| star.solutions(unknown, range)).collect::<Option<Vec<_>>>()?;
+        each.into_iter().reduce(|mut all, more| {
+            all.exact.extend(more.exact);
+            all.irrational.extend(more.irrational);
+            all.open.extend(more.open);
+            all.irrational.sort();
+            all.open.sort();
+            all
+        })
     }
 }
 
@@ -131,14 +142,19 @@ impl SpanStar {
     }
 
     /// The values of an unknown in its span and a range at which it vanishes; `None` as in [`OpenStar::values`].
-    pub fn values(&self, unknown: &str, [low, high]: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
-        let mut values = match &self.sum.when {
-            When::Never(_) => BTreeSet::new(),
-            When::Where(angles) => angles.values(unknown, [low, high])?,
-            When::NotSolved(_) | When::Cosine(_) => values_of_multiples(&self.sum, unknown, [low, high])?,
-            When::Always | When::Irrational { .. } => return None,
-        };
-        values.retain(|value| self.span.holds(value));
-        Some(values)
+    pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
+        self.solutions(unknown, range)?.all_exact().cloned()
+    }
+
+    /// The same with those that are irrational; `None` as in [`OpenStar::solutions`].
+    pub fn solutions(&self, unknown: &str, range: [&BigRational; 2]) -> Option<Solutions> {
+        match self.sum.zeros(unknown, range) {
+            Zeros::At(mut solutions) => {
+                let ends = self.span.within.as_ref().map(|ends| ends.each_ref().map(|end| end.at.clone()));
+                solutions.retain(|value| self.span.holds(value), ends.as_ref().map_or(&[], |ends| ends));
+                Some(solutions)
+            }
+            Zeros::Everywhere | Zeros::NotSolved => None,
+        }
     }
 }

@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::certificate::Certificate;
+use super::circle::{CircleClaim, CoprimeClaim};
 use super::engine::{Masses, Quantity, Sense};
 use super::fraction;
 use super::reading::Format;
@@ -144,12 +145,16 @@ pub enum WhenClaim {
         /// Evidence for the other two parts, in their order.
         multiples: Box<[Certificate; 2]>,
     },
+    /// For no angle: parts in one unknown, which have no zero on the circle.
+    Coprime(Box<CoprimeClaim>),
+    /// Where the arcs say so: parts in one unknown.
+    Circle(Box<CircleClaim>),
     /// Two parts of equal length that cancel at an angle for which no rational turn is claimed.
     EqualLengths {
         /// Evidence that `|S_1|² − |S_2|²` is zero.
         certificate: Certificate,
     },
-    /// No claim: too many parts.
+    /// No claim: two unknowns enter on their own, or one too many times.
     NotSolved,
 }
 

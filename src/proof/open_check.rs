@@ -46,12 +46,14 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
         return Err(Fault::new("open_verdicts", "nothing is proved: no cylinder has a weight"));
     }
     let sums = document.open_verdicts.iter().flat_map(|verdict| &verdict.sums);
-    let all_solved = sums.into_iter().all(|sum| match sum.when {
+    let all_solved = sums.into_iter().all(|sum| match &sum.when {
         WhenClaim::Always
         | WhenClaim::Never
         | WhenClaim::UnequalLengths { .. }
         | WhenClaim::Where { .. }
-        | WhenClaim::Cosine { .. } => true,
+        | WhenClaim::Cosine { .. }
+        | WhenClaim::Coprime(_) => true,
+        WhenClaim::Circle(claim) => claim.is_complete(),
         WhenClaim::EqualLengths { .. } | WhenClaim::NotSolved => false,
     });
     Ok(Checked::family(document, all_solved, audit.counts()))

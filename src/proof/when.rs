@@ -6,13 +6,27 @@ use num_traits::{One, Signed, Zero};
 use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
+use super::circle_check::check_circle;
 use super::collected::{Collected, collect, collected, difference_of_squares};
+use super::coprime_check::check_coprime;
 use super::open::{AlternativeClaim, PartClaim, WhenClaim};
 
 /// A part with its terms collected.
 pub(super) struct Part<'a> {
     claim: &'a PartClaim,
     sum: Collected,
+}
+
+impl Part<'_> {
+    /// Its sum without unknowns.
+    pub fn sum(&self) -> &Collected {
+        &self.sum
+    }
+
+    /// How many times more than another part it is turned by φ and δ.
+    pub fn turned_against(&self, other: &Part<'_>) -> [BigRational; 2] {
+        [&self.claim.phi - &other.claim.phi, &self.claim.delta - &other.claim.delta]
+    }
 }
 
 /// Checks the certificate of a part.
@@ -46,6 +60,8 @@ pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> 
             [first, second] => check_lengths(first, second, true, certificate, audit),
             _ => contradiction(),
         },
+        WhenClaim::Coprime(claim) => check_coprime(claim, left, audit),
+        WhenClaim::Circle(claim) => check_circle(claim, left, audit),
         WhenClaim::Cosine { middle, phi, delta, turn, cosine, multiples } => {
             let condition = CosineCondition { phi, delta, turn, cosine };
             match (left, middle) {

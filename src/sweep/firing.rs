@@ -3,6 +3,8 @@
 //! Whole orders need the top dead centres alone. Half orders need to know when the cylinders fire: where the throws cannot fire in the
 //! order of the file there is no star.
 
+use std::collections::BTreeSet;
+
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
@@ -12,7 +14,7 @@ use super::swept_engine::{Amplitude, SURELY_NOT_ZERO, float};
 use super::{SweepError, zeros};
 use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
-use crate::family::{self, OpenStar};
+use crate::family::{self, OpenStar, Solutions};
 use crate::file::Template;
 use crate::firing::{self, Weights};
 
@@ -43,6 +45,8 @@ pub struct FiringZeros {
     pub everywhere: bool,
     /// The values in the range at which it vanishes, rising, in the unit of the range; empty where it does everywhere.
     pub at: Vec<BigRational>,
+    /// Ends, narrow ones, between which it vanishes once each, at an angle that is no rational turn.
+    pub irrational: Vec<[BigRational; 2]>,
     /// Whether these are proved to be all; else they are those found.
     pub complete: bool,
 }
@@ -111,21 +115,30 @@ fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> O
     let range = [ends.iter().min()?, ends.iter().max()?];
     let stars = family::firing_stars(&open, orders, &Weights::Rigid, range, true).ok()?;
     let zeros = |star: &OpenStar| {
-        let none = FiringZeros { order: star.order, fires: true, everywhere: false, at: Vec::new(), complete: true };
+        let none = FiringZeros {
+            order: star.order,
+            fires: true,
+            everywhere: false,
+            at: Vec::new(),
+            irrational: Vec::new(),
+            complete: true,
+        };
         let in_units = |values: Vec<BigRational>| values.into_iter().map(|value| value / &per_unit).collect();
         let spans = match &star.spans {
             Err(_) => return FiringZeros { complete: false, ..none },
             Ok(spans) if spans.is_empty() => return FiringZeros { fires: false, ..none },
             Ok(spans) => spans,
         };
-        match (star.always(), star.values(unknown, range)) {
-            (true, _) => FiringZeros { everywhere: true, ..none },
-            (false, Some(values)) => FiringZeros { at: in_units(values.into_iter().collect()), ..none },
-            (false, None) => {
-                let solved = spans.iter().filter_map(|span| span.values(unknown, range));
-                FiringZeros { at: in_units(solved.flatten().collect()), complete: false, ..none }
-            }
+        if star.always() {
+            return FiringZeros { everywhere: true, ..none };
         }
+        let known: Vec<Solutions> = spans.iter().filter_map(|span| span.solutions(unknown, range)).collect();
+        let complete = known.len() == spans.len() && known.iter().all(|found| found.open.is_empty());
+        let at: BTreeSet<BigRational> = known.iter().flat_map(|found| found.exact.iter().cloned()).collect();
+        let at = in_units(at.into_iter().collect());
+        let irrational = known.iter().flat_map(|found| &found.irrational);
+        let irrational = irrational.map(|ends| ends.each_ref().map(|end| end / &per_unit)).collect();
+        FiringZeros { at, irrational, complete, ..none }
     };
     Some(stars.iter().map(zeros).collect())
 }

@@ -3,8 +3,6 @@
 //! Any angle of a layout file may be the unknown φ, so that the room [`crate::family`] tells where a vector vanishes,
 //! exactly and completely. Each such angle is put into the file and judged once more, with all masses that turn.
 
-use std::collections::BTreeSet;
-
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -12,9 +10,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
 use super::run::Reader;
-use crate::engine::{self, Engine, Family, PHI};
-use crate::exact::Turn;
-use crate::family::{self, Component, OpenVerdict, component_zeros};
+use crate::engine::{Engine, Family, PHI};
+use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
 use crate::order::{self, Path};
 use crate::proof::{Quantity, Sense};
@@ -54,13 +51,24 @@ pub struct ZeroSet {
     pub everywhere: bool,
     /// The values in the range at which it vanishes, rising, in the unit of the range; empty where it does everywhere.
     pub at: Vec<BigRational>,
+    /// Ends, narrow ones, between which it vanishes once each, at an angle that is no rational turn.
+    pub irrational: Vec<[BigRational; 2]>,
     /// Whether these are proved to be all; else they are those found.
     pub complete: bool,
 }
 
 impl ZeroSet {
     fn everywhere(quantity: Quantity, order: u32, of: Zeros) -> Self {
-        ZeroSet { quantity, order, of, exists: true, everywhere: true, at: Vec::new(), complete: true }
+        ZeroSet {
+            quantity,
+            order,
+            of,
+            exists: true,
+            everywhere: true,
+            at: Vec::new(),
+            irrational: Vec::new(),
+            complete: true,
+        }
     }
 }
 
@@ -98,6 +106,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     let reader = Reader::new(template, &parameters);
     let engine = reader.engine(&reader.values(0)).ok()?;
     let same_rods = engine.mechanisms().len() < 2;
+    let (range, is_whole) = range(parameter, &per_unit)?;
     let mut sets = Vec::new();
     for order in family::classify(&open, orders).ok()? {
         for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
@@ -106,7 +115,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                     sets.push(ZeroSet { exists: false, ..ZeroSet::everywhere(quantity, order.order, of) });
                     continue;
                 }
-                let found = find(&open, quantity, order.order, verdicts, of);
+                let found = find(&open, quantity, order.order, verdicts, of, range.each_ref());
                 let turns = same_rods && !with_turning_masses(&engine, order.order, of);
                 let is_so = |value: &BigRational| {
                     let engine = reader.engine(std::slice::from_ref(value));
@@ -116,24 +125,29 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                     let mut places = distinct(&open, order.order, &per_unit);
                     places.len() > 0 && places.all(|value| is_so(&value))
                 };
-                let found = match found {
-                    Found::Everywhere | Found::NotSolved if !turns && by_points() => {
-                        sets.push(ZeroSet::everywhere(quantity, order.order, of));
-                        continue;
-                    }
-                    other => other,
+                let is_everywhere = match &found {
+                    family::Zeros::Everywhere if turns => true,
+                    family::Zeros::Everywhere | family::Zeros::NotSolved => !turns && by_points(),
+                    family::Zeros::At(_) => false,
                 };
+                if is_everywhere {
+                    sets.push(ZeroSet::everywhere(quantity, order.order, of));
+                    continue;
+                }
                 let (found, complete) = match found {
-                    Found::NotSolved => (BTreeSet::new(), false),
-                    Found::Everywhere if turns => {
-                        sets.push(ZeroSet::everywhere(quantity, order.order, of));
-                        continue;
+                    family::Zeros::Everywhere | family::Zeros::NotSolved => (Solutions::default(), false),
+                    family::Zeros::At(found) if turns => {
+                        let complete = is_whole && found.open.is_empty();
+                        (found, complete)
                     }
-                    Found::Everywhere => (BTreeSet::new(), false),
-                    Found::At(set) => (set, turns),
+                    // Masses that turn beside the pistons may cancel what is not zero.
+                    family::Zeros::At(found) => (Solutions { irrational: Vec::new(), ..found }, false),
                 };
-                let at = in_range(&found, parameter, &per_unit).into_iter().filter(is_so).collect();
-                sets.push(ZeroSet { quantity, order: order.order, of, exists: true, everywhere: false, at, complete });
+                let value = |turns: &BigRational| turns / &per_unit;
+                let at = found.exact.iter().map(value).filter(is_so).collect();
+                let irrational = found.irrational.iter().map(|ends| ends.each_ref().map(value)).collect();
+                let order = order.order;
+                sets.push(ZeroSet { quantity, order, of, exists: true, everywhere: false, at, irrational, complete });
             }
         }
     }
@@ -160,36 +174,34 @@ fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSize
     (0..count as i32).map(move |place| &step * BigRational::from_integer((place + 1).into()))
 }
 
-enum Found {
-    Everywhere,
-    At(BTreeSet<Turn>),
-    NotSolved,
-}
-
-fn find(open: &engine::Family, quantity: Quantity, order: u32, verdicts: &[OpenVerdict; 2], of: Zeros) -> Found {
-    let one = |verdict: &OpenVerdict| match (verdict.always(), verdict.bank_angles()) {
-        (true, _) => Found::Everywhere,
-        (false, Some(set)) => Found::At(set),
-        (false, None) => Found::NotSolved,
-    };
-    let component = |component| match component_zeros(open, quantity, order, component) {
-        family::Zeros::Everywhere => Found::Everywhere,
-        family::Zeros::At(set) => Found::At(set),
-        family::Zeros::NotSolved => Found::NotSolved,
-    };
+fn find(
+    open: &Family,
+    quantity: Quantity,
+    order: u32,
+    [direct, reverse]: &[OpenVerdict; 2],
+    of: Zeros,
+    range: [&BigRational; 2],
+) -> family::Zeros {
+    let component = |component| component_zeros(open, quantity, order, component, range);
     match of {
-        Zeros::Direct => one(&verdicts[0]),
-        Zeros::Reverse => one(&verdicts[1]),
+        Zeros::Direct => direct.zeros(PHI, range),
+        Zeros::Reverse => reverse.zeros(PHI, range),
         Zeros::Along => component(Component::Along),
         Zeros::Across => component(Component::Across),
-        Zeros::Largest => match (one(&verdicts[0]), one(&verdicts[1])) {
-            (Found::Everywhere, other) | (other, Found::Everywhere) => other,
-            (Found::At(some), Found::At(others)) => Found::At(some.intersection(&others).cloned().collect()),
-            // Where one vector never vanishes, both never do.
-            (Found::At(none), _) | (_, Found::At(none)) if none.is_empty() => Found::At(none),
-            _ => Found::NotSolved,
-        },
+        Zeros::Largest => direct.zeros(PHI, range).and(reverse.zeros(PHI, range)),
     }
+}
+
+/// No plot shows more turns.
+const MOST_TURNS: i64 = 1000;
+
+/// The range in turns, and whether it is the whole one.
+fn range(parameter: &Parameter, per_unit: &BigRational) -> Option<([BigRational; 2], bool)> {
+    let ends = [parameter.range.value(0), parameter.range.last()].map(|end| end * per_unit);
+    let (low, high) = (ends.iter().min()?.clone(), ends.iter().max()?.clone());
+    let last = &low + BigRational::from_integer(MOST_TURNS.into());
+    let is_whole = high <= last;
+    Some(([low, if is_whole { high } else { last }], is_whole))
 }
 
 /// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
@@ -220,25 +232,4 @@ fn vanishes(engine: &Engine, quantity: Quantity, order: u32, of: Zeros) -> bool 
         Zeros::Along => Path::has_nothing_along(&direct, &reverse),
         Zeros::Across => Path::has_nothing_across(&direct, &reverse),
     }
-}
-
-/// The angles in the range, whole turns added, and those of a whole number of turns.
-fn in_range(found: &BTreeSet<Turn>, parameter: &Parameter, per_unit: &BigRational) -> BTreeSet<BigRational> {
-    let range = &parameter.range;
-    let ends = [range.value(0), range.last()];
-    let (Some(low), Some(high)) = (ends.iter().min(), ends.iter().max()) else { return BTreeSet::new() };
-    let mut values = BTreeSet::new();
-    for angle in found.iter().map(|turn| turn.turns().clone()).chain([BigRational::zero()]) {
-        let mut turns = &angle + (low * per_unit - &angle).ceil();
-        // A range has as many turns as it has, but no plot shows more.
-        for _ in 0..1000 {
-            let value = &turns / per_unit;
-            if value > *high {
-                break;
-            }
-            values.insert(value);
-            turns += BigRational::one();
-        }
-    }
-    values
 }

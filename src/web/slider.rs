@@ -205,10 +205,14 @@ fn slider(
         Zeros::Direct | Zeros::Reverse | Zeros::Largest => true,
         Zeros::Along | Zeros::Across => false,
     };
-    let note = match (zeros.is_empty(), sets().filter(|set| judged(set)).all(|set| set.complete)) {
-        (true, _) => "It changes how large things are; no exact zero depends on it.",
-        (false, true) => "The marks are exact, and all there are between the ends.",
-        (false, false) => "The marks are exact; there may be others.",
+    let judged_sets = || sets().filter(|set| judged(set));
+    let (complete, all_rational) =
+        (judged_sets().all(|set| set.complete), judged_sets().all(|set| set.irrational.is_empty()));
+    let note = match (zeros.is_empty(), complete, all_rational) {
+        (true, ..) => "It changes how large things are; no exact zero depends on it.",
+        (false, true, true) => "The marks are exact, and all there are between the ends.",
+        (false, true, false) => "The marks are exact; the others between the ends are at no rational turn.",
+        (false, false, _) => "The marks are exact; there may be others.",
     };
     Slider {
         key: key.to_owned(),

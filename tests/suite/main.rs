@@ -11,6 +11,7 @@ mod bearings;
 mod book_words;
 mod certificate_cheats;
 mod certificate_words;
+mod circle_cheats;
 mod citation;
 mod claims;
 mod claims_files;
@@ -72,6 +73,7 @@ mod moving;
 mod narrow_banks;
 mod odd_surroundings;
 mod open_certificate_cheats;
+mod open_circles;
 mod open_firing;
 #[cfg(feature = "optimise")]
 mod optimise;

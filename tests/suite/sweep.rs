@@ -161,7 +161,8 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
         let key = Key::parse("vee.bank_angle").expect("a key");
         for order in [1, 2, 3, 4] {
             for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
-                let found = component_zeros(&open, Quantity::Moment, order, component);
+                let (none, turn) = (ratio(0, 1), ratio(1, 1));
+                let found = component_zeros(&open, Quantity::Moment, order, component, [&none, &turn]);
                 for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
                     let Ok(Layout::Known(layout, _)) = template.layout(&[(&key, &degrees.to_string())]) else {
                         panic!("it is known")
@@ -177,7 +178,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
                     let value = sum(Sense::Direct) + sum(Sense::Reverse).conj() * sign;
                     let at = match &found {
                         family::Zeros::Everywhere => true,
-                        family::Zeros::At(set) => set.iter().any(|turn| turn.degrees() == ratio(degrees, 1)),
+                        family::Zeros::At(found) => found.exact.contains(&ratio(degrees, 360)),
                         family::Zeros::NotSolved => panic!("{throws} {order} is not solved"),
                     };
                     assert_eq!(at, value.norm() < 1e-12, "{throws} order {order} {component:?} at {degrees}");

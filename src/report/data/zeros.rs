@@ -17,13 +17,20 @@ struct Zero {
     exists: bool,
     everywhere: bool,
     complete: bool,
-    at: Option<BigRational>,
+    at: Option<At>,
+}
+
+/// Where: exact, or the decimals of an angle that is no rational turn.
+#[derive(Clone)]
+enum At {
+    Exact(BigRational),
+    About(f64),
 }
 
 /// Where each vector vanishes.
 pub(super) fn zeros(sweep: &Sweep) -> Table {
     let rows = sweep.zeros.iter().flatten().flat_map(|set| {
-        spread(&set.at).map(move |at| Zero {
+        spread(&set.at, &set.irrational).map(move |at| Zero {
             quantity: quantity_name(set.quantity),
             halves: 2 * set.order,
             of: zeros_name(set.of),
@@ -36,7 +43,7 @@ pub(super) fn zeros(sweep: &Sweep) -> Table {
     let rows: Vec<Zero> = rows.collect();
     let table = Table::new(
         "zeros",
-        "a value at which a vector vanishes; one row without a value where there is none",
+        "a value at which a vector vanishes; one row without a value where there is none, and no exact value at an angle that is no rational turn",
         rows.len(),
     )
     .with(Column::new("quantity", Unit::NONE, "force or moment", words(rows.iter().map(|row| row.quantity))))
@@ -60,7 +67,7 @@ pub(super) fn zeros(sweep: &Sweep) -> Table {
 pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
     let sets = sweep.firing.iter().flat_map(|firing| firing.zeros.iter().flatten());
     let rows = sets.flat_map(|set| {
-        spread(&set.at).map(move |at| Zero {
+        spread(&set.at, &set.irrational).map(move |at| Zero {
             quantity: "firing star",
             halves: set.order.halves(),
             of: "all",
@@ -71,7 +78,7 @@ pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
         })
     });
     let rows: Vec<Zero> = rows.collect();
-    let about = "a value at which a firing star vanishes; one row without a value where there is none";
+    let about = "a value at which a firing star vanishes; one row without a value where there is none, and no exact value at an angle that is no rational turn";
     let table = Table::new("firing_zeros", about, rows.len())
         .with(Column::new(
             "order",
@@ -89,8 +96,28 @@ pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
 }
 
 /// Each value, or none where there is none.
-fn spread(at: &[BigRational]) -> impl Iterator<Item = Option<BigRational>> + '_ {
-    at.iter().cloned().map(Some).chain(at.is_empty().then_some(None))
+fn spread<'a>(at: &'a [BigRational], irrational: &'a [[BigRational; 2]]) -> impl Iterator<Item = Option<At>> + use<'a> {
+    let about =
+        |[low, high]: &[BigRational; 2]| At::About(float(&((low + high) / BigRational::from_integer(2.into()))));
+    let none = (at.is_empty() && irrational.is_empty()).then_some(None);
+    let exact = at.iter().cloned().map(At::Exact);
+    exact.chain(irrational.iter().map(about)).map(Some).chain(none)
+}
+
+impl At {
+    fn decimal(&self) -> f64 {
+        match self {
+            At::Exact(at) => float(at),
+            At::About(at) => *at,
+        }
+    }
+
+    fn exact(&self) -> Option<BigRational> {
+        match self {
+            At::Exact(at) => Some(at.clone()),
+            At::About(_) => None,
+        }
+    }
 }
 
 fn with_values(sweep: &Sweep, table: Table, rows: &[Zero]) -> Table {
@@ -113,14 +140,14 @@ fn with_values(sweep: &Sweep, table: Table, rows: &[Zero]) -> Table {
             &[&name],
             Unit::NONE,
             "the value of the parameter, in the unit of the range",
-            decimals(rows.iter().map(|row| row.at.as_ref().map(float))),
+            decimals(rows.iter().map(|row| row.at.as_ref().map(At::decimal))),
         ))
         .with(Column::named(
             "{parameter}_exact",
             &[&name],
             Unit::NONE,
             EXACT,
-            exact(rows.iter().map(|row| row.at.clone())),
+            exact(rows.iter().map(|row| row.at.as_ref().and_then(At::exact))),
         ))
 }
 

@@ -2,10 +2,10 @@
 
 use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
-use crate::family::{OpenOrder, OpenSum, OpenVerdict, Part, When};
+use crate::family::{Arc, Circle, Kind, Never, OpenOrder, OpenSum, OpenVerdict, Part, When};
 use crate::proof::{
-    AlternativeClaim, ConditionClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim,
-    PartClaim, Quantity, SumClaim, WhenClaim,
+    AlternativeClaim, ArcClaim, CircleClaim, ConditionClaim, CoprimeClaim, Exact, Format, LinearClaim, Masses,
+    OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, Quantity, SumClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -61,8 +61,8 @@ fn part(part: &Part) -> PartClaim {
 fn when(when: &When) -> WhenClaim {
     match when {
         When::Always => WhenClaim::Always,
-        When::Never(crate::family::Never::OnePart) => WhenClaim::Never,
-        When::Never(crate::family::Never::UnequalLengths(certificate)) => {
+        When::Never(Never::OnePart) => WhenClaim::Never,
+        When::Never(Never::UnequalLengths(certificate)) => {
             WhenClaim::UnequalLengths { certificate: certificate.clone() }
         }
         When::Irrational { equal_lengths, .. } => WhenClaim::EqualLengths { certificate: equal_lengths.clone() },
@@ -74,6 +74,17 @@ fn when(when: &When) -> WhenClaim {
             cosine: found.cosine.clone(),
             multiples: Box::new(found.multiples.clone()),
         },
+        When::Never(Never::Coprime(found)) => WhenClaim::Coprime(Box::new(CoprimeClaim {
+            phi: found.phi.clone(),
+            delta: found.delta.clone(),
+            conductor: found.conductor,
+            prime: found.prime,
+            root: found.root,
+            scale: found.scale.clone(),
+            u: found.u.clone(),
+            v: found.v.clone(),
+        })),
+        When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
         When::NotSolved(_) => WhenClaim::NotSolved,
         When::Where(angles) => {
             let alternative = |alternative: &crate::family::Alternative| AlternativeClaim {
@@ -90,4 +101,27 @@ fn when(when: &When) -> WhenClaim {
 
 fn condition(condition: &crate::family::Condition) -> ConditionClaim {
     ConditionClaim { phi: condition.phi.clone(), delta: condition.delta.clone(), turn: condition.turn.turns().clone() }
+}
+
+fn circle(circle: &Circle) -> CircleClaim {
+    let arc = |Arc { to, kind }: &Arc| {
+        let to = to.clone();
+        match kind {
+            Kind::Free => ArcClaim::Free { to },
+            Kind::Monotone => ArcClaim::Monotone { to },
+            Kind::Crossing { .. } => ArcClaim::Crossing { to },
+            Kind::Rational { at, certificates } => {
+                ArcClaim::Rational { to, at: at.clone(), certificates: certificates.clone() }
+            }
+            Kind::Open => ArcClaim::Open { to },
+        }
+    };
+    CircleClaim {
+        phi: circle.polynomial.phi.clone(),
+        delta: circle.polynomial.delta.clone(),
+        bits: circle.bits,
+        mirrored: circle.mirrored.clone(),
+        from: circle.from.clone(),
+        arcs: circle.arcs.iter().map(arc).collect(),
+    }
 }

@@ -1,5 +1,6 @@
 //! What stands on the report of a family? For which angles and lengths each order vanishes, and why.
 
+mod circle_words;
 mod document;
 mod picture;
 mod tables;
@@ -141,14 +142,20 @@ pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             };
             return Some(phrase!(words, verdict.order, words::list(&angles)));
         }
-        let [OpenSum { when: When::Cosine(found), .. }] = verdict.sums.as_slice() else { return None };
+        let [OpenSum { when, .. }] = verdict.sums.as_slice() else { return None };
+        let zeros = match when {
+            When::Cosine(found) => words::cosine(found),
+            When::Circle(circle) if circle.is_complete() => circle_words::zeros(circle)?,
+            When::Circle(_) | When::Always | When::Never(_) | When::Where(_) | When::Irrational { .. } => return None,
+            When::NotSolved(_) => return None,
+        };
         let words = match (verdict.quantity, verdict.sense) {
             (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",
             (Quantity::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly where {}.",
             (_, Sense::Direct) => "The direct force of order {} vanishes exactly where {}.",
             (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly where {}.",
         };
-        Some(phrase!(words, verdict.order, words::cosine(found)))
+        Some(phrase!(words, verdict.order, zeros))
     };
     verdicts.filter_map(sentence).collect()
 }

@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::super::{argument, residual, typeset};
+use super::circle_words;
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, Alternative, Angles, Condition, Cosine, Left, Never, OpenSum, OpenVerdict, Part, When};
@@ -54,6 +55,7 @@ pub(in crate::report) fn condition_of(sum: &OpenSum) -> Option<Text> {
             Some(phrase!("0 where {} ≈ {}°", unknowns(phi, delta), decimal))
         }
         When::Cosine(found) => Some(phrase!("0 where {}", cosine(found))),
+        When::Circle(circle) => Some(circle_words::condition(circle)),
         When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
 }
@@ -156,6 +158,8 @@ fn why(when: &When) -> Text {
         When::Never(Never::UnequalLengths(_)) => {
             "Two parts are left and their lengths differ (proved), so they cancel for no angle.".into()
         }
+        When::Never(Never::Coprime(found)) => circle_words::coprime(found),
+        When::Never(Never::Circle(circle)) | When::Circle(circle) => circle_words::why(circle),
         When::Where(angles) => {
             let words = match angles.alternatives.len() {
                 1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 
 use super::words;
 use crate::loads::Arm;
+use crate::numbers::float;
 use crate::page::plot::Axis;
 use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::proof::Quantity;
@@ -96,6 +97,20 @@ pub(super) fn value(parameter: &Parameter, at: &BigRational, is_angle: bool) -> 
         "" => number::number(at).into(),
         unit => phrase!("{} {}", number::number(at), unit.to_owned()),
     }
+}
+
+/// Zeros of an angle, rising: exact ones, and the decimals of those at no rational turn.
+pub(super) fn zeros(parameter: &Parameter, at: &[BigRational], irrational: &[[BigRational; 2]]) -> Vec<Text> {
+    let middle = |[low, high]: &[BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
+    let about = |at: &BigRational| match parameter.range.unit() {
+        "" | "°" | "deg" => phrase!("≈ {}°", number::decimal(float(at))),
+        unit => phrase!("{} {}", Number::Decimal(float(at)), unit.to_owned()),
+    };
+    let exact = at.iter().map(|at| (at.clone(), value(parameter, at, true)));
+    let mut all: Vec<(BigRational, Text)> =
+        exact.chain(irrational.iter().map(middle).map(|at| (at.clone(), about(&at)))).collect();
+    all.sort_by(|a, b| a.0.cmp(&b.0));
+    all.into_iter().map(|(_, text)| text).collect()
 }
 
 /// The values of a point: that of the only parameter, or both with their names.

@@ -1,9 +1,11 @@
 //! What does the JSON of a sweep hold? The points with their proofs of zero, and the exact zeros.
 
+use num_rational::BigRational;
 use serde::Serialize;
 
 use super::assumptions::assumptions;
 use super::words::{exact, quantities, quantity_name, unit, zeros_name};
+use crate::numbers::float;
 use crate::proof::Quantity;
 use crate::sweep::{FiringZeros, Sweep, ZeroSet};
 
@@ -39,6 +41,9 @@ struct ZeroEntry {
     everywhere: bool,
     /// Exact values in the unit of the parameter.
     at: Vec<String>,
+    /// Decimals of those at no rational turn, in the same unit.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    irrational: Vec<f64>,
     /// Whether they are proved to be all in the range.
     complete: bool,
 }
@@ -51,6 +56,9 @@ struct FiringZeroEntry {
     everywhere: bool,
     /// Exact values in the unit of the parameter.
     at: Vec<String>,
+    /// Decimals of those at no rational turn, in the same unit.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    irrational: Vec<f64>,
     /// Whether they are proved to be all in the range.
     complete: bool,
 }
@@ -136,8 +144,13 @@ fn zeros(set: &ZeroSet) -> ZeroEntry {
         of: zeros_name(set.of),
         everywhere: set.everywhere,
         at: set.at.iter().map(exact).collect(),
+        irrational: set.irrational.iter().map(middle).collect(),
         complete: set.complete,
     }
+}
+
+fn middle([low, high]: &[BigRational; 2]) -> f64 {
+    float(&((low + high) / BigRational::from_integer(2.into())))
 }
 
 fn firing_zeros(zeros: &FiringZeros) -> FiringZeroEntry {
@@ -146,6 +159,7 @@ fn firing_zeros(zeros: &FiringZeros) -> FiringZeroEntry {
         fires: zeros.fires,
         everywhere: zeros.everywhere,
         at: zeros.at.iter().map(exact).collect(),
+        irrational: zeros.irrational.iter().map(middle).collect(),
         complete: zeros.complete,
     }
 }

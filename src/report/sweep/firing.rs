@@ -3,7 +3,7 @@
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::typeset;
-use super::amounts::{number_of, place, place_cells, place_headings, value};
+use super::amounts::{self, number_of, place, place_cells, place_headings};
 use super::findings::listed;
 use super::words::axis;
 use crate::engine::CycleOrder;
@@ -69,11 +69,11 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
         };
         listed(lengths.iter().filter(|(part, _)| alike(part)).map(|(_, point)| place(sweep, point)).collect())
     };
-    let exact = |set: &FiringZeros| listed(set.at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());
+    let exact = |set: &FiringZeros| listed(amounts::zeros(&sweep.parameters[0], &set.at, &set.irrational));
     match set {
         Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
         None if greatest.vanishes => everywhere(firing.orders[place_of]),
-        Some(set) if set.complete && !set.at.is_empty() => phrase!(
+        Some(set) if set.complete && !(set.at.is_empty() && set.irrational.is_empty()) => phrase!(
             "**Gas torque of order {}:** exactly {} at {} and nowhere else in the range; the firing star is at most {}, at {}.",
             order,
             Text::zero(),
@@ -105,8 +105,10 @@ fn zeros(sweep: &Sweep, firing: &FiringSweep) -> Option<Table> {
     let parameter = sweep.parameters.first()?;
     let mut table = Table::new(["Order κ", "The firing star vanishes at"]);
     for zeros in firing.zeros.as_ref()? {
-        let at = || Text::joined(zeros.at.iter().map(|at| value(parameter, at, true)), ", ");
-        let cell = match (zeros.fires, zeros.everywhere, zeros.complete, zeros.at.is_empty()) {
+        let places = amounts::zeros(parameter, &zeros.at, &zeros.irrational);
+        let is_empty = places.is_empty();
+        let at = || Text::joined(places, ", ");
+        let cell = match (zeros.fires, zeros.everywhere, zeros.complete, is_empty) {
             (false, ..) => "cannot be fired".into(),
             (_, true, ..) => "everywhere".into(),
             (_, _, true, true) => "never".into(),

@@ -1,8 +1,6 @@
 //! What is said of a sweep in sentences? Each order in one, what vanishes in one, the firing in one.
 
-use num_rational::BigRational;
-
-use super::amounts::{in_newtons, place, size, value, with_unit};
+use super::amounts::{self, in_newtons, place, size, with_unit};
 use super::findings::{Finding, listed};
 use crate::page::{Text, number, phrase};
 use crate::proof::Quantity;
@@ -24,24 +22,25 @@ impl Finding<'_> {
             false => size(sweep, self.quantity, self.least.amplitude),
         };
         let [at_most, at_least] = [&self.greatest, &self.least].map(|of| of.places(sweep));
-        let exact = |at: &[BigRational]| listed(at.iter().map(|at| value(&sweep.parameters[0], at, true)).collect());
+        let zeros =
+            self.set.map_or_else(Vec::new, |set| amounts::zeros(&sweep.parameters[0], &set.at, &set.irrational));
         match self.set {
             _ if self.greatest.is_everywhere(sweep) && self.least.is_everywhere(sweep) => {
                 phrase!("**{}:** {} at every value.", name, most)
             }
-            Some(ZeroSet { at, complete: true, .. }) if !at.is_empty() => phrase!(
+            Some(ZeroSet { complete: true, .. }) if !zeros.is_empty() => phrase!(
                 "**{}:** exactly {} at {} and nowhere else in the range; at most {}, at {}.",
                 name,
                 Text::zero(),
-                exact(at),
+                listed(zeros),
                 most,
                 at_most
             ),
-            Some(ZeroSet { at, complete: false, .. }) if !at.is_empty() => phrase!(
+            Some(ZeroSet { complete: false, .. }) if !zeros.is_empty() => phrase!(
                 "**{}:** exactly {} at {}, perhaps elsewhere too; at most {}, at {}.",
                 name,
                 Text::zero(),
-                exact(at),
+                listed(zeros),
                 most,
                 at_most
             ),

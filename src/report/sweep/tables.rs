@@ -1,6 +1,6 @@
 //! Which tables show a sweep? Where each vector vanishes, the least and the greatest values, every point.
 
-use super::amounts::{number_of, place_cells, place_headings, size, unit, value};
+use super::amounts::{self, number_of, place_cells, place_headings, size, unit};
 use super::findings::Finding;
 use super::plots::amplitudes;
 use super::words::{quantity_name, zeros_name};
@@ -26,8 +26,10 @@ fn zero_cell(parameter: &Parameter, set: &ZeroSet) -> Text {
     if !set.exists {
         return DOES_NOT_EXIST.into();
     }
-    let at = || Text::joined(set.at.iter().map(|at| value(parameter, at, true)), ", ");
-    match (set.everywhere, set.complete, set.at.is_empty()) {
+    let zeros = amounts::zeros(parameter, &set.at, &set.irrational);
+    let is_empty = zeros.is_empty();
+    let at = || Text::joined(zeros, ", ");
+    match (set.everywhere, set.complete, is_empty) {
         (true, ..) => "everywhere".into(),
         (_, true, true) => "never".into(),
         (_, true, false) => at(),

@@ -10,7 +10,7 @@ use super::super::super::residual;
 use super::super::super::typeset::{self, Amount};
 use super::OpenFiringStudy;
 use crate::engine::{FiringSpan, Linear, NoSpans, PHI};
-use crate::family::{Never, OpenStar, SpanStar, When};
+use crate::family::{OpenStar, SpanStar, When};
 use crate::page::{Piece, Text, phrase};
 
 /// When a star vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`.
@@ -51,7 +51,7 @@ pub(super) fn of_span(study: &OpenFiringStudy<'_>, star: &SpanStar) -> Text {
     let values = study.unknown().and_then(|unknown| star.values(unknown, [&none, &turn]));
     match (&star.sum.when, values) {
         (When::Always, _) => Text::zero(),
-        (When::Never(Never::OnePart | Never::UnequalLengths(_)), _) => "never 0".into(),
+        (When::Never(_), _) => "never 0".into(),
         (_, Some(mut values)) => {
             values.retain(|value| *value != none && *value != turn);
             at(study, &values)

@@ -1,0 +1,43 @@
+//! Where on the whole circle does a sum with one unknown vanish? Complete, and proved.
+//!
+//! All parts that are left turn by whole multiples of one `u = pφ + qδ`, so that the sum is a polynomial in `x = e^{iu}` with
+//! phasor sums as its coefficients. A Bézout identity modulo one prime shows that it has no zero on the circle; else the circle is
+//! cut into arcs, each with its evidence: free, around a rational zero, or crossed once at an irrational one (theory, section 16).
+
+mod answer;
+mod arcs;
+mod closed;
+mod curve;
+mod never;
+mod polynomial;
+mod rational;
+
+pub use arcs::{Arc, Circle, Kind};
+pub use closed::Closed;
+pub use never::Coprime;
+pub use polynomial::Polynomial;
+
+use super::Part;
+
+/// What is known of a sum in one unknown.
+#[derive(Clone, Debug)]
+pub(super) enum Solved {
+    /// It vanishes nowhere.
+    Never(Box<Coprime>),
+    /// It vanishes at the zeros of its arcs.
+    Circle(Box<Circle>),
+}
+
+/// Solves a sum of two parts at least; `None` where two unknowns enter on their own, or one enters too many times.
+pub(super) fn solve(parts: &[&Part]) -> Option<Solved> {
+    let polynomial = Polynomial::of(parts)?;
+    Some(match never::prove(&polynomial) {
+        Some(coprime) => Solved::Never(Box::new(coprime)),
+        None => Solved::Circle(Box::new(arcs::cover(polynomial))),
+    })
+}
+
+/// The arcs of a sum of two parts at least, also where it vanishes nowhere.
+pub(super) fn arcs_of(parts: &[&Part]) -> Option<Circle> {
+    Polynomial::of(parts).map(arcs::cover)
+}

@@ -1,0 +1,248 @@
+//! Do the arcs of a circle say rightly how often a sum vanishes on each?
+//!
+//! On an arc about s₀ with half-width r a curve `Σ C_j e^{2πi m_j s}` is within `½ (2πr)² Σ m_j² |C_j|` of its tangent there. Where a
+//! line keeps all of that away from 0 the curve is **free**, and its part across that line does not change its sign. So a sum whose
+//! m-th derivative is free has m zeros at most on an arc (Rolle), and a centred sum, which stays on one line, has none or one where its
+//! first derivative is free, by the sides of its ends (theory, section 16).
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::audit::{Audit, Reason, steps_of};
+use super::ball::{Ball, Complex};
+use super::certificate::Certificate;
+use super::check::certify;
+use super::circle::{ArcClaim, CircleClaim};
+use super::collected::common_multiple;
+use super::decimals::enclose;
+use super::unknown::Unknown;
+use super::when::Part;
+
+const FEWEST_BITS: u32 = 32;
+const MOST_BITS: u32 = 512;
+
+/// Checks the arcs against the parts.
+pub(super) fn check_circle(claim: &CircleClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
+    if !(FEWEST_BITS..=MOST_BITS).contains(&claim.bits) {
+        return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
+    }
+    let unknown = Unknown::of(left, &claim.phi, &claim.delta, audit)?;
+    check_mirrored(claim, &unknown, audit)?;
+    let ground = Ground::new(&unknown, claim.bits, audit)?;
+    let mut from = &claim.from;
+    for arc in &claim.arcs {
+        audit.spend(1 + steps_of(from) + steps_of(arc.to()))?;
+        if from >= arc.to() {
+            return Err("an arc does not end behind its beginning".into());
+        }
+        let ends = [from, arc.to()];
+        ground.check_arc(arc, ends).map_err(|reason| match reason {
+            Reason::Wrong(words) => Reason::Wrong(format!("the arc from {from} to {}: {words}", arc.to())),
+            Reason::TooManySteps => Reason::TooManySteps,
+        })?;
+        from = arc.to();
+    }
+    match *from == &claim.from + BigRational::one() {
+        true => Ok(()),
+        false => Err("the arcs do not make one turn".into()),
+    }
+}
+
+/// Evidence that the centred sum stays on one line is there where an arc rests on it, and only there.
+fn check_mirrored(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
+    let rests_on_it = claim.arcs.iter().any(|arc| match arc {
+        ArcClaim::Monotone { .. } | ArcClaim::Crossing { .. } => true,
+        ArcClaim::Free { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => false,
+    });
+    if !rests_on_it {
+        return match claim.mirrored.is_empty() {
+            true => Ok(()),
+            false => Err("no arc rests on the mirror image, so that no evidence for it belongs here".into()),
+        };
+    }
+    let differences = unknown.against_mirror(audit)?;
+    if differences.len() != claim.mirrored.len() {
+        return Err(format!("{} certificates for {} coefficients", claim.mirrored.len(), differences.len()).into());
+    }
+    for (difference, certificate) in differences.iter().zip(&claim.mirrored) {
+        certify(difference, true, certificate, audit)?;
+    }
+    Ok(())
+}
+
+/// The sum with its coefficients enclosed.
+struct Ground<'a> {
+    unknown: &'a Unknown<'a>,
+    sums: Vec<Complex>,
+    moduli: Vec<BigInt>,
+    bits: u32,
+    audit: &'a Audit,
+}
+
+/// A curve `Σ C_j e^{2πi m_j s}`: each `2m_j` with its `C_j`.
+type Curve = Vec<(i64, Complex)>;
+
+impl<'a> Ground<'a> {
+    fn new(unknown: &'a Unknown<'a>, bits: u32, audit: &'a Audit) -> Result<Self, Reason> {
+        let mut scale = BigInt::one();
+        for weight in unknown.sums.iter().flat_map(|sum| sum.values()) {
+            audit.spend(steps_of(weight) + steps_of(&BigRational::from_integer(scale.clone())))?;
+            scale = common_multiple(&scale, weight.denom());
+        }
+        let circle = audit.circle(bits);
+        let sums = unknown.sums.iter().map(|sum| Ok(enclose(sum, &scale, &circle, audit)?));
+        let sums = sums.collect::<Result<Vec<_>, Reason>>()?;
+        Ok(Ground { unknown, sums, moduli: unknown.moduli(audit)?, bits, audit })
+    }
+
+    /// The i-th derivative of the sum along the circle, up to a factor.
+    fn derivative(&self, i: u32) -> Curve {
+        let factor = |exponent: i64| BigRational::from_integer(BigInt::from(exponent).pow(i));
+        let each = self.unknown.exponents.iter().zip(&self.sums);
+        each.map(|(&exponent, sum)| (2 * exponent, scaled(sum, &factor(exponent)))).collect()
+    }
+
+    /// The sum turned back by half of its degree.
+    fn centred(&self) -> Curve {
+        let degree = self.unknown.degree();
+        self.unknown.exponents.iter().zip(&self.sums).map(|(n, sum)| (2 * n - degree, sum.clone())).collect()
+    }
+
+    /// The derivative of that, up to a factor.
+    fn slope(&self) -> Curve {
+        let turning = |(twice, sum): (i64, Complex)| (twice, scaled(&sum, &BigRational::from_integer(twice.into())));
+        self.centred().into_iter().map(turning).collect()
+    }
+
+    fn check_arc(&self, arc: &ArcClaim, ends: [&BigRational; 2]) -> Result<(), Reason> {
+        match arc {
+            ArcClaim::Open { .. } => Ok(()),
+            ArcClaim::Free { .. } => self.demand_free(&self.derivative(0), ends),
+            ArcClaim::Monotone { .. } => {
+                self.demand_free(&self.slope(), ends)?;
+                match self.same_side(ends)? {
+                    true => Ok(()),
+                    false => Err("the ends are on both sides of 0".into()),
+                }
+            }
+            ArcClaim::Crossing { .. } => {
+                self.demand_free(&self.slope(), ends)?;
+                if self.same_side(ends)? {
+                    return Err("the ends are on one side of 0".into());
+                }
+                match self.moduli.iter().any(|modulus| holds_multiple(ends, modulus)) {
+                    true => Err("a rational turn in it may be the zero".into()),
+                    false => Ok(()),
+                }
+            }
+            ArcClaim::Rational { at, certificates, .. } => self.check_rational(at, certificates, ends),
+        }
+    }
+
+    /// The zero takes all that the derivative allows.
+    fn check_rational(
+        &self,
+        at: &BigRational,
+        certificates: &[Certificate],
+        ends: [&BigRational; 2],
+    ) -> Result<(), Reason> {
+        self.audit.spend(steps_of(at))?;
+        if at < ends[0] || ends[1] < at {
+            return Err("its zero is not on it".into());
+        }
+        // So many parts vanish fewer times at one turn.
+        if certificates.is_empty() || certificates.len() >= self.sums.len() {
+            return Err(format!("{} certificates for a zero of {} parts", certificates.len(), self.sums.len()).into());
+        }
+        for (i, certificate) in (0..).zip(certificates) {
+            certify(&self.unknown.derivative(i, at, self.audit)?, true, certificate, self.audit)?;
+        }
+        self.demand_free(&self.derivative(certificates.len() as u32), ends)
+    }
+
+    /// Each vector of a curve at a turn.
+    fn vectors(&self, curve: &Curve, at: &BigRational) -> Result<Vec<(i64, Complex)>, Reason> {
+        let (circle, half) = (self.audit.circle(self.bits), at / BigRational::from_integer(2.into()));
+        let turned = curve.iter().map(|(twice, vector)| {
+            let angle = &half * BigRational::from_integer((*twice).into());
+            self.audit.spend(circle.steps() + steps_of(&angle) + 4)?;
+            let (cos, sin) = circle.cos_sin(&angle);
+            let part = |middle| Ball { middle, doubt: 2.into() };
+            Ok((*twice, vector.times(&Complex { re: part(cos), im: part(sin) }, self.bits)))
+        });
+        turned.collect()
+    }
+
+    /// Whether the centred sum, which stays on a line, is on one side of 0 at both ends.
+    fn same_side(&self, ends: [&BigRational; 2]) -> Result<bool, Reason> {
+        let [low, high] = ends.map(|end| {
+            let vectors = self.vectors(&self.centred(), end)?;
+            Ok::<Complex, Reason>(vectors.iter().fold(Complex::zero(), |sum, (_, vector)| sum.plus(vector)))
+        });
+        let across = low?.conjugate().times(&high?, self.bits).re;
+        match across.excludes_zero() {
+            true => Ok(across.middle.is_positive()),
+            false => Err("on which side of 0 its ends are is left open by so many bits".into()),
+        }
+    }
+
+    fn demand_free(&self, curve: &Curve, [low, high]: [&BigRational; 2]) -> Result<(), Reason> {
+        let two = BigRational::from_integer(2.into());
+        let (middle, half) = ((low + high) / &two, (high - low) / two);
+        let mut tangent = Tangent { at: Complex::zero(), along: Complex::zero() };
+        for (twice, vector) in self.vectors(curve, &middle)? {
+            tangent.at = tangent.at.plus(&vector);
+            tangent.along = tangent.along.plus(&scaled(&vector, &BigRational::from_integer(twice.into())));
+        }
+        // A quarter turn on, and away from the scale of turns: the derivative is πi Σ 2m_j C_j e^{…}, and π < 355/113.
+        tangent.along = tangent.along.turned_back(3);
+        let reach = &half * BigRational::new(355.into(), 113.into());
+        // ½ (2π)² m² = ½ π² (2m)², and ½ π² < 5.
+        let bend: BigInt = curve.iter().map(|(twice, vector)| largest(vector) * (BigInt::from(*twice) * *twice)).sum();
+        let bend = (&half * &half * BigRational::from_integer(bend * 5)).ceil().to_integer();
+        let directions = [&tangent.at, &tangent.along.turned_back(1), &tangent.along.turned_back(3)];
+        match directions.into_iter().any(|direction| tangent.keeps_away(direction, &reach, &bend)) {
+            true => Ok(()),
+            false => Err("no line keeps it away from 0".into()),
+        }
+    }
+}
+
+/// A point of a curve, and where it goes from there.
+struct Tangent {
+    at: Complex,
+    along: Complex,
+}
+
+impl Tangent {
+    /// Whether all that is within `bend` of the tangent, up to `reach` either way, is ahead in a direction.
+    fn keeps_away(&self, direction: &Complex, reach: &BigRational, bend: &BigInt) -> bool {
+        let (x, y) = (&direction.re.middle, &direction.im.middle);
+        let ahead = |vector: &Complex| {
+            let doubt = x.abs() * &vector.re.doubt + y.abs() * &vector.im.doubt;
+            (&vector.re.middle * x + &vector.im.middle * y, doubt)
+        };
+        let (at, doubt) = ahead(&self.at);
+        let (along, unsure) = ahead(&self.along);
+        let length: BigInt = (x * x + y * y).sqrt() + 1;
+        (at - doubt - length * bend) * reach.denom() > (along.abs() + unsure) * reach.numer()
+    }
+}
+
+fn scaled(vector: &Complex, by: &BigRational) -> Complex {
+    Complex { re: vector.re.scaled(by), im: vector.im.scaled(by) }
+}
+
+/// No less than the length.
+fn largest(vector: &Complex) -> BigInt {
+    let [[_, re], [_, im]] = [vector.re.sizes(), vector.im.sizes()];
+    (&re * &re + &im * &im).sqrt() + 1
+}
+
+/// Whether a multiple of `1/modulus` is between two turns, or one of them.
+fn holds_multiple([low, high]: [&BigRational; 2], modulus: &BigInt) -> bool {
+    let first = (low.numer() * modulus).div_ceil(low.denom());
+    first * high.denom() <= high.numer() * modulus
+}

@@ -1,0 +1,116 @@
+//! Which polynomial in one unknown are the parts of a sum? Found anew from what the parts say.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::audit::{Audit, Reason, steps_of};
+use super::collected::{Collected, collect, common_multiple};
+use super::when::Part;
+
+/// Higher exponents are not read.
+const HIGHEST_EXPONENT: i64 = 4096;
+
+/// `Σ_j S_j x^{n_j}`, with `n_0 = 0`.
+pub(super) struct Unknown<'a> {
+    /// `n_j`, rising.
+    pub exponents: Vec<i64>,
+    /// `S_j`; none is zero.
+    pub sums: Vec<&'a Collected>,
+}
+
+impl<'a> Unknown<'a> {
+    /// With `x = e^{i(phi·φ + delta·δ)}`.
+    pub fn of(left: &'a [Part<'a>], phi: &BigRational, delta: &BigRational, audit: &Audit) -> Result<Self, Reason> {
+        let [first, _, ..] = left else {
+            return Err(format!("{} parts do not vanish, which contradicts `when`", left.len()).into());
+        };
+        if !(phi.is_positive() || phi.is_zero() && delta.is_positive()) {
+            return Err("the unknown enters with φ taken a positive number of times, or not at all and δ so".into());
+        }
+        let mut exponents = Vec::new();
+        for part in left {
+            let apart = part.turned_against(first);
+            audit.spend(steps_of(&apart[0]) + steps_of(&apart[1]))?;
+            let times = if phi.is_zero() { &apart[1] / delta } else { &apart[0] / phi };
+            if apart != [phi * &times, delta * &times] || !times.is_integer() {
+                return Err("a part is not turned by a whole multiple of the unknown".into());
+            }
+            let times = times.to_integer().to_i64().filter(|times| *times <= HIGHEST_EXPONENT);
+            exponents.push(times.ok_or_else(|| format!("the unknown enters more than {HIGHEST_EXPONENT} times"))?);
+        }
+        if !exponents.is_sorted_by(|a, b| a < b) || exponents.iter().fold(0, |all, n| n.gcd(&all)) != 1 {
+            return Err("the parts do not turn by rising multiples of the unknown without a common divisor".into());
+        }
+        Ok(Unknown { exponents, sums: left.iter().map(Part::sum).collect() })
+    }
+
+    pub fn degree(&self) -> i64 {
+        self.exponents.last().copied().unwrap_or(0)
+    }
+
+    /// `Σ_j n_j^i S_j x^{n_j}` at a turn.
+    pub fn derivative(&self, i: u32, at: &BigRational, audit: &Audit) -> Result<Collected, Reason> {
+        let mut terms = Vec::new();
+        for (&exponent, sum) in self.exponents.iter().zip(&self.sums) {
+            let turned = at * BigRational::from_integer(exponent.into());
+            let factor = BigRational::from_integer(BigInt::from(exponent).pow(i));
+            audit.spend((sum.len() as u64).saturating_mul(steps_of(&turned) + steps_of(&factor)))?;
+            terms.extend(sum.iter().map(|(angle, weight)| (angle + &turned, weight * &factor)));
+        }
+        Ok(collect(terms, audit)?)
+    }
+
+    /// `conj(S_{k−1−j}) S_{k−1} − conj(S_0) S_j` for every j whose exponent is at most half the degree; all of them are zero iff the
+    /// sum, turned back by half of the degree, stays on one line.
+    pub fn against_mirror(&self, audit: &Audit) -> Result<Vec<Collected>, Reason> {
+        let degree = self.degree();
+        if self.exponents.iter().zip(self.exponents.iter().rev()).any(|(low, high)| low + high != degree) {
+            return Err("the multiples of the unknown are not their own mirror image".into());
+        }
+        let last = self.sums.len() - 1;
+        let half = self.exponents.iter().take_while(|exponent| **exponent * 2 <= degree).count();
+        let difference = |j: usize| {
+            let mut terms = product(self.sums[last - j], self.sums[last], audit)?;
+            let inner = product(self.sums[0], self.sums[j], audit)?;
+            terms.extend(inner.into_iter().map(|(angle, weight)| (angle, -weight)));
+            Ok(collect(terms, audit)?)
+        };
+        (0..half).map(difference).collect()
+    }
+
+    /// Each zero that is a rational turn is a multiple of `1/L` for one of these L: N times the primes up to the number of parts that
+    /// do not divide it, times an exponent (theory, section 16).
+    pub fn moduli(&self, audit: &Audit) -> Result<Vec<BigInt>, Reason> {
+        let mut modulus = BigInt::one();
+        for angle in self.sums.iter().flat_map(|sum| sum.keys()) {
+            audit.spend(steps_of(angle) + steps_of(&BigRational::from_integer(modulus.clone())))?;
+            modulus = common_multiple(&modulus, angle.denom());
+        }
+        let conductor = modulus.clone();
+        for prime in (2..=self.sums.len() as u64).filter(|candidate| is_prime(*candidate)) {
+            if !(&conductor % prime).is_zero() {
+                modulus *= prime;
+            }
+        }
+        Ok(self.exponents.iter().skip(1).map(|exponent| &modulus * exponent).collect())
+    }
+}
+
+/// By trial division: small numbers alone are asked for.
+pub(super) fn is_prime(number: u64) -> bool {
+    number > 1 && (2..).take_while(|divisor| divisor * divisor <= number).all(|divisor| !number.is_multiple_of(divisor))
+}
+
+/// `conj(A)·B`, not collected.
+fn product(a: &Collected, b: &Collected, audit: &Audit) -> Result<Vec<(BigRational, BigRational)>, Reason> {
+    let mut terms = Vec::new();
+    for (s, v) in a {
+        for (t, w) in b {
+            audit.spend(steps_of(s).max(steps_of(v)).max(steps_of(t)).max(steps_of(w)))?;
+            terms.push((t - s, v * w));
+        }
+    }
+    Ok(terms)
+}

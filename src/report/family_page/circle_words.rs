@@ -1,0 +1,151 @@
+//! How is it put where on the circle a sum in one unknown vanishes?
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::super::typeset;
+use super::words::{open_angle, unknowns};
+use crate::engine::Linear;
+use crate::family::{Circle, Closed, Coprime};
+use crate::numbers;
+use crate::page::number::Bearing;
+use crate::page::{Piece, Text, phrase};
+
+/// `0 where φ ≡ 60°, or φ ≈ 75.52°`, and where it is not known; `never 0` where it has no zero.
+pub(super) fn condition(circle: &Circle) -> Text {
+    let zeros = zeros(circle).map(|zeros| phrase!("0 where {}", zeros));
+    let open = circle.open().map(|ends| {
+        let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
+        phrase!("not solved for {} between {} and {}", unknown(circle), from, to)
+    });
+    let told: Vec<Text> = zeros.into_iter().chain(open).collect();
+    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+}
+
+/// `φ ≡ 60°, or φ ≈ 75.52°`: closed forms where there are such; none where no zero is known.
+pub(super) fn zeros(circle: &Circle) -> Option<Text> {
+    let unknown = unknown(circle);
+    let rational: Vec<String> =
+        circle.rational().map(|turn| format!("{unknown} ≡ {}", typeset::angle(&turn))).collect();
+    let irrational: Vec<f64> = circle.irrational().map(middle).collect();
+    let closed = circle.closed().filter(|_| rational.is_empty());
+    let told = match (closed, irrational.as_slice()) {
+        (Some(Closed::Argument(direction)), [decimal]) => {
+            let decimal = if *decimal > 180.0 { decimal - 360.0 } else { *decimal };
+            vec![phrase!("{} ≡ {}", unknown, Bearing { exact: Some(direction), decimal })]
+        }
+        (Some(Closed::Cosine { turn, cosine }), [_, _]) => {
+            let (phi, delta) = (&circle.polynomial.phi, &circle.polynomial.delta);
+            let turned = Linear::constant(turn.turns().clone());
+            let of_unknown = |name: &str, times: &BigRational| Linear::symbol(name, times.clone());
+            let argument = of_unknown(crate::engine::PHI, phi).plus(&of_unknown(crate::engine::DELTA, delta));
+            let argument = open_angle(&argument.plus(&turned));
+            let degrees = libm::acos(cosine.to_float()).to_degrees();
+            let value = Text::from(Piece::Form(cosine));
+            vec![phrase!("cos({}) = {}, {} ≈ ±{}°", argument.clone(), value, argument, typeset::decimal(degrees))]
+        }
+        (Some(Closed::Argument(_) | Closed::Cosine { .. }) | None, irrational) => {
+            let decimals = irrational.iter().map(|at| format!("{unknown} ≈ {}°", typeset::decimal(*at)));
+            rational.into_iter().chain(decimals).map(Text::label).collect()
+        }
+    };
+    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn why(circle: &Circle) -> Text {
+    let degree = || circle.polynomial.degree().to_string();
+    let (unknown, count) = (unknown(circle), circle.arcs.len());
+    let arcs = match (zeros(circle), circle.is_complete()) {
+        (Some(zeros), true) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs, on each of which it is proved how often it \
+             vanishes: exactly where {}.",
+            degree(),
+            unknown,
+            count,
+            zeros
+        ),
+        (None, true) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs, and it is proved that it vanishes on none.",
+            degree(),
+            unknown,
+            count
+        ),
+        (Some(zeros), false) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs; but for those that are left open it vanishes \
+             exactly where {} (proved).",
+            degree(),
+            unknown,
+            count,
+            zeros
+        ),
+        (None, false) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs; but for those that are left open it vanishes \
+             on none (proved).",
+            degree(),
+            unknown,
+            count
+        ),
+    };
+    let only = circle.irrational().map(|near| {
+        let [from, to] = between(circle, near);
+        phrase!("Between {} and {} it vanishes once, at no rational turn.", from, to)
+    });
+    let open = circle.open().map(|ends| {
+        let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
+        phrase!("From {} to {} it is left open: the count of steps ended.", from, to)
+    });
+    Text::joined([arcs].into_iter().chain(only).chain(open), " ")
+}
+
+/// Why a sum vanishes nowhere, by a prime.
+pub(super) fn coprime(found: &Coprime) -> Text {
+    phrase!(
+        "Modulo the prime {} the sum, a polynomial in the turn by {}, and its mirror image have no common factor (proved), so it vanishes for \
+         no angle.",
+        found.prime.to_string(),
+        unknowns(&found.phi, &found.delta)
+    )
+}
+
+fn unknown(circle: &Circle) -> String {
+    unknowns(&circle.polynomial.phi, &circle.polynomial.delta)
+}
+
+/// In degrees from 0 on.
+fn middle([low, high]: [&BigRational; 2]) -> f64 {
+    let middle = (low + high) / BigRational::from_integer(2.into());
+    numbers::float(&degrees(&(&middle - middle.floor())))
+}
+
+fn degrees(turns: &BigRational) -> BigRational {
+    turns * BigRational::from_integer(360.into())
+}
+
+/// Turns in degrees with so many places, up or down.
+fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
+    let units = BigRational::from_integer(BigInt::from(10).pow(places));
+    let scaled = degrees(turns) * &units;
+    (if up { scaled.ceil() } else { scaled.floor() }) / units
+}
+
+/// Degrees about an irrational zero, with as few places as keep every other zero out.
+fn between(circle: &Circle, near: [&BigRational; 2]) -> [String; 2] {
+    let rational: Vec<BigRational> = circle.rational().map(|turn| turn.turns().clone()).collect();
+    let others = circle.irrational().chain(circle.open()).filter(|ends| *ends != near);
+    let others: Vec<[BigRational; 2]> = others
+        .map(|ends| ends.map(Clone::clone))
+        .chain(rational.into_iter().map(|at| [at.clone(), at]))
+        .flat_map(|[low, high]| {
+            [-1, 0, 1].map(|turns| BigRational::from_integer(turns.into())).map(|by| [&low + &by, &high + &by])
+        })
+        .map(|ends| ends.map(|end| degrees(&end)))
+        .collect();
+    let ends = |places: u32| [rounded(near[0], places, false), rounded(near[1], places, true)];
+    let is_alone = |[from, to]: &[BigRational; 2]| {
+        to - from < BigRational::one() && others.iter().all(|[low, high]| high < from || to < low)
+    };
+    let found = (1..12).map(ends).find(is_alone).unwrap_or_else(|| near.map(degrees));
+    found.map(|end| typeset::degrees(&end))
+}
