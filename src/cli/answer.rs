@@ -133,12 +133,37 @@ impl Answer {
     }
 }
 
+/// What the verdicts are written in, where they are not an answer.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum VerdictFormat {
+    Data(DataFormat),
+    /// Theorems.
+    Coq,
+}
+
+impl ValueEnum for VerdictFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<VerdictFormat>> = LazyLock::new(|| {
+            let data = DataFormat::value_variants().iter().copied().map(VerdictFormat::Data);
+            data.chain(std::iter::once(VerdictFormat::Coq)).collect()
+        });
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            VerdictFormat::Data(format) => format.to_possible_value(),
+            VerdictFormat::Coq => Some(PossibleValue::new("coq").help("Theorems for the proof assistant Coq")),
+        }
+    }
+}
+
 /// What a person may say of an answer that is data or a few lines.
 #[derive(clap::Args)]
 pub struct DataAnswer {
     /// Write data in place of the answer
     #[arg(long, value_enum)]
-    format: Option<DataFormat>,
+    format: Option<VerdictFormat>,
     #[command(flatten)]
     tables: Tables,
     /// File for the data, or folder for all tables
@@ -153,22 +178,32 @@ impl DataAnswer {
     /// What cannot be had, before anything is computed.
     pub fn wanted(&self, question: &'static str, measures: &Measures) -> Result<Option<Wanted<'_>>, Failure> {
         let format = match self.format {
-            Some(DataFormat::Table(format)) => Some(format),
-            Some(DataFormat::Json) | None => None,
+            Some(VerdictFormat::Data(DataFormat::Table(format))) => Some(format),
+            Some(VerdictFormat::Data(DataFormat::Json) | VerdictFormat::Coq) | None => None,
         };
         if self.format.is_none() && self.output.is_some() {
-            return Err(Failure::misuse("--output is for data; add --format csv, xlsx, parquet or json"));
+            return Err(Failure::misuse("--output is for data; add --format csv, xlsx, parquet, json or coq"));
         }
         self.tables.wanted(question, format, measures, self.output.as_deref())
     }
 
     /// Whether JSON is asked for.
     pub fn is_json(&self) -> bool {
-        self.format == Some(DataFormat::Json)
+        self.format == Some(VerdictFormat::Data(DataFormat::Json))
+    }
+
+    /// Whether theorems of Coq are asked for.
+    pub fn is_coq(&self) -> bool {
+        self.format == Some(VerdictFormat::Coq)
     }
 
     /// Prints a document, or writes it where that is asked for.
     pub fn show_json(&self, question: &str, text: String) -> Result<(), Failure> {
         tables::show_json(question, text, self.output.as_deref())
+    }
+
+    /// Prints a file of Coq, or writes it where that is asked for.
+    pub fn show_coq(&self, question: &str, text: &str) -> Result<(), Failure> {
+        tables::show_text(question, text, "v", self.output.as_deref())
     }
 }

@@ -27,7 +27,7 @@ pub struct Classify {
     /// Print the verdicts with their certificates as JSON
     #[arg(long, conflicts_with = "format")]
     json: bool,
-    /// Prove what vanishes at every order: adds the statements with one period of verdicts to the JSON
+    /// Prove what vanishes at every order: adds the statements with one period of verdicts to JSON and Coq
     #[arg(long)]
     all_orders: bool,
     /// Judge the inertia torque too
@@ -50,8 +50,13 @@ impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
         let wanted = self.data.wanted("classify", &self.measures)?;
-        if self.all_orders && !self.is_json() {
-            return Err(Failure::misuse("--all-orders adds to the JSON document; add --json"));
+        if self.all_orders && !self.is_json() && !self.data.is_coq() {
+            return Err(Failure::misuse("--all-orders adds to the JSON document; add --json, or --format coq"));
+        }
+        if self.firing && self.data.is_coq() {
+            return Err(Failure::misuse(
+                "theorems are about forces, moments and torque of inertia; leave out --firing or --format coq",
+            ));
         }
         if self.firing {
             return self.run_firing(wanted.is_some());
@@ -65,6 +70,11 @@ impl Classify {
             Layout::Open(_) if wanted.is_some() => {
                 return Err(Failure::new("tables need an engine without unknowns; give them values below [values]"));
             }
+            Layout::Open(_) if self.data.is_coq() => {
+                return Err(Failure::new(
+                    "a file of Coq states numbers, and this engine has unknowns; give them values below [values]",
+                ));
+            }
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
         if self.torque && engine.has_links() {
@@ -76,12 +86,15 @@ impl Classify {
             let document = report::document(&engine, judged.masses, &judged.orders, &quantities, None);
             return wanted.give(data::classify(&engine, &judged, &document));
         }
-        if !self.is_json() {
+        if !self.is_json() && !self.data.is_coq() {
             return self.show(&report::engine_answer(&engine, &judged));
         }
         let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
         let document = report::document(&engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
+        if self.data.is_coq() {
+            return self.data.show_coq("classify", &report::coq_file(&document).map_err(Failure::new)?);
+        }
         self.data.show_json("classify", proved(&document)?)
     }
 

@@ -116,10 +116,15 @@ impl Wanted<'_> {
 
 /// Prints a document, or writes it into a file that ends in `.json`, or into a folder.
 pub fn show_json(question: &str, text: String, output: Option<&Path>) -> Result<(), Failure> {
-    let Some(path) = output else { return write::to_stdout(&text) };
-    is_of(path, "json")?;
-    let name = format!("{question}.json");
-    let place = match ends_in(path, "json") {
+    show_text(question, &text, "json", output)
+}
+
+/// Prints a text, or writes it into a file with this ending, or into a folder.
+pub fn show_text(question: &str, text: &str, ending: &str, output: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = output else { return write::to_stdout(text) };
+    is_of(path, ending)?;
+    let name = format!("{question}.{ending}");
+    let place = match ends_in(path, ending) {
         true => {
             folder::write_file(path, text.as_bytes(), &name)?;
             path.to_owned()

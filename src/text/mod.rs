@@ -4,6 +4,7 @@
 //! stand on a page by mistake: the ways out are [`Untrusted::escaped`], and [`Untrusted::written`] for JSON and comparisons,
 //! whose callers `tests/suite/hostile_text.rs` lists.
 
+mod coq;
 mod csv;
 mod json;
 mod latex;
@@ -12,6 +13,7 @@ mod script;
 mod terminal;
 mod xml;
 
+pub use coq::coq_comment;
 pub use csv::field;
 pub use json::json;
 pub use latex::{SUPERSCRIPTS, latex};

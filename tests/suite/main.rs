@@ -23,6 +23,7 @@ mod classroom;
 mod closed_forms;
 mod command_line;
 mod compare;
+mod coq_files;
 mod corrected_files;
 mod corrected_knuckles;
 mod crankshaft;

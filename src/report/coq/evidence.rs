@@ -1,0 +1,90 @@
+//! How is a certificate written in Coq? In whole numbers: angles times a conductor, weights times a scale.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use crate::proof::{Certificate, Polygon, Step, Vector};
+
+/// What all angles and all weights of some vectors become whole by.
+pub(super) struct Grid {
+    conductor: BigInt,
+    scale: BigInt,
+}
+
+impl Grid {
+    /// That of the vectors of a sum.
+    pub fn of<'a>(vectors: impl Iterator<Item = &'a Vector>) -> Self {
+        vectors.fold(Grid { conductor: BigInt::one(), scale: BigInt::one() }, |grid, vector| Grid {
+            conductor: grid.conductor.lcm(vector.angle.denom()),
+            scale: grid.scale.lcm(vector.weight.denom()),
+        })
+    }
+
+    /// That of the products of two vectors.
+    pub fn squared(self) -> Self {
+        Grid { scale: &self.scale * &self.scale, ..self }
+    }
+
+    fn with(self, certificate: &Certificate) -> Self {
+        let Grid { mut conductor, mut scale } = self;
+        match certificate {
+            Certificate::Polygons { polygons } => {
+                for Polygon { sides, rotation, weight } in polygons {
+                    conductor = conductor.lcm(&BigInt::from(*sides)).lcm(rotation.denom());
+                    scale = scale.lcm(weight.denom());
+                }
+            }
+            Certificate::Residue(residue) => conductor = conductor.lcm(&residue.conductor),
+            Certificate::Splitting { .. } => (),
+        }
+        Grid { conductor, scale }
+    }
+
+    fn angle(&self, angle: &BigRational) -> BigInt {
+        (angle * BigRational::from_integer(self.conductor.clone())).to_integer()
+    }
+
+    fn weight(&self, weight: &BigRational) -> BigInt {
+        (weight * BigRational::from_integer(self.scale.clone())).to_integer()
+    }
+}
+
+/// The certificate as `Evidence` of Checker.v; nothing where the image of a residue would vanish, because the
+/// scale that all terms need holds its prime once more than that of the collected ones.
+pub(super) fn evidence(grid: Grid, certificate: &Certificate) -> Option<String> {
+    let grid = grid.with(certificate);
+    let certified = match certificate {
+        Certificate::Polygons { polygons } => {
+            let polygon = |polygon: &Polygon| {
+                let (corner, weight) = (grid.angle(&polygon.rotation), grid.weight(&polygon.weight));
+                format!("({}, {corner}, {weight})", polygon.sides)
+            };
+            format!("Polygons {}", list(polygons.iter().map(polygon).collect()))
+        }
+        Certificate::Residue(residue) if (&grid.scale / &residue.scale % &residue.prime).is_zero() => return None,
+        Certificate::Residue(residue) => {
+            format!("Residue {} {} {}", residue.conductor, residue.prime, residue.root)
+        }
+        Certificate::Splitting { steps } => {
+            let step = |step: &Step| match step {
+                Step::Class { angle, modulus } => {
+                    format!("Class {} {} {modulus}", whole(angle.numer()), angle.denom())
+                }
+                Step::Compare { prime, first, second } => format!("Compare {prime} {first} {second}"),
+            };
+            format!("Split {}", list(steps.iter().map(step).collect()))
+        }
+    };
+    Some(format!("(Evidence {} {} ({certified}))", grid.conductor, grid.scale))
+}
+
+fn whole(number: &BigInt) -> String {
+    if number < &BigInt::zero() { format!("({number})") } else { number.to_string() }
+}
+
+/// A list of Coq.
+pub(super) fn list(entries: Vec<String>) -> String {
+    if entries.is_empty() { "nil".to_owned() } else { format!("[:: {}]", entries.join("; ")) }
+}

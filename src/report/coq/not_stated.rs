@@ -1,0 +1,113 @@
+//! Which engines can a file of Coq not state?
+
+use std::fmt;
+
+use num_traits::Zero;
+
+use crate::proof::{Cylinder, Document, Masses, Quantity, RodStatement};
+use crate::text::harmless;
+
+/// Why there is no file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotStated {
+    /// A cylinder hangs on a master rod.
+    Link(String),
+    /// The axis of a cylinder misses the crankshaft.
+    Offset(String),
+    /// Several crankshafts, and the roll moment with them.
+    SeveralCrankshafts,
+    /// A shaft is sized by the number c_k of a rod.
+    SizedByRod(String),
+    /// An order has several sums, each before a number of its own.
+    SeveralSums {
+        /// Of what.
+        quantity: Quantity,
+        /// The order.
+        order: u32,
+    },
+    /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
+    Scale {
+        /// Of what.
+        quantity: Quantity,
+        /// The order.
+        order: u32,
+    },
+}
+
+impl fmt::Display for NotStated {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("no file of Coq can state this engine: ")?;
+        match self {
+            NotStated::Link(name) => {
+                write!(
+                    f,
+                    "cylinder {} is a link on a master rod, whose numbers are enclosed and not rational",
+                    harmless(name)
+                )
+            }
+            NotStated::Offset(name) => {
+                write!(
+                    f,
+                    "the rod of cylinder {} has an offset; formal/Engine.v knows rods in line with the crank",
+                    harmless(name)
+                )
+            }
+            NotStated::SeveralCrankshafts => {
+                f.write_str("it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")
+            }
+            NotStated::SizedByRod(name) => {
+                write!(f, "{} is sized by the number c_k of a rod, which is not rational", harmless(name))
+            }
+            NotStated::SeveralSums { quantity, order } => write!(
+                f,
+                "order {order} of the {} has several sums, before numbers that differ; leave the order out, or judge with --masses \
+                 reciprocating where the rods are equal",
+                quantity.name()
+            ),
+            NotStated::Scale { quantity, order } => write!(
+                f,
+                "the weights of order {order} of the {} have a denominator that the prime of its evidence divides; scale masses and \
+                 lengths by another number",
+                quantity.name()
+            ),
+        }
+    }
+}
+
+/// Whether pistons are among the masses that the verdicts are about.
+pub(super) fn has_pistons(document: &Document) -> bool {
+    match document.masses {
+        Masses::Reciprocating | Masses::All => true,
+        Masses::Rotating | Masses::Counterweights => false,
+    }
+}
+
+/// Checks that each sum is one over rational numbers, the same as that of `formal/Engine.v`.
+pub(super) fn check(document: &Document) -> Result<(), NotStated> {
+    let pistons = document.cylinders.iter().filter(|_| has_pistons(document));
+    for cylinder in pistons {
+        check_cylinder(cylinder)?;
+    }
+    if document.quantities.contains(&Quantity::Roll) {
+        return Err(NotStated::SeveralCrankshafts);
+    }
+    if let Some(shaft) = document.turning_masses.iter().find(|mass| mass.coefficient_of.is_some()) {
+        return Err(NotStated::SizedByRod(shaft.name.clone()));
+    }
+    match document.verdicts.iter().find(|verdict| !verdict.of.is_empty()) {
+        None => Ok(()),
+        Some(verdict) => Err(NotStated::SeveralSums { quantity: verdict.quantity, order: verdict.order }),
+    }
+}
+
+fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {
+    match &cylinder.rod {
+        RodStatement::Link(_) => return Err(NotStated::Link(cylinder.name.clone())),
+        RodStatement::Known(rod) if !rod.offset.is_zero() => return Err(NotStated::Offset(cylinder.name.clone())),
+        RodStatement::Known(_) | RodStatement::Unknown => (),
+    }
+    match cylinder.speed == 1 && cylinder.crankshaft.is_none() {
+        true => Ok(()),
+        false => Err(NotStated::SeveralCrankshafts),
+    }
+}

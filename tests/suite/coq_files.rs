@@ -1,0 +1,150 @@
+//! Does `classify --format coq` state each verdict as a theorem, refuse what it cannot state, and keep a person's text in its comment?
+//!
+//! Whether Coq accepts the files is for `formal/run`.
+
+use std::fs;
+
+use crankstar::proof::{AnyDocument, read_document};
+
+use crate::support::program::{call, scratch};
+
+fn answered(arguments: &[&str]) -> String {
+    let output = call(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+fn refused(arguments: &[&str]) -> String {
+    let output = call(arguments);
+    assert!(!output.status.success(), "{arguments:?}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+    String::from_utf8(output.stderr).expect("a text")
+}
+
+/// The file without its comments, which nest and hold strings.
+fn without_comments(text: &str) -> String {
+    let (mut out, mut depth, mut rest) = (String::new(), 0_usize, text);
+    while let Some(letter) = rest.chars().next() {
+        if rest.starts_with("(*") {
+            depth += 1;
+            rest = &rest[2..];
+        } else if depth > 0 && rest.starts_with("*)") {
+            depth -= 1;
+            rest = &rest[2..];
+        } else {
+            assert!(letter != '"', "a quote opens a string, in comments too");
+            if depth == 0 {
+                out.push(letter);
+            }
+            rest = &rest[letter.len_utf8()..];
+        }
+    }
+    assert_eq!(depth, 0, "a comment is open at the end");
+    out
+}
+
+#[test]
+fn each_verdict_of_the_document_is_a_theorem_that_says_the_same() {
+    for engine in ["radial-9", "V8-crossplane", "I6", "V6-90-split", "boxer-2", "V10-72"] {
+        let json = answered(&["classify", engine, "--torque", "--json"]);
+        let AnyDocument::Classify(document) = read_document(json.as_bytes()).expect("a document") else {
+            panic!("{engine}: verdicts on an engine")
+        };
+        let file = answered(&["classify", engine, "--torque", "--format", "coq"]);
+        let mut named = Vec::new();
+        for verdict in &document.verdicts {
+            let sense = verdict.sense.map(|sense| format!("_{}", sense.name())).unwrap_or_default();
+            let name = format!("{}{sense}_order_{}", verdict.quantity.name(), verdict.order);
+            let (relation, lemma) = if verdict.vanishes { ("= 0%R.", "@vanishes ") } else { ("<> 0%R.", "@is_left ") };
+            let theorem = file.split("Theorem ").find(|piece| piece.starts_with(&format!("{name} :")));
+            let theorem = theorem.unwrap_or_else(|| panic!("{engine}: no theorem {name}"));
+            assert!(theorem.contains(relation) && theorem.contains(lemma), "{engine}: {theorem}");
+            named.push(name);
+        }
+        let lengths = document.shapes.iter().filter(|shape| shape.evidence.is_some()).count();
+        assert_eq!(file.matches("\nTheorem ").count(), named.len() + lengths, "{engine}");
+        // Every theorem is among those whose axioms are printed, and none is admitted.
+        let last = file.split("Definition verdicts :=").nth(1).expect("the list of theorems");
+        assert!(named.iter().all(|name| last.contains(&format!("  {name}"))), "{engine}: {last}");
+        assert!(file.ends_with("Print Assumptions verdicts.\n"), "{engine}");
+        assert!(!["Axiom", "Admitted", "Parameter", "admit"].iter().any(|word| file.contains(word)), "{engine}");
+    }
+}
+
+#[test]
+fn statements_on_every_order_have_a_certificate_for_each_even_order_of_a_period() {
+    let file = answered(&["classify", "I6", "--orders", "2", "--all-orders", "--format", "coq"]);
+    let every = file.split("Theorem force_direct_every_even_order").nth(1).expect("a theorem");
+    let every = every.split("Qed.").next().expect("a proof");
+    assert!(every.contains("k mod 6 \\in ([:: 0] : seq Z)"), "{every}");
+    assert_eq!(every.matches("(Evidence ").count(), 3, "orders 2, 4 and 6: {every}");
+    assert!(file.contains("Theorem force_direct_order_1 :"), "order 1 was not asked for and stands apart");
+}
+
+#[test]
+fn paths_of_classes_are_stated_too() {
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/formal/engines/large-denominator.toml");
+    let file = answered(&["classify", layout, "--orders", "1", "--format", "coq"]);
+    assert!(file.contains("(Split [:: Class ") && file.contains("; Compare "), "{file}");
+}
+
+#[test]
+fn counterweights_stand_in_the_engine() {
+    let folder = scratch("coq-counterweights");
+    let layout = folder.join("single.toml");
+    let text = "title = 'Single'\n[inline]\nthrows = [0]\n[mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '45 mm'\n\
+        rod_length = '150 mm'\n[crankshaft]\nbalance_factor = 0.5\ncounterweight_radius = 0.06\n";
+    fs::write(&layout, text).expect("a file");
+    let layout = layout.to_str().expect("a path");
+    let file = answered(&["classify", layout, "--orders", "1", "--format", "coq"]);
+    assert!(file.contains("TurningMass 1 Direct "), "{file}");
+    let alone = answered(&["classify", layout, "--orders", "1", "--masses", "counterweights", "--format", "coq"]);
+    assert!(!alone.contains("  Cylinder "), "the verdicts are not about the pistons: {alone}");
+}
+
+#[test]
+fn what_the_file_cannot_state_is_refused_with_the_reason() {
+    let folder = scratch("coq-refusals");
+    let layout = |name: &str, text: &str| {
+        let path = folder.join(name);
+        fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path").to_owned()
+    };
+    let open = layout("open.toml", "title = 'Open'\n[vee]\nbank_angle = 'phi'\nthrows = [0]\n");
+    let offset = layout(
+        "offset.toml",
+        "title = 'Offset'\n[inline]\nthrows = [0, 180]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = 0.05\n",
+    );
+    let cases = [
+        (vec!["radial-9-master"], "is a link on a master rod"),
+        (vec![open.as_str()], "has unknowns; give them values"),
+        (vec![offset.as_str()], "has an offset"),
+        (vec!["I4", "--firing"], "leave out --firing"),
+        (vec!["I4", "--output", "x.json"], "is named as a file of json"),
+    ];
+    for (arguments, reason) in cases {
+        let all: Vec<&str> = ["classify", "--format", "coq"].into_iter().chain(arguments).collect();
+        let told = refused(&all);
+        assert!(told.contains(reason), "{all:?}: {told}");
+    }
+}
+
+#[test]
+fn no_title_leaves_its_comment() {
+    const HARM: &str =
+        "*) Axiom f : False. (* \" (* ( * ) *) \n *)\r*) Print Assumptions \u{1b}[31m \u{202e} Qed. **) (** end";
+    let folder = scratch("coq-hostile");
+    let layout = folder.join("hostile.toml");
+    // The names of cylinders are letters and digits: the reader of layout files sees to it.
+    let title = toml::Value::String(format!("{HARM}title"));
+    let text = format!("title = {title}\n[inline]\nthrows = [0, 180]\n");
+    fs::write(&layout, text).expect("a file");
+    let arguments = ["classify", layout.to_str().expect("a path"), "--format", "coq", "--all-orders", "--torque"];
+    let file = answered(&arguments);
+    assert!(file.contains("endtitle"), "{file}");
+    let plain = without_comments(&file);
+    assert!(!["Axiom", "False", "endtitle"].iter().any(|word| plain.contains(word)), "{plain}");
+    assert!(plain.is_ascii() && !plain.contains('\u{1b}'), "{plain}");
+    assert!(!file.contains('\u{1b}') && !file.contains('\u{202e}'), "{file}");
+    assert_eq!(plain.matches("Print Assumptions").count(), 1, "{plain}");
+}
