@@ -161,7 +161,7 @@ pub enum WhenClaim {
         /// Evidence that `|S_1|² − |S_2|²` is zero.
         certificate: Certificate,
     },
-    /// No claim: two unknowns enter on their own, or one too many times.
+    /// No claim: two unknowns that enter in another way, or one too many times.
     NotSolved,
 }
 

@@ -120,6 +120,7 @@ mod support {
     pub mod pages;
     pub mod piston;
     pub mod plain_search;
+    pub mod plane_star;
     pub mod program;
     pub mod side;
     pub mod stiffness;

@@ -144,7 +144,8 @@ pub(super) fn product_condition(product: &Product) -> Text {
 /// Why it vanishes there, and nowhere else.
 pub(super) fn product_why(product: &Product) -> Text {
     phrase!(
-        "The parts make {} groups, each a multiple of the first and turned against it (proved), so that the sum is a product: that of one group, and          that of the first parts of all; it vanishes where either does. The group: {} The first parts: {}",
+        "The parts make {} groups, each a multiple of the first and turned against it (proved), so that the sum is a product: that of one group, \
+         and that of the first parts of all; it vanishes where either does. The group: {} The first parts: {}",
         product.groups.len(),
         words::why(&product.group),
         words::why(&product.firsts)

@@ -2,6 +2,8 @@
 
 use crankstar::engine::Family;
 use crankstar::file::{self, Layout};
+use crankstar::proof::OpenDocument;
+use crankstar::{family, report};
 
 use super::dice::Dice;
 
@@ -58,4 +60,34 @@ pub fn regular_vee(dice: &mut Dice) -> String {
 /// A W engine whose pins are split in one sense, or not.
 pub fn broad_arrow(dice: &mut Dice) -> String {
     engine(dice, &["-phi", "0", "phi"], &["", " + delta"])
+}
+
+/// In the direct force of order 1 each cylinder has the phase of its throw.
+fn throws(list: &[(&str, u32)]) -> String {
+    let cylinder = |(throw, mass): &(&str, u32)| {
+        format!("[[cylinder]]\nthrow = '{throw}'\nbank = 0\nposition = 0\nreciprocating_mass = {mass}\n")
+    };
+    list.iter().map(cylinder).collect()
+}
+
+/// Documents on engines whose answers are of every kind.
+pub fn documents() -> Vec<OpenDocument> {
+    let mut dice = Dice::new(7);
+    let random = (0..8).map(|round| if round % 4 == 3 { broad_arrow(&mut dice) } else { vee(&mut dice) });
+    // Triangles: flat, right-angled, none, of sides 2, 3 and 4. Both classes zero at δ = 180°. A product.
+    let texts: Vec<String> = random
+        .chain([
+            throws(&[("0", 2), ("phi", 1), ("delta", 1)]),
+            throws(&[("0", 1), ("90", 1), ("phi", 1), ("delta", 1)]),
+            throws(&[("0", 3), ("phi", 1), ("delta", 1)]),
+            throws(&[("0", 2), ("phi", 3), ("delta", 4)]),
+            throws(&[("0", 1), ("delta", 1), ("phi", 1), ("phi + delta", 2), ("phi + 2delta", 1)]),
+            throws(&[("0", 1), ("delta", 1), ("phi", 1), ("phi + delta", 1)]),
+        ])
+        .collect();
+    let document = |text: &String| {
+        let family = family(text);
+        report::open_document(&family, &family::classify(&family, &[1, 2]).expect("orders"))
+    };
+    texts.iter().map(document).collect()
 }
