@@ -79,7 +79,7 @@ pub enum MeetingClaim {
         #[serde(with = "fraction")]
         turn: BigRational,
         /// Evidence that the sum vanishes there.
-        certificate: Certificate,
+        certificate: Box<Certificate>,
     },
     /// For one.
     Once {

@@ -110,7 +110,7 @@ const CLASSES: [Cheat<ClassesClaim>; 17] = [
     ("forged evidence of a meeting", |claim| {
         let certificate = claim.meetings.iter_mut().map(|meeting| match meeting {
             MeetingClaim::All { certificates } => &mut certificates[1],
-            MeetingClaim::Rational { certificate, .. } => certificate,
+            MeetingClaim::Rational { certificate, .. } => &mut **certificate,
             MeetingClaim::Once { first } => first,
         });
         certificate.map(|certificate| *certificate = forged(certificate)).count() > 0

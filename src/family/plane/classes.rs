@@ -44,7 +44,7 @@ pub enum Meeting {
         /// The turn.
         turn: Turn,
         /// Evidence that the sum vanishes there.
-        certificate: Certificate,
+        certificate: Box<Certificate>,
     },
     /// For one, for which no rational turn was found.
     Once {
@@ -127,7 +127,7 @@ fn meeting(classes: &[Class<'_>; 2], at: &BigRational) -> Meeting {
     let evidence = first.certificate();
     match numbers::direction_of(&quotient) {
         Some(Direction::Turn(turn)) => {
-            let certificate = first.plus(&second.turned(&turn)).certificate();
+            let certificate = Box::new(first.plus(&second.turned(&turn)).certificate());
             Meeting::Rational { first: evidence, turn, certificate }
         }
         exact => Meeting::Once { first: evidence, exact, degrees: numbers::degrees(numbers::evaluate(&quotient)) },
