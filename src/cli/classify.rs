@@ -79,7 +79,7 @@ impl Classify {
         if !self.is_json() {
             return self.show(&report::engine_answer(&engine, &judged));
         }
-        let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
+        let theorem = self.all_orders.then(|| verdict::every_order(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
         let document = report::document(&engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
         self.data.show_json("classify", proved(&document)?)
