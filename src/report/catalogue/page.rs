@@ -112,6 +112,7 @@ const BESIDE: [(&str, &str, &str); 12] = [
     ("accuracy/README.md", "Accuracy", "{}: what accuracy costs."),
     ("trust/README.md", "Trust", "{}: 100,000 random engines beside an independent method."),
     ("stability/README.md", "Stability", "{}: hard cases, to fifty digits."),
+    ("forms/README.md", "Closed forms", "{}: lengths as a person writes them, before and after."),
     ("optimise/README.md", "Optimise", "{}: the best crankshafts of three engines, bearing load against mass."),
     ("grigoryev/README.md", "Grigoryev", "{}: a published sweep of V angles, checked."),
 ];
