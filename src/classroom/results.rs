@@ -4,7 +4,7 @@ use super::answers::{Handed, Whose, in_lines, in_toml};
 use super::exercise::{Exercise, Pupil};
 use super::marking::{MarkedSheet, mark_sheet};
 use super::scheme::Scheme;
-use crate::text::{Format, Untrusted, field};
+use crate::text::{Format, Untrusted};
 
 /// A file that was handed in.
 #[derive(Clone, Debug)]
@@ -153,67 +153,4 @@ fn named(exercise: &Exercise, file: &str) -> Option<usize> {
     let last = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
     exercise.pupils.iter().position(|pupil| pupil.file == stem)
-}
-
-/// The table of marks for a spreadsheet: a line a student.
-pub fn marks_csv(results: &[StudentResult]) -> String {
-    let mut lines =
-        "student,sheet,outcome,points,points_possible,percent,right,consequential,wrong,unreadable,missing,\
-                     convention,undeclared_convention,remark\n"
-            .to_owned();
-    for result in results {
-        let name = result.pupil.map(|pupil| pupil.name.escaped(Format::Csv)).unwrap_or_default();
-        let sheet = result.pupil.map(|pupil| pupil.file.clone()).unwrap_or_default();
-        let files: Vec<String> = result.files.iter().map(|file| file.escaped(Format::Csv)).collect();
-        let mut fields = vec![name, sheet];
-        fields.extend(match &result.outcome {
-            Outcome::Marked(sheet) => marked_fields(sheet).into(),
-            Outcome::Unreadable(why) => {
-                let remark = format!("{}: {}", files.join(" "), why.escaped(Format::Plain));
-                without_marks("unreadable", &Untrusted::new(remark).escaped(Format::Csv))
-            }
-            Outcome::NotHandedIn => without_marks("not handed in", ""),
-            Outcome::HandedInTwice => without_marks("handed in more than once", &files.join(" ")),
-        });
-        let fields: Vec<String> = fields.iter().map(|text| field(text)).collect();
-        lines.push_str(&(fields.join(",") + "\n"));
-    }
-    lines
-}
-
-fn without_marks(outcome: &str, remark: &str) -> Vec<String> {
-    let mut fields = vec![String::new(); 12];
-    outcome.clone_into(&mut fields[0]);
-    remark.clone_into(&mut fields[11]);
-    fields
-}
-
-fn marked_fields(sheet: &MarkedSheet) -> [String; 12] {
-    let decimal =
-        |value: &num_rational::BigRational| crate::file::exact_number(&rounded(value)).trim_matches('"').to_owned();
-    let hundred = num_rational::BigRational::from_integer(100.into());
-    let counts = sheet.counts();
-    let words = |convention: &super::Convention| {
-        convention.declared().iter().map(|(key, word)| format!("{key} {word}")).collect::<Vec<_>>().join("; ")
-    };
-    [
-        "marked".to_owned(),
-        decimal(&sheet.points),
-        decimal(&sheet.possible),
-        decimal(&(sheet.part() * hundred)),
-        counts.right.to_string(),
-        counts.consequential.to_string(),
-        counts.wrong.to_string(),
-        counts.unreadable.to_string(),
-        counts.missing.to_string(),
-        words(&sheet.declared),
-        sheet.undeclared.first().map(words).unwrap_or_default(),
-        String::new(),
-    ]
-}
-
-/// Rounded to hundredths.
-fn rounded(value: &num_rational::BigRational) -> num_rational::BigRational {
-    let hundred = num_rational::BigRational::from_integer(100.into());
-    (value * &hundred).round() / hundred
 }

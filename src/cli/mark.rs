@@ -9,7 +9,7 @@ use clap::builder::PossibleValue;
 
 use crankstar::classroom::{self, HandedIn, Outcome, Scheme, StudentResult};
 use crankstar::page::File;
-use crankstar::report;
+use crankstar::{report, table};
 
 use super::exercise::KEY;
 use super::failure::Failure;
@@ -81,7 +81,7 @@ impl Mark {
             Some(path) => classroom::parse_scheme(&layouts::shown(path), &layouts::read_text(path)?)?,
         };
         let results = classroom::mark_class(&exercise, self.handed_in(&key)?, &scheme);
-        let csv = || File { name: MARKS.to_owned(), text: classroom::marks_csv(&results) };
+        let csv = || File { name: MARKS.to_owned(), text: table::csv(&classroom::marks_table(&results)) };
         match self.format {
             Some(Format::Csv) if self.look.folder().is_none() => return write::to_stdout(&csv().text),
             Some(Format::Page(format)) if self.look.folder().is_none() => {

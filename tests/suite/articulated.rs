@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crankstar::engine::Engine;
 use crankstar::file;
-use crankstar::loads::{self, Loads, OrderLoads};
+use crankstar::loads;
 use crankstar::motion::Linkage;
 use crankstar::proof::{Sense, Shape, read_document};
 use crankstar::remedy::{Wish, remedy};
@@ -14,11 +14,8 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
+use crate::support::linked::{Body, Linked, assert_halves, assert_shakes_as_bodies, of_orders, order, read};
 use crate::support::verdicts::{document, judged};
-
-fn read(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 fn radial(count: u32, [r, l, a]: [&str; 3], more: &str) -> Engine {
     read(&format!(
@@ -30,23 +27,6 @@ fn rows(masters: &str, rotation: &str) -> Engine {
     read(&format!(
         "[radial]\ncylinders = 9\nrows = 2\nrow_throw = 180\nrow_rotation = {rotation}\n[mechanism]\nrod_ratio = '1/3.8'\n[articulated]\nknuckle_ratio = '0.9/3.8'\nmaster = {masters}"
     ))
-}
-
-fn of_orders(engine: &Engine, orders: &[u32]) -> Loads {
-    loads::loads(engine, orders).expect("numbers")
-}
-
-fn order(loads: &Loads, order: u32) -> &OrderLoads {
-    loads.orders.iter().find(|one| one.order == order).expect("an order")
-}
-
-/// Half of each vector, to as many digits behind the point as the table prints.
-#[track_caller]
-fn assert_halves(swing: &loads::Swing, expected: [f64; 2], digits: i32) {
-    let found = [swing.direct.value.norm() / 2.0, swing.reverse.value.norm() / 2.0];
-    for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() <= 0.5001 * 10_f64.powi(-digits), "{found}, expected {expected}");
-    }
 }
 
 #[test]
@@ -139,34 +119,6 @@ fn a_linked_v12_leaves_order_six_alone_and_a_linked_cross_plane_v8_order_four() 
     assert_halves(&order(&eight, 1).moment, [10_f64.sqrt(), 0.0], 9);
 }
 
-/// A master rod and a link: κ = a/l, Δ in turns, and L, in crank radii as all lengths here.
-#[derive(Clone, Copy)]
-struct Linked {
-    rod: f64,
-    radius: f64,
-    delta: f64,
-    link: f64,
-}
-
-impl Linked {
-    /// The knuckle pin, seen with the master's axis in direction 0, at a crank angle after its top dead centre.
-    fn knuckle(&self, psi: f64) -> Complex<f64> {
-        let slant = psi.sin() / self.rod;
-        let along = Complex::new((1.0 - slant * slant).sqrt(), -slant);
-        Complex::cis(psi) + self.radius * along * Complex::cis(self.delta)
-    }
-
-    /// How far the piston of the link stands out on its own axis.
-    fn piston(&self, psi: f64) -> f64 {
-        let seen = self.knuckle(psi) * Complex::cis(-self.delta);
-        seen.re + (self.link * self.link - seen.im * seen.im).sqrt()
-    }
-
-    fn master(&self, psi: f64) -> f64 {
-        psi.cos() + (self.rod * self.rod - psi.sin() * psi.sin()).sqrt()
-    }
-}
-
 #[test]
 fn the_harmonics_of_random_links_are_those_of_the_closed_motion() {
     let mut dice = Dice::new(14);
@@ -178,6 +130,7 @@ fn the_harmonics_of_random_links_are_those_of_the_closed_motion() {
             rod: l as f64 / 100.0,
             radius: a as f64 / 100.0,
             delta: TAU * degrees as f64 / 360.0,
+            correction: 0.0,
             link: long as f64 / 100.0,
         };
         // The link alone has a mass, so that its order k is c_k.
@@ -185,33 +138,15 @@ fn the_harmonics_of_random_links_are_those_of_the_closed_motion() {
             "orders = [1, 2, 3, 4, 5, 6, 8]\n[fan]\nbanks = [0, {degrees}]\nthrows = [0]\n[mechanism]\nrod_ratio = '100/{l}'\nreciprocating_mass = [0, 1]\n[articulated]\nmaster = 1\nknuckle_ratio = '{a}/{l}'\nlink_ratio = '100/{long}'"
         ));
         let loads = of_orders(&engine, &[1, 2, 3, 4, 5, 6, 8]);
-        let points = 256;
         for one in &loads.orders {
-            let k = f64::from(one.order);
-            // s = Re Σ S_k e^{ikψ}, ψ after the master's dead centre; the link's own comes Δ later.
-            let sum: Complex<f64> = (0..points)
-                .map(|j| TAU * f64::from(j) / f64::from(points))
-                .map(|psi| linked.piston(psi) * Complex::cis(-k * psi))
-                .sum();
-            let harmonic = sum * (2.0 * k * k / f64::from(points)) * Complex::cis(linked.delta);
-            let mirrored = sum.conj() * (2.0 * k * k / f64::from(points)) * Complex::cis(linked.delta);
+            let (k, c) = (f64::from(one.order), linked.coefficient(one.order));
+            let turned = |by: f64| Complex::cis(by * linked.delta);
+            let (harmonic, mirrored) = (c * turned(1.0 - k), c.conj() * turned(1.0 + k));
             for (found, expected) in [(&one.force.direct, harmonic), (&one.force.reverse, mirrored)] {
-                assert!((found.value - expected).norm() < 1e-12, "order {k}: {} and {expected}", found.value);
+                assert!((found.value - expected).norm() < 1e-12, "order {}: {} and {expected}", one.order, found.value);
             }
         }
     }
-}
-
-/// A mass on its way.
-type Body = (f64, Box<dyn Fn(f64) -> Complex<f64>>);
-
-/// The second derivative, from nine points: of eighth order.
-fn second_derivative(way: &dyn Fn(f64) -> Complex<f64>, at: f64) -> Complex<f64> {
-    const WEIGHTS: [f64; 5] = [-205.0 / 72.0, 8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
-    let step = 0.012;
-    let pair = |n: usize| way(at + n as f64 * step) + way(at - n as f64 * step);
-    let sum: Complex<f64> = (1..5).map(|n| pair(n) * WEIGHTS[n]).sum();
-    (way(at) * WEIGHTS[0] + sum) / (step * step)
 }
 
 /// A radial with masses as it happens, and its bodies: pistons, masses at knuckle pins, rotating masses.
@@ -235,7 +170,7 @@ fn random_radial(dice: &mut Dice) -> (String, Vec<Body>) {
     for index in 0..count {
         let bank = TAU * index as f64 / count as f64;
         let (rod, radius) = (l as f64 / 100.0, a as f64 / 100.0);
-        let linked = Linked { rod, radius, delta: bank - base, link: rod - radius };
+        let linked = Linked { rod, radius, delta: bank - base, correction: 0.0, link: rod - radius };
         let mass = mass_of(index) as f64;
         if index == master {
             bodies.push((mass, Box::new(move |theta| Complex::cis(bank) * linked.master(theta - base))));
@@ -254,26 +189,8 @@ fn random_radials_shake_as_the_momentum_of_every_body_changes() {
     let mut dice = Dice::new(1830);
     for _ in 0..12 {
         let (text, bodies) = random_radial(&mut dice);
-        let engine = read(&text);
         let orders: Vec<u32> = [1].into_iter().chain((2..=26).step_by(2)).collect();
-        let found = of_orders(&engine, &orders).force;
-        // The program counts in multiples of the first mass that is not zero.
-        let unit = engine.dimensions().mass.clone().expect("a mass");
-        let unit = num_traits::ToPrimitive::to_f64(&unit).expect("a number");
-        for place in 0..7 {
-            let theta = 0.3 + f64::from(place);
-            let expected: Complex<f64> =
-                bodies.iter().map(|(mass, way)| -second_derivative(way, theta) * *mass / unit).sum();
-            let sum: Complex<f64> = found
-                .harmonics()
-                .iter()
-                .map(|one| {
-                    let k = f64::from(one.order);
-                    one.direct * Complex::cis(k * theta) + one.reverse * Complex::cis(-k * theta)
-                })
-                .sum();
-            assert!((sum - expected).norm() < 1e-9 * 20.0, "{sum} and {expected}\n{text}");
-        }
+        assert_shakes_as_bodies(&text, &bodies, &orders);
     }
 }
 

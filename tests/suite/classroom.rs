@@ -8,13 +8,14 @@ use crankstar::BigRational;
 use crankstar::claim::{Judged, SENSES, SUMS, Star};
 use crankstar::classroom::{
     Convention, Counts, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, Vary, can_be_set, csv_to_fill_in,
-    mark_class, marks_csv, parse_exercise, parse_scheme, students, toml_to_fill_in,
+    mark_class, marks_table, parse_exercise, parse_scheme, students, toml_to_fill_in,
 };
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::order;
 use crankstar::page::{self, Format, Language, Options};
 use crankstar::report;
+use crankstar::table::csv;
 
 use crate::support::class::{Answer, decimals, mirrored, right, toml, vectors, with_wrong_phases};
 use crate::support::dice::Dice;
@@ -479,7 +480,7 @@ fn what_cannot_be_marked_is_told_and_stops_no_other() {
         assert!(told.contains(keyword), "{keyword}: {told}");
     }
     assert_eq!(bob.file, "bob");
-    assert_eq!(marks_csv(&results).lines().count(), 12);
+    assert_eq!(csv(&marks_table(&results)).lines().count(), 12);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crankstar::engine::Engine;
 use crankstar::exact::Turn;
 use crankstar::file;
-use crankstar::loads::{self, Loads, OrderLoads, Tails};
+use crankstar::loads::{self, Tails};
 use crankstar::motion::{Component, CorrectedLinkage};
 use crankstar::page::Format;
 use crankstar::proof::{
@@ -17,32 +17,11 @@ use crankstar::report;
 use crankstar::verdict::Outcome;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
+use crate::support::linked::{Body, Linked, assert_halves, assert_shakes_as_bodies, of_orders, order, read};
 use crate::support::pages;
 use crate::support::verdicts::{document, judged};
-
-fn read(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn of_orders(engine: &Engine, orders: &[u32]) -> Loads {
-    loads::loads(engine, orders).expect("numbers")
-}
-
-fn order(loads: &Loads, order: u32) -> &OrderLoads {
-    loads.orders.iter().find(|one| one.order == order).expect("an order")
-}
-
-/// Half of each vector, to as many digits behind the point as the table prints.
-#[track_caller]
-fn assert_halves(swing: &loads::Swing, expected: [f64; 2], digits: i32) {
-    let found = [swing.direct.value.norm() / 2.0, swing.reverse.value.norm() / 2.0];
-    for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() <= 0.5001 * 10_f64.powi(-digits), "{found}, expected {expected}");
-    }
-}
 
 fn vee(bank_angle: u32, throws: &str, masters: &str, more: &str) -> Engine {
     read(&format!(
@@ -75,43 +54,6 @@ fn a_correction_of_three_degrees_gives_a_v12_order_three_and_a_cross_plane_v8_a_
     assert_halves(&order(&eight, 4).force, [0.0435, 0.0259], 4);
     assert_halves(&order(&eight, 1).moment, [3.1902, 0.0401], 4);
     assert_halves(&order(&eight, 3).moment, [0.0077, 0.0077], 4);
-}
-
-/// A master rod and a link: κ = a/l, Δ and ε in turns, and L, in crank radii as all lengths here.
-#[derive(Clone, Copy)]
-struct Linked {
-    rod: f64,
-    radius: f64,
-    delta: f64,
-    correction: f64,
-    link: f64,
-}
-
-impl Linked {
-    /// The knuckle pin, seen with the master's axis in direction 0, at a crank angle after its top dead centre.
-    fn knuckle(&self, psi: f64) -> Complex<f64> {
-        let slant = psi.sin() / self.rod;
-        let along = Complex::new((1.0 - slant * slant).sqrt(), -slant);
-        Complex::cis(psi) + self.radius * along * Complex::cis(self.delta + self.correction)
-    }
-
-    /// How far the piston of the link stands out on its own axis.
-    fn piston(&self, psi: f64) -> f64 {
-        let seen = self.knuckle(psi) * Complex::cis(-self.delta);
-        seen.re + (self.link * self.link - seen.im * seen.im).sqrt()
-    }
-
-    fn master(&self, psi: f64) -> f64 {
-        psi.cos() + (self.rod * self.rod - psi.sin() * psi.sin()).sqrt()
-    }
-
-    /// c_k, by the mean over points of a turn; ψ counts from its own cylinder.
-    fn coefficient(&self, order: u32) -> Complex<f64> {
-        let (k, points) = (f64::from(order), 512);
-        let angles = (0..points).map(|j| TAU * f64::from(j) / f64::from(points));
-        let sum: Complex<f64> = angles.map(|psi| self.piston(psi + self.delta) * Complex::cis(-k * psi)).sum();
-        sum * (2.0 * k * k / f64::from(points))
-    }
 }
 
 fn degrees(degrees: f64) -> f64 {
@@ -165,18 +107,6 @@ fn the_harmonics_of_random_corrected_links_are_those_of_the_closed_motion() {
             }
         }
     }
-}
-
-/// A mass on its way.
-type Body = (f64, Box<dyn Fn(f64) -> Complex<f64>>);
-
-/// The second derivative, from nine points: of eighth order.
-fn second_derivative(way: &dyn Fn(f64) -> Complex<f64>, at: f64) -> Complex<f64> {
-    const WEIGHTS: [f64; 5] = [-205.0 / 72.0, 8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
-    let step = 0.012;
-    let pair = |n: usize| way(at + n as f64 * step) + way(at - n as f64 * step);
-    let sum: Complex<f64> = (1..5).map(|n| pair(n) * WEIGHTS[n]).sum();
-    (way(at) * WEIGHTS[0] + sum) / (step * step)
 }
 
 fn listed<T: ToString>(values: impl IntoIterator<Item = T>) -> String {
@@ -250,24 +180,7 @@ fn random_corrected_engines_shake_as_the_momentum_of_every_body_changes() {
     let mut dice = Dice::new(1820);
     for _ in 0..6 {
         let (text, bodies) = random_engine(&mut dice);
-        let engine = read(&text);
-        let found = of_orders(&engine, &(1..=26).collect::<Vec<u32>>()).force;
-        // The program counts in multiples of the first mass that is not zero.
-        let unit = engine.dimensions().mass.clone().and_then(|mass| mass.to_f64()).expect("a mass");
-        for place in 0..7 {
-            let theta = 0.3 + f64::from(place);
-            let expected: Complex<f64> =
-                bodies.iter().map(|(mass, way)| -second_derivative(way, theta) * *mass / unit).sum();
-            let harmonics = found.harmonics();
-            let sum: Complex<f64> = harmonics
-                .iter()
-                .map(|one| {
-                    let k = f64::from(one.order);
-                    one.direct * Complex::cis(k * theta) + one.reverse * Complex::cis(-k * theta)
-                })
-                .sum();
-            assert!((sum - expected).norm() < 1e-9 * 20.0, "{sum} and {expected}\n{text}");
-        }
+        assert_shakes_as_bodies(&text, &bodies, &(1..=26).collect::<Vec<u32>>());
     }
 }
 

@@ -327,26 +327,30 @@ pub(crate) fn bodies(engine: &Engine, theta: f64) -> (Complex<f64>, Complex<f64>
     (force, moment, output, roll)
 }
 
+/// Force, moment, torque and roll are those of the bodies, at crank angles all round.
+pub(crate) fn assert_feels_its_bodies(engine: &Engine, orders: &[u32], text: &str) {
+    let loads = loads_at(engine, orders, orders).expect("loads");
+    let (torque, roll) = (loads.torque.expect("asked for"), loads.roll.expect("there are arms"));
+    for step in 0..7 {
+        let theta = f64::from(step) * 0.9 + 0.1;
+        let (force, moment, output, frame) = bodies(engine, theta);
+        let near = |found: f64, right: f64| (found - right).abs() < 1e-9 * (1.0 + right.abs());
+        assert!((loads.force.at(theta) - force).norm() < 1e-9 * (1.0 + force.norm()), "force\n{text}");
+        assert!((loads.moment.at(theta) - moment).norm() < 1e-9 * (1.0 + moment.norm()), "moment\n{text}");
+        assert!(near(torque.waveform.at(theta).re, output), "torque\n{text}");
+        let found = roll.waveform.at(theta).re;
+        // A mean is no shaking moment: pistons beside the shaft have none, for their force has none.
+        assert!(near(found, frame), "roll: {found} for {frame}\n{text}");
+    }
+}
+
 #[test]
 fn random_geared_engines_feel_what_newtons_law_says_of_each_body() {
     let mut dice = Dice::new(14);
     let orders: Vec<u32> = (1..=70).collect();
     for _ in 0..30 {
         let text = any_engine(&mut dice);
-        let engine = layout(&text);
-        let loads = loads_at(&engine, &orders, &orders).expect("loads");
-        let (torque, roll) = (loads.torque.expect("asked for"), loads.roll.expect("there are arms"));
-        for step in 0..7 {
-            let theta = f64::from(step) * 0.9 + 0.1;
-            let (force, moment, output, frame) = bodies(&engine, theta);
-            let near = |found: f64, right: f64| (found - right).abs() < 1e-9 * (1.0 + right.abs());
-            assert!((loads.force.at(theta) - force).norm() < 1e-9 * (1.0 + force.norm()), "force\n{text}");
-            assert!((loads.moment.at(theta) - moment).norm() < 1e-9 * (1.0 + moment.norm()), "moment\n{text}");
-            assert!(near(torque.waveform.at(theta).re, output), "torque\n{text}");
-            let found = roll.waveform.at(theta).re;
-            // A mean is no shaking moment: pistons beside the shaft have none, for their force has none.
-            assert!(near(found, frame), "roll: {found} for {frame}\n{text}");
-        }
+        assert_feels_its_bodies(&layout(&text), &orders, &text);
     }
 }
 

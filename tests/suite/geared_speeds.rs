@@ -13,7 +13,7 @@ use crankstar::verdict::{self, NoTheorem, OrderVerdict};
 use crankstar::{file, report};
 use num_rational::BigRational;
 
-use crate::geared::{any_engine_at, bodies};
+use crate::geared::{any_engine_at, assert_feels_its_bodies, bodies};
 use crate::support::dice::Dice;
 
 fn layout(text: &str) -> Engine {
@@ -138,17 +138,7 @@ fn random_engines_with_fast_cranks_feel_what_newtons_law_says_of_each_body() {
         let text = any_engine_at(&mut dice, 3);
         let engine = layout(&text);
         faster += usize::from(engine.faster_crank().is_some());
-        let loads = loads_at(&engine, &orders, &orders).expect("loads");
-        let (torque, roll) = (loads.torque.expect("asked for"), loads.roll.expect("there are arms"));
-        for step in 0..7 {
-            let theta = f64::from(step) * 0.9 + 0.1;
-            let (force, moment, output, frame) = bodies(&engine, theta);
-            let near = |found: f64, right: f64| (found - right).abs() < 1e-9 * (1.0 + right.abs());
-            assert!((loads.force.at(theta) - force).norm() < 1e-9 * (1.0 + force.norm()), "force\n{text}");
-            assert!((loads.moment.at(theta) - moment).norm() < 1e-9 * (1.0 + moment.norm()), "moment\n{text}");
-            assert!(near(torque.waveform.at(theta).re, output), "torque\n{text}");
-            assert!(near(roll.waveform.at(theta).re, frame), "roll\n{text}");
-        }
+        assert_feels_its_bodies(&engine, &orders, &text);
     }
     assert!(faster > 8, "{faster} of 16");
 }

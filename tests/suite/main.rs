@@ -112,6 +112,7 @@ mod support {
     pub mod german;
     pub mod hard;
     pub mod imports;
+    pub mod linked;
     pub mod oracle;
     pub mod pages;
     pub mod piston;

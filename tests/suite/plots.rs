@@ -98,7 +98,9 @@ fn thinning_keeps_the_extremes_and_moves_the_curve_by_less_than_a_thirtieth_of_a
     let (low, high) = frame.expect("a frame");
     let on_page = |(a, b): (f64, f64)| {
         let (right, up) = (x.place(a).expect("a place"), y.place(b).expect("a place"));
-        (low.re + (high.re - low.re) * right, low.im + (high.im - low.im) * up)
+        // Points are drawn on a lattice of 4096 to a millimetre.
+        let on_lattice = |length: f64| (length * 4096.0).round() / 4096.0;
+        (on_lattice(low.re + (high.re - low.re) * right), on_lattice(low.im + (high.im - low.im) * up))
     };
     let all: Vec<(f64, f64)> = points.iter().map(|point| on_page(*point)).collect();
     let top = |points: &[(f64, f64)]| points.iter().map(|p| p.1).fold(f64::MIN, f64::max);

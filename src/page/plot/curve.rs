@@ -85,6 +85,17 @@ impl Area {
     }
 }
 
+/// Points of curves lie on a lattice of so many to a millimetre.
+///
+/// The last digits of sines differ from machine to machine. On the lattice they are gone, and with them the chance that they choose
+/// between two places for a name that are equally good, or between two points that are equally far from a line.
+const LATTICE: f64 = 4096.0;
+
+/// The nearest point of the lattice.
+pub(super) fn snapped(point: Point) -> Point {
+    Point::new((point.re * LATTICE).round() / LATTICE, (point.im * LATTICE).round() / LATTICE)
+}
+
 /// Points that move the line by less than this, in millimetres, are left out.
 const TOLERANCE: f64 = 0.02;
 /// The tolerance grows until a curve has no more points than this.

@@ -2,7 +2,7 @@
 
 use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use super::axis::{Ruler, Scale};
-use super::curve::Area;
+use super::curve::{Area, snapped};
 use super::labels::LINE;
 use super::number::text_width;
 
@@ -34,13 +34,14 @@ impl Frame {
         let first = x.ticks.first().map_or(0.0, |tick| text_width(&tick.label) / 2.0);
         let last = x.ticks.last().map_or(0.0, |tick| text_width(&tick.label) / 2.0);
         let left = (EDGE + numbers + 1.6).max(EDGE + first).min(WIDTH / 3.0);
-        let low = Point::new(left, BELOW);
-        Frame { area: Area { low, high: Point::new(WIDTH - right - EDGE - last.max(1.0), BELOW + height) }, x, y }
+        let (low, high) = (Point::new(left, BELOW), Point::new(WIDTH - right - EDGE - last.max(1.0), BELOW + height));
+        // A point on an edge stays on it.
+        Frame { area: Area { low: snapped(low), high: snapped(high) }, x, y }
     }
 
     /// Where a point stands on the page; none where it has no place.
     pub fn at(&self, (x, y): (f64, f64)) -> Option<Point> {
-        Some(Point::new(self.right(&self.x, x)?, self.up(&self.y, y)?))
+        Some(snapped(Point::new(self.right(&self.x, x)?, self.up(&self.y, y)?)))
     }
 
     fn right(&self, ruler: &Ruler, value: f64) -> Option<f64> {

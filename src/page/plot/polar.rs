@@ -3,7 +3,7 @@
 use super::super::Unit;
 use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::axis::Axis;
-use super::curve::{Area, Curve, pieces};
+use super::curve::{Area, Curve, pieces, snapped};
 use super::head::{Head, Key};
 use super::labels::{LINE, Labels, Place};
 use super::{PointMark, draw_pieces};
@@ -88,7 +88,7 @@ impl Polar {
         let below = ROOM + LINE + 1.5;
         let mut figure = Figure::new(WIDTH, below + 2.0 * RADIUS + ROOM + head.height());
         head.draw(&mut figure);
-        let centre = Point::new(WIDTH / 2.0, below + RADIUS);
+        let centre = snapped(Point::new(WIDTH / 2.0, below + RADIUS));
         let tips = self.curves.iter().flat_map(|curve| &curve.points).chain(self.marks.iter().map(|mark| &mark.at));
         let lengths = tips.map(|(right, up)| right.hypot(*up)).chain([0.0]);
         let ruler = Axis::linear("").ruler(lengths.filter(|length| length.is_finite()), CIRCLES);
@@ -96,7 +96,7 @@ impl Polar {
         let full = ruler.high;
         let at = |(right, up): (f64, f64)| {
             let tip = Point::new((right / full).clamp(-1e4, 1e4), (up / full).clamp(-1e4, 1e4));
-            (right.is_finite() && up.is_finite()).then(|| centre + tip * RADIUS)
+            (right.is_finite() && up.is_finite()).then(|| snapped(centre + tip * RADIUS))
         };
         let corner = Point::new(RADIUS, RADIUS);
         let area = Area { low: centre - corner, high: centre + corner };

@@ -1,11 +1,10 @@
 //! How does the frame roll? The largest roll moment of the orders listed, what it is, and its orders.
 
 use super::amounts::Unit;
-use super::{heading, summary};
+use super::{heading, summary, tables};
 use crate::engine::Engine;
 use crate::loads::{Loads, Outcome};
-use crate::numbers;
-use crate::page::{Block, Number, Table, Text, number, phrase};
+use crate::page::{Block, Text, phrase};
 use crate::proof::Quantity;
 
 const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque turned round, and the forces \
@@ -34,24 +33,6 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
 /// The orders of the roll moment, for a page.
 pub(super) fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let Some(roll) = &loads.roll else { return Vec::new() };
-    let unit = Unit::of(engine, loads, Quantity::Roll);
-    let mut table = Table::new([
-        "Order".into(),
-        phrase!("Amplitude in {}", unit.label()),
-        "Phase at θ = 0".into(),
-        Text::from("In m r² ω²"),
-    ]);
-    for order in &roll.orders {
-        let (angle, multiple) = match order.vector.outcome {
-            Outcome::Zero => ("–".into(), Text::zero()),
-            Outcome::Undecided { .. } => ("–".into(), "not decided".into()),
-            Outcome::NotZero => (
-                phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
-                Number::Decimal(order.vector.value.norm()).into(),
-            ),
-        };
-        table.push(vec![order.order.into(), summary::roll_cell(engine, order, unit), angle, multiple]);
-    }
     let said = Block::Paragraph(Text::joined(roll_lines(engine, loads), " "));
-    vec![heading(2, "Roll moment"), said, table.into()]
+    vec![heading(2, "Roll moment"), said, tables::roll(engine, loads, roll).into()]
 }

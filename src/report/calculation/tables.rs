@@ -3,7 +3,7 @@
 use super::amounts::{self, Unit};
 use super::{summary, words};
 use crate::engine::Engine;
-use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque};
+use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque, TorqueOrder};
 use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, number, phrase};
@@ -125,13 +125,24 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
 /// The amplitude of each order of the inertia torque.
 pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
     let unit = Unit::of(engine, loads, Quantity::Torque);
+    about_the_crank(&torque.orders, unit, |order| summary::torque_cell(engine, order, unit))
+}
+
+/// The amplitude of each order of the roll moment.
+pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
+    let unit = Unit::of(engine, loads, Quantity::Roll);
+    about_the_crank(&roll.orders, unit, |order| summary::roll_cell(engine, order, unit))
+}
+
+/// Orders of a torque or a roll moment: amplitude, phase, and the multiple that both are of.
+fn about_the_crank(orders: &[TorqueOrder], unit: Unit, amplitude: impl Fn(&TorqueOrder) -> Text) -> Table {
     let mut table = Table::new([
         "Order".into(),
         phrase!("Amplitude in {}", unit.label()),
         "Phase at θ = 0".into(),
         Text::from("In m r² ω²"),
     ]);
-    for order in &torque.orders {
+    for order in orders {
         let (angle, multiple) = match order.vector.outcome {
             Outcome::Zero => ("–".into(), Text::zero()),
             Outcome::Undecided { .. } => ("–".into(), "not decided".into()),
@@ -140,7 +151,7 @@ pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
                 Number::Decimal(order.vector.value.norm()).into(),
             ),
         };
-        table.push(vec![order.order.into(), summary::torque_cell(engine, order, unit), angle, multiple]);
+        table.push(vec![order.order.into(), amplitude(order), angle, multiple]);
     }
     table
 }
