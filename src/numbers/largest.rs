@@ -18,11 +18,14 @@ const MOST_VECTORS: usize = 64;
 /// `½(|direct| + |reverse|)`; the terms of both sums stand in the order of their sources. None where a length has no closed form.
 pub fn half_of_lengths(direct: &PhasorSum, reverse: &PhasorSum) -> Option<Form> {
     let half = BigRational::new(1.into(), 2.into());
-    let of = |sum: &PhasorSum| if sum.vanishes() { Some(Form::rational(BigRational::from_integer(0.into()))) } else { modulus(sum) };
+    let of = |sum: &PhasorSum| {
+        if sum.vanishes() { Some(Form::rational(BigRational::from_integer(0.into()))) } else { modulus(sum) }
+    };
     let lengths = of(direct).zip(of(reverse));
     let sum = lengths.as_ref().map(|(a, b)| plainer(a.plus(b).scaled(&half)));
     // One length alone, or equal ones, or two that are one root together: as plain as can be.
-    if sum.as_ref().is_some_and(|sum| sum.terms().len() <= 1 && !sum.terms().iter().any(|(root, _)| root.has_cosine())) {
+    if sum.as_ref().is_some_and(|sum| sum.terms().len() <= 1 && !sum.terms().iter().any(|(root, _)| root.has_cosine()))
+    {
         return sum;
     }
     let banks = || of_banks(direct, reverse).and_then(|product| modulus(&product));
@@ -39,7 +42,9 @@ fn of_banks(direct: &PhasorSum, reverse: &PhasorSum) -> Option<PhasorSum> {
         return None;
     }
     let [x, y] = [c, d].map(|turn| half_into_the_right(&turn));
-    let doubled = |turn: Turn| PhasorSum::new([Turn::zero(), turn].map(|angle| Term { angle, weight: BigRational::one() }).into());
+    let doubled = |turn: Turn| {
+        PhasorSum::new([Turn::zero(), turn].map(|angle| Term { angle, weight: BigRational::one() }).into())
+    };
     let product = doubled(&x + &y).times(&doubled(&x - &y)).times(&bank);
     Some(product.scaled(&BigRational::new(1.into(), 2.into())))
 }
@@ -58,7 +63,8 @@ fn banks(direct: &[Term], reverse: &[Term]) -> Option<(Vec<usize>, [Turn; 2])> {
     if count != reverse.len() || count % 2 == 1 || count > MOST_VECTORS {
         return None;
     }
-    let steps = |from: usize, to: usize| [&direct[to].angle - &direct[from].angle, &reverse[to].angle - &reverse[from].angle];
+    let steps =
+        |from: usize, to: usize| [&direct[to].angle - &direct[from].angle, &reverse[to].angle - &reverse[from].angle];
     let weights = |place: usize| [&direct[place].weight, &reverse[place].weight];
     let matched = |step: &[Turn; 2]| {
         let (mut taken, mut first) = (vec![false; count], Vec::new());
@@ -68,7 +74,11 @@ fn banks(direct: &[Term], reverse: &[Term]) -> Option<(Vec<usize>, [Turn; 2])> {
             }
             let free = |other: &usize| *other > place && !taken[*other] && weights(place) == weights(*other);
             let partner = (0..count).filter(free).find_map(|other| {
-                if steps(place, other) == *step { Some((place, other)) } else { (steps(other, place) == *step).then_some((other, place)) }
+                if steps(place, other) == *step {
+                    Some((place, other))
+                } else {
+                    (steps(other, place) == *step).then_some((other, place))
+                }
             });
             let (of_first, of_second) = partner?;
             (taken[of_first], taken[of_second]) = (true, true);

@@ -217,9 +217,13 @@ fn check_theorems(document: &Document, audit: &Audit, motion: &Motion<'_>) -> Re
     let asked: Vec<(Quantity, Sense)> =
         document.quantities.iter().filter(|_| document.all_orders).flat_map(about).collect();
     match document.recurrences.is_empty() {
-        true => check_each("theorem", &document.theorems, &asked, |claim| (claim.quantity, claim.sense), |claim| {
-            check_theorem(document, claim, audit)
-        }),
+        true => check_each(
+            "theorem",
+            &document.theorems,
+            &asked,
+            |claim| (claim.quantity, claim.sense),
+            |claim| check_theorem(document, claim, audit),
+        ),
         false => {
             if !document.theorems.is_empty() {
                 return Err(Fault::new("theorems", "what is said class by class stands in `recurrences` alone"));

@@ -33,9 +33,7 @@ pub(super) fn expand(factors: &[FactorClaim], audit: &Audit) -> Result<Rays, Rea
         let largest = factor.terms.iter().map(size).max().unwrap_or(1);
         audit.spend(pairs.saturating_mul(largest.saturating_mul(3)))?;
         let rays = product.iter().flat_map(|((per_order, fixed), weight)| {
-            factor.terms.iter().map(move |ray| {
-                ([per_order + &ray.per_order, fixed + &ray.fixed], weight * &ray.weight)
-            })
+            factor.terms.iter().map(move |ray| ([per_order + &ray.per_order, fixed + &ray.fixed], weight * &ray.weight))
         });
         product = collect_rays(rays);
     }
@@ -48,17 +46,21 @@ pub(super) fn check_factor(factor: &FactorClaim, parity: Parity, audit: &Audit) 
         factor.terms.iter().map(|ray| ([&ray.per_order, &ray.fixed], &ray.weight)).collect();
     let collected =
         collect_rays(rays.iter().map(|(angles, weight)| (angles.map(BigRational::clone), (*weight).clone())));
-    let is_written = |(written, (angles, weight)): (&([&BigRational; 2], &BigRational), (&(BigRational, BigRational), &BigRational))| {
-        (written.0, written.1) == ([&angles.0, &angles.1], weight)
-    };
+    let is_written = |(written, (angles, weight)): (
+        &([&BigRational; 2], &BigRational),
+        (&(BigRational, BigRational), &BigRational),
+    )| { (written.0, written.1) == ([&angles.0, &angles.1], weight) };
     if collected.len() != rays.len() || !rays.iter().zip(&collected).all(is_written) {
-        return Err("its terms are collected: each direction once, rising, angles from 0 to below 1, no weight 0".into());
+        return Err(
+            "its terms are collected: each direction once, rising, angles from 0 to below 1, no weight 0".into()
+        );
     }
     let period = period_of(factor)?;
     check_orders(factor, parity, period, audit)?;
     for verdict in &factor.judged {
         let order = BigRational::from_integer(verdict.order.into());
-        let at_order = rays.iter().map(|([per_order, fixed], weight)| (*per_order * &order + *fixed, (*weight).clone()));
+        let at_order =
+            rays.iter().map(|([per_order, fixed], weight)| (*per_order * &order + *fixed, (*weight).clone()));
         let sum = collect(at_order, audit)?;
         let certified = certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(Reason::from);
         within(&format!("order {}", verdict.order), certified)?;
@@ -74,7 +76,8 @@ fn period_of(factor: &FactorClaim) -> Result<u64, Reason> {
     }
     let times = BigRational::from_integer(period.clone());
     if let [first, others @ ..] = factor.terms.as_slice() {
-        let is_moved = |ray: &&super::recurrence::RayClaim| !((&ray.per_order - &first.per_order) * &times).is_integer();
+        let is_moved =
+            |ray: &&super::recurrence::RayClaim| !((&ray.per_order - &first.per_order) * &times).is_integer();
         if let Some(ray) = others.iter().find(is_moved) {
             let (one, other) = (&first.per_order, &ray.per_order);
             return Err(format!("the period {period} times the angle between {one} and {other} is not whole").into());
@@ -89,7 +92,11 @@ fn check_orders(factor: &FactorClaim, parity: Parity, period: u64, audit: &Audit
     let orders = (u64::from(parity.first_order())..).step_by(2).take(usize::try_from(period / 2).unwrap_or(usize::MAX));
     let right: Vec<u64> = match factor.judged.len() as u64 == period / 2 {
         true => orders.collect(),
-        false => orders.zip(sieve(factor, parity, period, audit)?).filter(|(_, may_be)| *may_be).map(|(order, _)| order).collect(),
+        false => orders
+            .zip(sieve(factor, parity, period, audit)?)
+            .filter(|(_, may_be)| *may_be)
+            .map(|(order, _)| order)
+            .collect(),
     };
     let mut found = factor.judged.iter();
     for order in right {
@@ -165,13 +172,15 @@ fn check_zeros(factor: &FactorClaim, parity: Parity, period: u64) -> Result<(), 
     }
     let repeats = |prime: &u64| {
         let step = modulus / prime;
-        let is_there = |residue: u64| u32::try_from(residue % modulus).is_ok_and(|it| residues.binary_search(&it).is_ok());
+        let is_there =
+            |residue: u64| u32::try_from(residue % modulus).is_ok_and(|it| residues.binary_search(&it).is_ok());
         step.is_even() && residues.iter().all(|&residue| is_there(u64::from(residue) + step))
     };
     if prime_divisors(modulus).iter().any(repeats) {
         return Err(format!("the same is said with a smaller modulus than {modulus}").into());
     }
-    if let Some(verdict) = factor.judged.iter().find(|verdict| factor.zeros.contains(verdict.order) != verdict.vanishes) {
+    if let Some(verdict) = factor.judged.iter().find(|verdict| factor.zeros.contains(verdict.order) != verdict.vanishes)
+    {
         return Err(format!("order {}: the statement contradicts the verdict", verdict.order).into());
     }
     let zeros = factor.judged.iter().filter(|verdict| verdict.vanishes).count() as u64;

@@ -173,8 +173,7 @@ pub(super) fn check_recurrence(
     within("order 1", check_first(document, claim, motion))?;
     for (parity, classes) in [(Parity::Even, &claim.even), (Parity::Odd, &claim.odd)] {
         let groups = document.groups(claim.quantity, parity.first_order());
-        let groups: Vec<&Group> =
-            groups.iter().filter(|group| !group.is_zero && !group.sources.is_empty()).collect();
+        let groups: Vec<&Group> = groups.iter().filter(|group| !group.is_zero && !group.sources.is_empty()).collect();
         if groups.len() != classes.len() {
             let (found, right) = (classes.len(), groups.len());
             return Err(format!("{} orders: {found} classes stand here, the engine has {right}", parity.name()).into());

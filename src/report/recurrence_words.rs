@@ -44,7 +44,8 @@ fn parity(engine: &Engine, [direct, reverse]: [&[ClassPattern]; 2], orders: &Tex
                 phrase!("{}, cylinders {}", orders.clone(), typeset::names(&names))
             }
         };
-        let stated = |class: &ClassPattern| class.stars.factors().into_iter().map(|of| of.zeros().clone()).collect::<Vec<_>>();
+        let stated =
+            |class: &ClassPattern| class.stars.factors().into_iter().map(|of| of.zeros().clone()).collect::<Vec<_>>();
         match stated(of_direct) == stated(of_reverse) {
             true => sentences.push(phrase!("{}: {}, in both vectors.", subject, zeros(&of_direct.stars))),
             false => {

@@ -1,7 +1,7 @@
 //! What does a report say of every order?
 
-use super::{recurrence_words, table};
 pub(super) use super::theorem_words::{no_theorem, statements, why};
+use super::{recurrence_words, table};
 use crate::engine::Engine;
 use crate::page::{Block, Fold};
 use crate::verdict::{EveryOrderTheorem, NoTheorem};

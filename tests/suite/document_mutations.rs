@@ -168,7 +168,9 @@ fn excuse(format: &Value, path: &str, before: &Value, after: &Value) -> Option<&
         list.sort();
         Some(list)
     };
-    let is_set = [".cylinders", ".weights", ".turning_masses", ".alternatives", ".factors"].iter().any(|key| path.ends_with(key));
+    let is_set = [".cylinders", ".weights", ".turning_masses", ".alternatives", ".factors"]
+        .iter()
+        .any(|key| path.ends_with(key));
     if is_set && sorted(before).is_some() && sorted(before) == sorted(after) {
         return Some("a set in another order");
     }

@@ -72,7 +72,8 @@ fn every_document_on_all_masses_verifies_and_is_that_of_another_producer() {
         let theorem = (index % 5 == 0).then(|| verdict::every_order(&layout, masses).ok()).flatten();
         let document = report::document(&layout, masses, &judged, &quantities, theorem.as_ref());
         let (_, checked) = verified(&document, &text);
-        let mut other = Document { theorems: Vec::new(), recurrences: Vec::new(), all_orders: false, ..document.clone() };
+        let mut other =
+            Document { theorems: Vec::new(), recurrences: Vec::new(), all_orders: false, ..document.clone() };
         whole_documents::fill(&mut other);
         verified(&other, &text);
         let said = |document: &Document| -> Vec<(Vec<String>, Vec<Vector>, bool)> {

@@ -6,7 +6,7 @@ use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::order;
 use crankstar::proof::{
-    Certificate, Document, Fault, Quantity, Sense, SumVerdict, WholeOutcome, Zeros, check_document,
+    Certificate, Document, Fault, OrderClaim, Quantity, Sense, SumVerdict, WholeOutcome, Zeros, check_document,
 };
 use crankstar::verdict::{self, AtOrder, EveryOrderTheorem, FirstLeft, NoTheorem, Recurrence, Recurrences, Stars};
 use num_complex::Complex;
@@ -95,21 +95,29 @@ fn random(dice: &mut Dice) -> String {
         0 => "1".to_owned(),
         _ => format!("[{}]", list(cylinders, || format!("'{}/3'", 1 + dice.below(3)))),
     };
-    format!("title = 'random'\n{form}\n[mechanism]\nrod_ratio = 0.3\noffset_ratio = {offset}\nreciprocating_mass = {mass}\n")
+    format!(
+        "title = 'random'\n{form}\n[mechanism]\nrod_ratio = 0.3\noffset_ratio = {offset}\nreciprocating_mass = {mass}\n"
+    )
 }
 
 #[test]
 fn offsets_odd_angles_and_unequal_masses_agree_with_plain_verdicts_order_by_order() {
-    let (mut dice, mut counts) = (Dice::new(16), [0; 3]);
+    let (mut dice, mut counts, mut stated) = (Dice::new(16), [0; 3], 0);
     for _ in 0..30 {
         let text = random(&mut dice);
         let engine = written(&text);
-        let all = stated(&engine);
+        let all = match theorem(&engine) {
+            Ok(EveryOrderTheorem::Recurrences(all)) => all,
+            // Beyond the budget, and said to be.
+            Err(NoTheorem::TooManyCandidates(_)) => continue,
+            other => panic!("{other:?}\n{text}"),
+        };
+        stated += 1;
         let found = agrees(&text, &engine, &all, 2..=40);
         counts.iter_mut().zip(found).for_each(|(count, found)| *count += found);
         verified(&engine);
     }
-    assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
+    assert!(stated > 20 && counts.iter().all(|count| *count > 100), "{stated} {counts:?}");
 }
 
 /// The coefficients of the motion of all pistons at orders k and −k, by the mean over a turn.
@@ -142,7 +150,7 @@ fn the_motion_itself_has_the_orders_that_are_left_and_no_others() {
     for _ in 0..30 {
         let text = random(&mut dice);
         let engine = written(&text);
-        let all = stated(&engine);
+        let Ok(EveryOrderTheorem::Recurrences(all)) = theorem(&engine) else { continue };
         for order in 2..=7 {
             for (one, length) in all.force.iter().zip(fourier(&engine, order)) {
                 match one.at(order) {
@@ -159,15 +167,17 @@ fn the_motion_itself_has_the_orders_that_are_left_and_no_others() {
 
 #[test]
 fn a_v_whose_angles_have_no_common_divisor_is_judged_by_its_bank_and_its_banks() {
-    let engine = written("title = 'V14'\n[vee]\nbank_angle = 77\nthrows = ['0 turn', '1/7 turn', '2/7 turn', '3/7 turn', '4/7 turn', '5/7 turn', '6/7 turn']\n");
+    let engine = written(
+        "title = 'V14'\n[vee]\nbank_angle = 77\nthrows = ['0 turn', '1/7 turn', '2/7 turn', '3/7 turn', '4/7 turn', '5/7 turn', '6/7 turn']\n",
+    );
     let all = stated(&engine);
     let [direct, _] = &all.force;
     let [class] = direct.even.as_slice() else { panic!("one class") };
     let Stars::Banks { bank, banks } = &class.stars else { panic!("the banks are alike") };
     assert_eq!((bank.period, banks.period), (14, 360));
     assert_eq!(bank.zeros(), &Zeros { modulus: 14, residues: vec![2, 4, 6, 8, 10, 12] });
-    let counts = agrees("V14", &engine, &all, (2..=1000).step_by(2));
-    assert!(counts[0] > 400 && counts[1] > 100 && counts[2] == 0, "{counts:?}");
+    let counts = agrees("V14", &engine, &all, (2..=300).step_by(2));
+    assert!(counts[0] > 200 && counts[1] > 50 && counts[2] == 0, "{counts:?}");
     verified(&engine);
     assert_eq!(theorem(&engine).expect("a statement").first_left(&engine, Quantity::Moment).to_owned(), {
         let order = judged(&engine, &[1], false).remove(0);
@@ -177,8 +187,8 @@ fn a_v_whose_angles_have_no_common_divisor_is_judged_by_its_bank_and_its_banks()
 
 #[test]
 fn a_long_pattern_is_judged_where_it_may_be_zero_and_left_elsewhere() {
-    // 5,005 and 1,001 steps of a turn, and pairs and triples that cancel at some orders alone.
-    for throws in ["'1/5 turn', '2/7 turn', '3/11 turn', '5/13 turn'", "0, '1/1001 turn', '1/2 turn', '1003/2002 turn'"] {
+    // 5,005 steps of a turn, and 997 with two pairs.
+    for throws in ["'1/5 turn', '2/7 turn', '3/11 turn', '5/13 turn'", "0, '1/997 turn', '1/2 turn', '999/1994 turn'"] {
         for mechanism in ["", "[mechanism]\nrod_ratio = 0.25\noffset_ratio = [0.1, '-0.1', 0.1, '-0.1']\n"] {
             let text = format!("title = 'long'\ninline.throws = [{throws}]\n{mechanism}");
             let engine = written(&text);
@@ -188,7 +198,7 @@ fn a_long_pattern_is_judged_where_it_may_be_zero_and_left_elsewhere() {
             };
             let sieved = all.force[0].even.iter().flat_map(|class| class.stars.factors()).all(|of| of.others_left);
             assert!(sieved, "{text}");
-            agrees(&text, &engine, &all, 2..=1000);
+            agrees(&text, &engine, &all, (2..=40).chain((41..=1000).step_by(17)));
             verified(&engine);
         }
     }
@@ -199,8 +209,8 @@ fn zeros_of_long_patterns_are_those_of_every_residue() {
     let mut dice = Dice::new(5);
     let (mut zeros, mut long) = (0, 0);
     for _ in 0..12 {
-        // Triangles and pairs, moved against each other by a prime part of a turn.
-        let (prime, count) = ([401_u64, 503, 769][dice.below(3) as usize], 2 + dice.below(2));
+        // Two triangles, moved against each other by a prime part of a turn.
+        let (prime, count) = ([131_u64, 211, 331][dice.below(3) as usize], 3);
         let shift = 1 + dice.below(prime - 1);
         let first = (0..count).map(|at| format!("'{at}/{count} turn'"));
         let second = (0..count).map(|at| format!("'{}/{} turn'", at * prime + shift * count, count * prime));
@@ -223,12 +233,14 @@ fn too_many_orders_that_may_be_zero_are_said_to_be_too_many() {
     let engine = written("title = 'pairs'\ninline.throws = [0, 180, '1/5001 turn', '5003/10002 turn']\n");
     assert_eq!(theorem(&engine).expect_err("too many"), NoTheorem::TooManyCandidates(10_002));
     let text = pages::text(&pages::document(&engine), pages::DOLLARS);
-    let line = "the pattern repeats only after 10002 orders, of which more than 1000 may be zero, and so many are not judged.";
+    let line =
+        "the pattern repeats only after 10002 orders, of which more than 1000 may be zero, and so many are not judged.";
     assert!(text.contains(line), "{text}");
 }
 
 /// Two pistons 180° apart whose axes pass the shaft on opposite sides.
-const OPPOSITE: &str = "title = 'two'\ninline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = [0.1, '-0.1']\n";
+const OPPOSITE: &str =
+    "title = 'two'\ninline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = [0.1, '-0.1']\n";
 
 #[test]
 fn an_offset_to_the_other_side_turns_the_odd_orders_round() {
@@ -345,30 +357,38 @@ fn a_period_an_order_or_zeros_that_are_not_so_are_refused() {
 
 #[test]
 fn an_order_that_may_be_zero_cannot_be_left_out_of_a_long_pattern() {
-    let text = "title = 'long'\ninline.throws = [0, 180, '1/769 turn', '771/1538 turn', '1/3 turn']\n";
-    let mut document = verified(&written(text));
-    let factor = &mut document.recurrences[0].even[0].factors[0];
-    assert!(!factor.judged.is_empty() && factor.judged.len() < 769 * 3, "{}", factor.judged.len());
-    let first = factor.judged.remove(0).order;
-    let Fault { reason, .. } = check_document(&document).expect_err("a cheat");
-    assert!(reason.to_string().contains(&format!("in the place of order {first}")), "{reason}");
-    let mut added = verified(&written(text));
-    let factor = &mut added.recurrences[0].even[0].factors[0];
+    // Two vectors 1/1532 of a turn apart are opposite at order 766 for the first time, and so are the other two.
+    let text = "title = 'long'\ninline.throws = [0, '1/1532 turn', '1/5 turn', '1537/7660 turn']\n";
+    let genuine = verified(&written(text));
+    let factor = |document: &mut Document| document.recurrences[0].even[0].factors[0].clone();
+    let found = factor(&mut genuine.clone());
+    assert_eq!((found.period.to_u32(), &found.zeros), (Some(7660), &Zeros { modulus: 1532, residues: vec![766] }));
+    assert!(found.judged.len() < 1000, "{}", found.judged.len());
+    let refused = |change: &dyn Fn(&mut crankstar::proof::FactorClaim)| {
+        let mut document = genuine.clone();
+        change(&mut document.recurrences[0].even[0].factors[0]);
+        check_document(&document).expect_err("a cheat").reason.to_string()
+    };
+    let left_out = refused(&|factor| factor.judged.retain(|verdict| verdict.order != 766));
+    assert!(left_out.contains("in the place of order 766"), "{left_out}");
     // An order that cannot be zero does not belong there.
-    let orders: Vec<u32> = factor.judged.iter().map(|verdict| verdict.order).collect();
-    let missing = (2..).step_by(2).find(|order| !orders.contains(order)).expect("some order");
-    let place = orders.iter().position(|order| *order > missing).unwrap_or(orders.len());
-    let mut more = factor.judged[0].clone();
-    more.order = missing;
-    factor.judged.insert(place, more);
-    let Fault { reason, .. } = check_document(&added).expect_err("a cheat");
-    assert!(reason.to_string().contains(&format!("order {missing} ")), "{reason}");
+    let added = refused(&|factor| {
+        let more = OrderClaim { order: 4, ..factor.judged[0].clone() };
+        factor.judged.insert(0, more);
+    });
+    assert!(added.contains("order 4 stands in the place of order 10"), "{added}");
+    let more = refused(&|factor| factor.zeros = Zeros { modulus: 1532, residues: vec![2, 766] });
+    assert!(more.contains("the statement has zeros among the orders that are left"), "{more}");
+    let long = refused(&|factor| factor.period = 7_660_000.into());
+    assert!(long.contains("a period of 7660000 orders is too long, at most 1000000"), "{long}");
 }
 
 #[test]
 fn rods_that_are_links_and_shafts_have_no_statement_class_by_class() {
     let single = "title = 'single'\ninline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = 0.1\nreciprocating_mass = 1\n";
-    let engine = written(&format!("{single}[[balancer]]\norder = 2\nposition = 0\nangle = 0\nmass_radius = '1/10'\n"));
+    let engine = written(&format!(
+        "{single}[[balancer]]\norder = 2\nsense = 'with'\nposition = 0\nangle = 0\nmass_radius = '1/10'\n"
+    ));
     assert_eq!(verdict::every_order(&engine, order::Masses::All).err(), Some(NoTheorem::Shaft(2)));
     assert!(verdict::every_order(&engine, order::Masses::Reciprocating).is_ok());
 }

@@ -89,7 +89,7 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 12] = [
+const BESIDE: [(&str, &str, &str); 13] = [
     (
         "atlas/README.md",
         "Atlas",

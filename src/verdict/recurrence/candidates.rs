@@ -52,9 +52,8 @@ pub(super) fn candidates(rays: &[Ray], first_order: u32, period: u32) -> Option<
             others.filter_map(|(_, other)| Partners::of(one, other, &times)).collect()
         })
         .collect();
-    let may_be_zero = |order: &u32| {
-        partners.iter().all(|partners| partners.iter().any(|partner| partner.at(u64::from(*order))))
-    };
+    let may_be_zero =
+        |order: &u32| partners.iter().all(|partners| partners.iter().any(|partner| partner.at(u64::from(*order))));
     let orders = (0..period / 2).map(|index| first_order + 2 * index).filter(may_be_zero);
     let found: Vec<u32> = orders.take(MOST_CANDIDATES + 1).collect();
     (found.len() <= MOST_CANDIDATES).then_some(found)

@@ -8,7 +8,7 @@ use super::candidates::candidates;
 use super::rays::Ray;
 use crate::exact::PhasorSum;
 use crate::proof::{Certificate, Zeros};
-use crate::verdict::theorem::{NoTheorem, LONGEST_PERIOD};
+use crate::verdict::theorem::{LONGEST_PERIOD, NoTheorem};
 
 /// Longer periods are not gone through.
 pub const LONGEST_SIEVED: u32 = 1_000_000;

@@ -19,8 +19,8 @@ use crate::proof::{Quantity, Sense};
 pub use candidates::MOST_CANDIDATES;
 pub use factor::{FactorPattern, JudgedOrder, LONGEST_SIEVED};
 pub use next::{FirstLeft, NextLeft};
-pub use rays::Ray;
 use rays::Factors;
+pub use rays::Ray;
 
 /// What is true of every order: one statement where every order is a single sum of a short pattern, else one for each class.
 #[derive(Clone, Debug)]

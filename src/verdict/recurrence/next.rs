@@ -38,9 +38,14 @@ impl EveryOrderTheorem {
             (_, Quantity::Torque | Quantity::Roll) => FirstLeft::NotKnown,
             (EveryOrderTheorem::Period(theorem), Quantity::Force | Quantity::Moment) => {
                 let every = if quantity == Quantity::Force { &theorem.force } else { &theorem.moment };
-                every.first.as_ref().map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape))
+                every
+                    .first
+                    .as_ref()
+                    .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape))
             }
-            (EveryOrderTheorem::Recurrences(all), Quantity::Force) => all.first_left(engine, |order| &order.force, |of| &of.force),
+            (EveryOrderTheorem::Recurrences(all), Quantity::Force) => {
+                all.first_left(engine, |order| &order.force, |of| &of.force)
+            }
             (EveryOrderTheorem::Recurrences(all), Quantity::Moment) => {
                 all.first_left(engine, |order| &order.moment, |of| &of.moment)
             }

@@ -79,6 +79,8 @@ fn copied(star: &Bank, bank: &Bank) -> Option<(Turn, BigRational)> {
     let is_copy = |turn: &Turn, times: &BigRational| {
         star.iter().all(|(at, weight)| bank.get(&(at + turn)).is_some_and(|other| *other == weight * times))
     };
-    let mut moves = bank.iter().map(|(at, other)| (at - first, other / weight));
-    moves.find(|(turn, times)| star.len() == bank.len() && is_copy(turn, times))
+    let moves = bank.iter().map(|(at, other)| (at - first, other / weight));
+    // Of several turns that do, as an even star has them, the one that repeats first.
+    let copies = moves.filter(|(turn, times)| star.len() == bank.len() && is_copy(turn, times));
+    copies.min_by_key(|(turn, _)| turn.denominator().clone())
 }
