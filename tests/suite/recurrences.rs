@@ -377,7 +377,9 @@ fn an_order_that_may_be_zero_cannot_be_left_out_of_a_long_pattern() {
         factor.judged.insert(0, more);
     });
     assert!(added.contains("order 4 stands in the place of order 10"), "{added}");
-    let more = refused(&|factor| factor.zeros = Zeros { modulus: 1532, residues: vec![2, 766] });
+    let more = refused(&|factor| {
+        factor.zeros = Zeros { modulus: 7660, residues: vec![2, 766, 2298, 3830, 5362, 6894] };
+    });
     assert!(more.contains("the statement has zeros among the orders that are left"), "{more}");
     let long = refused(&|factor| factor.period = 7_660_000.into());
     assert!(long.contains("a period of 7660000 orders is too long, at most 1000000"), "{long}");
