@@ -15,7 +15,7 @@ pub enum Certificate {
         /// The polygons; none where the terms collect to nothing.
         polygons: Vec<Polygon>,
     },
-    /// `S ≠ 0`: its image modulo a prime is not zero.
+    /// `S ≠ 0`: its image modulo a number, mostly a prime, is not zero.
     Residue(Residue),
     /// `S ≠ 0`: each step keeps a part that would be zero if the whole were, and one vector is left.
     Splitting {
@@ -34,11 +34,11 @@ impl Certificate {
     }
 }
 
-/// A regular polygon with a prime number of sides: corners at `rotation + j/sides`, each of the same weight.
+/// A regular polygon: corners at `rotation + j/sides`, each of the same weight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Polygon {
-    /// How many sides: a prime; 2 is an opposed pair.
+    /// How many sides, from 2 on: 2 is an opposed pair.
     pub sides: u64,
     /// Angle of one corner, in turns.
     #[serde(with = "fraction")]
@@ -55,16 +55,16 @@ pub struct Residue {
     /// A common denominator of the angles.
     #[serde(with = "fraction")]
     pub conductor: BigInt,
-    /// A prime that is 1 modulo the conductor.
+    /// The modulus: a prime that is 1 modulo the conductor, or a product of such.
     #[serde(with = "fraction")]
     pub prime: BigInt,
-    /// A number of multiplicative order `conductor` modulo the prime.
+    /// A number of multiplicative order `conductor` modulo each prime that divides the modulus.
     #[serde(with = "fraction")]
     pub root: BigInt,
     /// A common denominator of the weights.
     #[serde(with = "fraction")]
     pub scale: BigInt,
-    /// What the sum is modulo the prime: not 0.
+    /// What the sum is by the modulus: not 0.
     #[serde(with = "fraction")]
     pub residue: BigInt,
 }
@@ -89,7 +89,7 @@ pub enum Step {
     ///
     /// Sound where `prime²` does not divide the common denominator of the angles.
     Compare {
-        /// The prime.
+        /// The prime, up to a million.
         prime: u64,
         /// A class `u`.
         first: u64,

@@ -11,7 +11,7 @@ use super::collected::{Collected, collect, collected};
 use super::refusal::Refusal;
 use super::splitting::check_splitting;
 use super::verdict::Vector;
-use super::whole::{added, is_prime, multiplied, power, prime_divisors};
+use super::whole::{added, multiplied, power, prime_divisors};
 
 /// More corners than this in one certificate are not expanded.
 pub(super) const MOST_CORNERS: u64 = 100_000;
@@ -46,7 +46,7 @@ pub(super) fn certify(
     Ok(())
 }
 
-/// The corners of a regular polygon sum to zero, so what expands into polygons is zero.
+/// The corners of a regular polygon sum to zero, however many there are from two on, so what expands into polygons is zero.
 fn check_polygons(sum: &Collected, polygons: &[Polygon], audit: &Audit) -> Result<(), Refusal> {
     let mut corners = 0_u64;
     for polygon in polygons {
@@ -54,8 +54,8 @@ fn check_polygons(sum: &Collected, polygons: &[Polygon], audit: &Audit) -> Resul
         if corners > MOST_CORNERS {
             return Err(Refusal::TooManyCorners);
         }
-        if !is_prime(polygon.sides) {
-            return Err(Refusal::SidesNotPrime(polygon.sides));
+        if polygon.sides < 2 {
+            return Err(Refusal::NoPolygon(polygon.sides));
         }
         if polygon.weight.is_zero() {
             return Err(Refusal::EmptyPolygon);
@@ -78,17 +78,21 @@ fn check_polygons(sum: &Collected, polygons: &[Polygon], audit: &Audit) -> Resul
 }
 
 /// `e^{2πi/N} ↦ root` respects sums and products, so a sum whose image is not zero is not zero.
+///
+/// The modulus need not be a prime: `root^N − 1 ≡ 0` is the product of all `Φ_d(root)`, d a divisor of N, and each with d < N divides
+/// some `root^{N/q} − 1`. Where none of these shares a factor with the modulus, `Φ_N(root) ≡ 0` is left.
 fn check_residue(sum: &Collected, claim: &Residue, audit: &Audit) -> Result<(), Refusal> {
-    let prime = claim.prime.to_u64().filter(|&p| is_prime(p));
-    let prime = prime.ok_or_else(|| Refusal::NotPrime(claim.prime.clone()))?;
+    let modulus = claim.prime.to_u64().filter(|&modulus| modulus >= 2);
+    let modulus = modulus.ok_or_else(|| Refusal::ModulusOutOfRange(claim.prime.clone()))?;
     let conductor = claim.conductor.to_u64().filter(|n| (1..=LARGEST_CONDUCTOR).contains(n));
     let conductor = conductor.ok_or_else(|| Refusal::ConductorOutOfRange(claim.conductor.clone()))?;
-    // Twelve tests of a prime, and a thousand divisions of the conductor at most.
+    // A thousand divisions of the conductor at most, and a power for each of its prime divisors.
     audit.spend(30 + squared_words(&claim.root) + squared_words(&claim.scale) + squared_words(&claim.residue))?;
-    let modulo = |number: &BigInt| number.mod_floor(&BigInt::from(prime)).to_u64().unwrap_or_default();
+    let modulo = |number: &BigInt| number.mod_floor(&BigInt::from(modulus)).to_u64().unwrap_or_default();
     let root = modulo(&claim.root);
-    let order_divides = |n: u64| power(root, n, prime) == 1;
-    if !order_divides(conductor) || prime_divisors(conductor).iter().any(|q| order_divides(conductor / q)) {
+    let less_one = |n: u64| added(power(root, n, modulus), modulus - 1, modulus);
+    let is_smaller = |q: &u64| less_one(conductor / q).gcd(&modulus) != 1;
+    if less_one(conductor) != 0 || prime_divisors(conductor).iter().any(is_smaller) {
         return Err(Refusal::WrongOrder(claim.root.clone()));
     }
     let scale = BigRational::from_integer(claim.scale.clone());
@@ -104,9 +108,9 @@ fn check_residue(sum: &Collected, claim: &Residue, audit: &Audit) -> Result<(), 
         if !whole.is_integer() || !claim.scale.is_positive() {
             return Err(Refusal::WeightNotWhole(weight.clone()));
         }
-        let image = power(root, exponent.to_integer().to_u64().unwrap_or_default(), prime);
-        let term = multiplied(modulo(&whole.to_integer()), image, prime);
-        found = added(found, term, prime);
+        let image = power(root, exponent.to_integer().to_u64().unwrap_or_default(), modulus);
+        let term = multiplied(modulo(&whole.to_integer()), image, modulus);
+        found = added(found, term, modulus);
     }
     if found != modulo(&claim.residue) {
         return Err(Refusal::WrongResidue(found));

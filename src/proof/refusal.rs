@@ -13,19 +13,19 @@ use super::check::{LARGEST_CONDUCTOR, MOST_CORNERS};
 pub enum Refusal {
     /// The verdict says one thing and the certificate is of the kind for the other.
     WrongKind,
-    /// A polygon whose number of sides is not prime.
-    SidesNotPrime(u64),
+    /// A polygon of fewer than two sides.
+    NoPolygon(u64),
     /// A polygon of weight zero, which adds nothing.
     EmptyPolygon,
     /// More corners than can be expanded.
     TooManyCorners,
     /// Polygons that do not add up to the terms; the angle where they differ, what the terms say, what the polygons say.
     PolygonsDiffer(Box<[BigRational; 3]>),
-    /// A modulus that is not a prime below 2⁶⁴.
-    NotPrime(BigInt),
+    /// A modulus that is not between 2 and 2⁶⁴.
+    ModulusOutOfRange(BigInt),
     /// A conductor that is not between 1 and a million.
     ConductorOutOfRange(BigInt),
-    /// A root whose multiplicative order is not the conductor.
+    /// A root whose multiplicative order is not the conductor modulo every divisor of the modulus.
     WrongOrder(BigInt),
     /// An angle that the conductor does not make whole.
     AngleNotWhole(BigRational),
@@ -39,7 +39,7 @@ pub enum Refusal {
     ClassNotForced(usize, u64),
     /// A step of a splitting (from 1) whose class is taken modulo a number that is not positive.
     ModulusNotPositive(usize),
-    /// A step of a splitting that compares what is no pair of classes of a prime.
+    /// A step of a splitting that compares what is no pair of classes of a prime up to a million.
     NoSuchClasses(usize),
     /// A step of a splitting whose prime divides the conductor twice.
     PrimeSquared(usize, u64),
@@ -53,27 +53,34 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::WrongKind => write!(f, "`vanishes` and the kind of the certificate contradict each other"),
-            Refusal::SidesNotPrime(sides) => write!(f, "a polygon has {sides} sides, which is not a prime"),
+            Refusal::NoPolygon(sides) => write!(f, "a polygon has {sides} sides, it needs two at least"),
             Refusal::EmptyPolygon => write!(f, "a polygon has the weight 0"),
             Refusal::TooManyCorners => write!(f, "the polygons have more than {MOST_CORNERS} corners"),
             Refusal::PolygonsDiffer(differ) => {
                 let [angle, terms, polygons] = differ.as_ref();
                 write!(f, "at angle {angle} the terms collect to {terms}, but the polygons to {polygons}")
             }
-            Refusal::NotPrime(modulus) => write!(f, "{modulus} is not a prime below 2^64"),
+            Refusal::ModulusOutOfRange(modulus) => write!(f, "the modulus {modulus} is not from 2 to 2^64 - 1"),
             Refusal::ConductorOutOfRange(conductor) => {
                 write!(f, "the conductor {conductor} is not in 1..={LARGEST_CONDUCTOR}")
             }
-            Refusal::WrongOrder(root) => write!(f, "the multiplicative order of the root {root} is not the conductor"),
+            Refusal::WrongOrder(root) => {
+                write!(
+                    f,
+                    "the multiplicative order of the root {root} is not the conductor, or not by every factor of the modulus"
+                )
+            }
             Refusal::AngleNotWhole(angle) => write!(f, "the angle {angle} times the conductor is not whole"),
             Refusal::WeightNotWhole(weight) => write!(f, "the weight {weight} times a positive scale is not whole"),
-            Refusal::WrongResidue(found) => write!(f, "the sum is {found} modulo the prime, not the residue claimed"),
+            Refusal::WrongResidue(found) => write!(f, "the sum is {found} by the modulus, not the residue claimed"),
             Refusal::ZeroResidue => write!(f, "the residue is 0, which proves nothing"),
             Refusal::ClassNotForced(step, prime) => {
                 write!(f, "step {step}: {prime} divides the conductor and must divide the modulus of the class")
             }
             Refusal::ModulusNotPositive(step) => write!(f, "step {step}: the modulus of a class is positive"),
-            Refusal::NoSuchClasses(step) => write!(f, "step {step}: needs a prime and two different classes below it"),
+            Refusal::NoSuchClasses(step) => {
+                write!(f, "step {step}: needs a prime up to a million and two different classes below it")
+            }
             Refusal::PrimeSquared(step, prime) => write!(f, "step {step}: {prime} divides the conductor twice"),
             Refusal::NotOneVector(left) => write!(f, "the splitting ends in {left} vectors instead of one"),
             Refusal::TooManySteps => write!(f, "the check would take more than {MOST_STEPS} steps"),

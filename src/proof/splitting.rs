@@ -9,7 +9,14 @@ use super::audit::{Audit, squared_words, steps_of};
 use super::certificate::Step;
 use super::collected::{Collected, collect, common_multiple};
 use super::refusal::Refusal;
-use super::whole::is_prime;
+use super::whole::prime_divisors;
+
+/// Primes of a comparison are told by trial division. Those above the number of terms serve nothing, as a class is empty then.
+const LARGEST_PRIME: u64 = 1_000_000;
+
+fn is_prime(number: u64) -> bool {
+    prime_divisors(number) == [number]
+}
 
 /// One vector of non-zero weight is not zero.
 pub(super) fn check_splitting(sum: &Collected, steps: &[Step], audit: &Audit) -> Result<(), Refusal> {
@@ -51,7 +58,7 @@ fn keep_class(
 /// 1 + x + … + x^{p−1} is irreducible over Q(ζ_M) where p does not divide M: all classes of a zero sum are equal.
 fn compare(sum: &Collected, prime: u64, classes: (u64, u64), step: usize, audit: &Audit) -> Result<Collected, Refusal> {
     let (first, second) = classes;
-    if !is_prime(prime) || first == second || first >= prime || second >= prime {
+    if prime > LARGEST_PRIME || !is_prime(prime) || first == second || first >= prime || second >= prime {
         return Err(Refusal::NoSuchClasses(step));
     }
     let p = BigInt::from(prime);

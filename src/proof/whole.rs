@@ -1,4 +1,4 @@
-//! Is a number prime, what divides it, and what are its powers modulo a prime? Numbers below 2⁶⁴.
+//! Which primes divide a number, and what are the powers of one modulo another? Numbers below 2⁶⁴.
 
 /// `a + b` modulo `modulus`.
 pub(super) fn added(a: u64, b: u64, modulus: u64) -> u64 {
@@ -42,27 +42,4 @@ pub(super) fn prime_divisors(number: u64) -> Vec<u64> {
     }
     divisors.extend((left > 1).then_some(left));
     divisors
-}
-
-/// Miller–Rabin with the first twelve primes as bases, which decides every number below 2⁶⁴ (Sorenson and Webster 2015).
-pub(super) fn is_prime(number: u64) -> bool {
-    const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-    if number < 2 || BASES.iter().any(|base| number.is_multiple_of(*base)) {
-        return BASES.contains(&number);
-    }
-    let twos = (number - 1).trailing_zeros();
-    let odd = (number - 1) >> twos;
-    BASES.iter().all(|&base| {
-        let mut at = power(base, odd, number);
-        if at == 1 {
-            return true;
-        }
-        for _ in 0..twos {
-            if at == number - 1 {
-                return true;
-            }
-            at = multiplied(at, at, number);
-        }
-        false
-    })
 }

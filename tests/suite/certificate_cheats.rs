@@ -84,13 +84,30 @@ fn a_certificate_of_the_other_kind_is_refused() {
 }
 
 #[test]
-fn sides_that_are_no_prime_are_refused() {
-    for sides in [0, 1, 4, 561, 99_999] {
-        assert_eq!(check(TRIANGLE, &polygons(&[(sides, "1@0")])), Err(Refusal::SidesNotPrime(sides)));
+fn polygons_of_any_number_of_sides_from_two_on_are_accepted() {
+    assert_eq!(check("1@0 1@1/4 1@1/2 1@3/4", &polygons(&[(4, "1@0")])), Ok(()));
+    assert_eq!(check("1@0 1@1/2", &polygons(&[(2, "1@0")])), Ok(()));
+    // A hexagon is three pairs, and a hexagon less a triangle is one.
+    let hexagon = "1@0 1@1/6 1@1/3 1@1/2 1@2/3 1@5/6";
+    for proof in [&[(6, "1@1/3")][..], &[(2, "1@0"), (2, "1@1/6"), (2, "1@1/3")]] {
+        assert_eq!(check(hexagon, &polygons(proof)), Ok(()));
     }
-    assert_eq!(check("1@0", &polygons(&[(1, "1@0")])), Err(Refusal::SidesNotPrime(1)));
-    let square = polygons(&[(4, "1@0")]);
-    assert_eq!(check("1@0 1@1/4 1@1/2 1@3/4", &square), Err(Refusal::SidesNotPrime(4)));
+    assert_eq!(check("1@1/6 1@1/2 1@5/6", &polygons(&[(6, "1@0"), (3, "-1@0")])), Ok(()));
+}
+
+#[test]
+fn composite_sides_do_not_prove_another_sum() {
+    assert_eq!(check(TRIANGLE, &polygons(&[(4, "1@0")])), polygons_differ("1/3", "1", "0"));
+    assert_eq!(check(TRIANGLE, &polygons(&[(6, "1@0")])), polygons_differ("1/6", "0", "1"));
+    assert_eq!(check("1@0 1@1/4 1@1/2", &polygons(&[(4, "1@0")])), polygons_differ("3/4", "0", "1"));
+}
+
+#[test]
+fn fewer_than_two_sides_are_refused() {
+    for sides in [0, 1] {
+        assert_eq!(check(TRIANGLE, &polygons(&[(sides, "1@0")])), Err(Refusal::NoPolygon(sides)));
+        assert_eq!(check("1@0", &polygons(&[(sides, "1@0")])), Err(Refusal::NoPolygon(sides)));
+    }
 }
 
 #[test]
@@ -140,17 +157,39 @@ fn more_corners_than_can_be_expanded_are_refused() {
     assert_eq!(check(TRIANGLE, &wrapping), Err(Refusal::TooManyCorners));
 }
 
+/// The root is of order 4 modulo 5 and modulo 13, or modulo 25.
 #[test]
-fn a_modulus_that_is_no_prime_is_refused() {
-    for modulus in ["15", "561", "25", "1", "0", "-5", "3215031751", "3825123056546413051"].map(whole) {
-        assert_eq!(refused_residue(|claim| claim.prime = modulus.clone()), Refusal::NotPrime(modulus));
+fn a_modulus_that_is_no_prime_is_accepted() {
+    for [modulus, root, residue] in [["65", "57", "59"], ["25", "7", "9"]] {
+        let certificate = residue_of("4", modulus, root, "2", residue);
+        assert_eq!(check(TWO_AND_ONE, &certificate), Ok(()));
+    }
+}
+
+fn residue_of(conductor: &str, modulus: &str, root: &str, scale: &str, claimed: &str) -> Certificate {
+    residue(|claim| {
+        let [conductor, prime, root, scale, residue] = [conductor, modulus, root, scale, claimed].map(whole);
+        *claim = Residue { conductor, prime, root, scale, residue };
+    })
+}
+
+/// 12 is of order 4 modulo 65, but of order 2 modulo 13: what is mapped to 15 is zero.
+#[test]
+fn a_root_of_smaller_order_by_one_factor_of_the_modulus_is_refused() {
+    let certificate = residue_of("4", "65", "12", "1", "15");
+    assert_eq!(check("1@0 1@1/2", &certificate), Err(Refusal::WrongOrder(whole("12"))));
+    // 2 is of order 4 modulo 15, and of order 2 modulo 3.
+    assert_eq!(check("1@0 1@1/2", &residue_of("4", "15", "2", "1", "5")), Err(Refusal::WrongOrder(whole("2"))));
+    for modulus in ["561", "25", "3215031751", "3825123056546413051"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.prime = modulus), Refusal::WrongOrder(whole("2")));
     }
 }
 
 #[test]
-fn a_prime_beyond_two_to_the_64_is_refused() {
-    let prime = whole("170141183460469231731687303715884105727");
-    assert_eq!(refused_residue(|claim| claim.prime = prime.clone()), Refusal::NotPrime(prime));
+fn a_modulus_below_two_is_refused() {
+    for modulus in ["1", "0", "-5"].map(whole) {
+        assert_eq!(refused_residue(|claim| claim.prime = modulus.clone()), Refusal::ModulusOutOfRange(modulus));
+    }
 }
 
 #[test]
@@ -252,7 +291,7 @@ fn a_class_modulo_zero_or_less_is_refused() {
 
 #[test]
 fn classes_of_a_number_that_is_no_prime_are_refused() {
-    for number in [0, 1, 4, 9, 561] {
+    for number in [0, 1, 4, 9, 561, 1_000_003, u64::MAX] {
         assert_eq!(splitting([class("0", "3"), compare(number, 0, 2)]), Err(Refusal::NoSuchClasses(2)));
     }
 }

@@ -86,6 +86,7 @@ mod reports;
 mod rooms;
 mod search;
 mod search_torsion;
+mod second_checker;
 mod side_force;
 mod sweep;
 mod sweep_firing;
