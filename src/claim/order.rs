@@ -1,6 +1,5 @@
 //! Is it true, what is said about one order?
 
-
 use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Finding, Status};
 use super::compare;
