@@ -46,11 +46,8 @@ pub(super) fn check_factor(factor: &FactorClaim, parity: Parity, audit: &Audit) 
         factor.terms.iter().map(|ray| ([&ray.per_order, &ray.fixed], &ray.weight)).collect();
     let collected =
         collect_rays(rays.iter().map(|(angles, weight)| (angles.map(BigRational::clone), (*weight).clone())));
-    let is_written = |(written, (angles, weight)): (
-        &([&BigRational; 2], &BigRational),
-        (&(BigRational, BigRational), &BigRational),
-    )| { (written.0, written.1) == ([&angles.0, &angles.1], weight) };
-    if collected.len() != rays.len() || !rays.iter().zip(&collected).all(is_written) {
+    let written = rays.iter().map(|([per_order, fixed], weight)| (*per_order, *fixed, *weight));
+    if !written.eq(collected.iter().map(|((per_order, fixed), weight)| (per_order, fixed, weight))) {
         return Err(
             "its terms are collected: each direction once, rising, angles from 0 to below 1, no weight 0".into()
         );

@@ -41,7 +41,7 @@ impl Partners {
 
 /// The orders of one period from the first on, every other one, that may be zero; none where there are too many of them.
 pub(super) fn candidates(rays: &[Ray], first_order: u32, period: u32) -> Option<Vec<u32>> {
-    let is_prime = |number: &usize| (2..*number).all(|divisor| number % divisor != 0);
+    let is_prime = |number: &usize| (2..*number).all(|divisor| !usize::is_multiple_of(*number, divisor));
     let product = (2..=rays.len()).filter(is_prime).fold(BigInt::one(), |product, prime| product * prime);
     let times = BigRational::from_integer(product);
     let partners: Vec<Vec<Partners>> = rays
