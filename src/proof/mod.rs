@@ -21,6 +21,7 @@ mod document_check;
 mod enclosure;
 mod engine;
 mod evidence;
+mod factor_check;
 mod firing;
 mod firing_check;
 mod fraction;
@@ -30,6 +31,7 @@ mod link;
 mod open;
 mod open_check;
 mod reading;
+mod recurrence;
 mod refusal;
 mod remedy;
 mod rod;
@@ -65,6 +67,7 @@ pub use open::{
 };
 pub use open_check::check_open_document;
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
+pub use recurrence::{ClassClaim, FactorClaim, FirstOrderClaim, RayClaim, RecurrenceClaim, SumVerdict, Zeros};
 pub use refusal::Refusal;
 pub use remedy::{
     CorrectedClaim, LeftOutClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart,

@@ -8,6 +8,7 @@ mod articulated;
 mod atlas;
 mod beam;
 mod bearings;
+mod book_lengths;
 mod book_words;
 mod certificate_cheats;
 mod certificate_words;
@@ -81,6 +82,7 @@ mod output_folder;
 mod plots;
 mod printed_lines;
 mod random_engines;
+mod recurrences;
 mod remedy;
 mod remedy_cheats;
 mod reports;
@@ -103,6 +105,7 @@ mod web;
 mod whole_cheats;
 
 mod support {
+    pub mod books;
     pub mod class;
     pub mod decimals;
     pub mod dice;
