@@ -1,7 +1,5 @@
 //! Is it true, what is said about one order?
 
-use num_rational::BigRational;
-
 use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Finding, Status};
 use super::compare;
@@ -167,16 +165,8 @@ fn largest(vectors: &Vectors, subject: Subject, value: &Value) -> (Status, Vec<E
 
 /// `½(|A| + |B|)` in closed form and in decimals.
 pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
-    let half = BigRational::new(1.into(), 2.into());
-    let exact = match sums.map(length) {
-        [Some(a), Some(b)] => Some(numbers::plainer(a.plus(&b).scaled(&half))),
-        _ => None,
-    };
-    (exact, sums.map(|sum| numbers::evaluate(sum).norm()).iter().sum::<f64>() / 2.0)
-}
-
-fn length(sum: &PhasorSum) -> Option<Form> {
-    if sum.vanishes() { Some(Form::rational(BigRational::from_integer(0.into()))) } else { numbers::modulus(sum) }
+    let decimal = sums.map(|sum| numbers::evaluate(sum).norm()).iter().sum::<f64>() / 2.0;
+    (numbers::half_of_lengths(sums[0], sums[1]), decimal)
 }
 
 /// The direction of the one vector that is left, or the line that two of them swing along.

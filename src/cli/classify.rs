@@ -89,7 +89,7 @@ impl Classify {
         if !self.is_json() && !self.data.is_coq() {
             return self.show(&report::engine_answer(&engine, &judged));
         }
-        let theorem = self.all_orders.then(|| verdict::theorem(&engine, judged.masses));
+        let theorem = self.all_orders.then(|| verdict::every_order(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;
         let document = report::document(&engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
         if self.data.is_coq() {

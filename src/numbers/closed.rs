@@ -8,6 +8,7 @@ use std::cell::RefCell;
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::banks::Split;
 use super::budget::Budget;
 use super::direction::rational_direction;
 use super::form::Form;
@@ -46,6 +47,18 @@ pub fn modulus_within(sum: &PhasorSum, budget: &mut Budget) -> Option<Form> {
     Some(length.scaled(&star.unit))
 }
 
+/// `|S|` by the quadratic step alone: a root of at most four square roots, which a person writes where the field is small. What the plainest form
+/// is compared with.
+pub fn modulus_by_roots(sum: &PhasorSum) -> Option<Form> {
+    let star = Star::of(sum)?;
+    let turned = star.turned_to_first();
+    let (square, mut budget) = (turned.squared(), Budget::new());
+    let values: Vec<f64> = turned.conjugates().iter().map(num_complex::Complex::norm_sqr).collect();
+    let form = quadratic::propose(&values, &square.units(), square.conductor, quadratic::over_sixteen)?;
+    let is_right = as_sum(&form).is_some_and(|number| square.is(&number, &mut budget));
+    is_right.then(|| form.square_root().scaled(&star.unit))
+}
+
 /// A real sum in closed form; `None` for conductors above 1000, and where none is found within the [`Budget`].
 pub fn real(sum: &PhasorSum) -> Option<Form> {
     real_within(sum, &mut Budget::new())
@@ -73,7 +86,7 @@ fn values_of(real: &Star) -> Vec<f64> {
 }
 
 /// The form whose multiple by the unit reads best.
-fn plainest(forms: Vec<Form>, unit: &BigRational) -> Option<Form> {
+pub(super) fn plainest(forms: Vec<Form>, unit: &BigRational) -> Option<Form> {
     forms.into_iter().min_by_key(|form| cost::of(&form.scaled(unit)))
 }
 
@@ -130,9 +143,9 @@ fn length(star: &Star, upright: Option<PhasorSum>, budget: &mut Budget) -> Optio
     plainest(forms, &star.unit)
 }
 
-/// The length of one bank times twice a cosine.
+/// The length of one bank times that of the bank factor.
 fn of_banks(star: &Star, budget: &mut Budget) -> Option<Form> {
-    let (bank, factor) = banks::split(star, budget)?;
+    let Split { bank, factor, .. } = banks::split(star, budget)?;
     let bank = bank.turned_to_first();
     let sum = bank.to_sum();
     let upright = rational_direction(&sum).map(|turn| sum.turned(&-&turn));

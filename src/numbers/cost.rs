@@ -9,15 +9,8 @@ pub(super) fn of(form: &Form) -> usize {
 }
 
 fn weights(form: &Form) -> usize {
-    let further = if form.terms().iter().any(|(root, _)| has_cosine(root)) { form.terms().len() - 1 } else { 0 };
+    let further = if form.terms().iter().any(|(root, _)| root.has_cosine()) { form.terms().len() - 1 } else { 0 };
     2 * further + form.terms().iter().map(|(root, _)| weight(root)).sum::<usize>()
-}
-
-fn has_cosine(root: &Root) -> bool {
-    match root {
-        Root::One | Root::Whole(_) | Root::Nested(_) => false,
-        Root::Cosine(_) | Root::Product(..) => true,
-    }
 }
 
 fn weight(root: &Root) -> usize {

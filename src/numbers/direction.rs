@@ -6,6 +6,8 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
+use super::banks::{self, Split};
+use super::budget::Budget;
 use super::closed::real;
 use super::evaluate::evaluate;
 use super::form::Form;
@@ -32,18 +34,48 @@ pub enum Direction {
         /// Whether the direction has a negative real part.
         opposite: bool,
     },
+    /// That of the star of one bank, and a rational turn more.
+    Turned {
+        /// The turn more, with half a turn where the star of one bank has a negative real part.
+        by: Turn,
+        /// The tangent of the direction of the star of one bank.
+        tangent: Form,
+    },
 }
 
 /// The direction of a sum that is not zero, in closed form where it is a rational turn, or has a tangent of
-/// one or two roots or a real part of degree up to 2.
+/// one or two roots or a real part of degree up to 2, or is a rational turn off such a direction as the banks of a V are.
 pub fn direction_of(sum: &PhasorSum) -> Option<Direction> {
     if let Some(turn) = rational_direction(sum) {
         return Some(Direction::Turn(turn));
     }
+    match tangent_of(sum) {
+        Some(tangent) => Some(Direction::Arctangent { tangent, opposite: evaluate(sum).re < 0.0 }),
+        None => of_banks(sum),
+    }
+}
+
+fn tangent_of(sum: &PhasorSum) -> Option<Form> {
     let mirrored = sum.conjugate();
     let (twice_re, twice_im) = (sum.plus(&mirrored), sum.minus(&mirrored).turned(&Turn::fraction(3, 4)));
-    let tangent = of_few_roots(sum, &twice_re, &twice_im).or_else(|| by_conjugate(&twice_re, &twice_im))?;
-    Some(Direction::Arctangent { tangent, opposite: evaluate(sum).re < 0.0 })
+    of_few_roots(sum, &twice_re, &twice_im).or_else(|| by_conjugate(&twice_re, &twice_im))
+}
+
+/// The direction of the star of one bank and that of the bank factor, a rational turn.
+fn of_banks(sum: &PhasorSum) -> Option<Direction> {
+    let (mut star, mut by, mut budget) = (Star::of(sum)?, Turn::zero(), Budget::new());
+    while let Some(Split { bank, turn, .. }) = banks::split(&star, &mut budget) {
+        // Turned to its first vector the star of a bank lies in the smallest field.
+        let first = bank.terms.first().map_or(0, |(exponent, _)| *exponent);
+        by = &(&by + &turn) + &Turn::new(BigRational::new(first.into(), bank.conductor.into()));
+        star = bank.turned_to_first();
+        let sum = star.to_sum();
+        if let Some(tangent) = tangent_of(&sum) {
+            let by = if evaluate(&sum).re < 0.0 { by.opposite() } else { by };
+            return Some(Direction::Turned { by, tangent });
+        }
+    }
+    None
 }
 
 /// A tangent of one or two roots, proposed from its conjugates.

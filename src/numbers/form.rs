@@ -195,6 +195,14 @@ fn product_of_roots(a: &Root, b: &Root) -> Option<Form> {
 }
 
 impl Root {
+    /// Whether a cosine stands in it.
+    pub(super) fn has_cosine(&self) -> bool {
+        match self {
+            Root::One | Root::Whole(_) | Root::Nested(_) => false,
+            Root::Cosine(_) | Root::Product(..) => true,
+        }
+    }
+
     /// The root before the cosines, and the cosines.
     fn parts(&self) -> (Root, Vec<Turn>) {
         match self {

@@ -224,7 +224,11 @@ pub struct Bearing {
 impl Bearing {
     /// An arctangent in TeX and as plain text, where it is one.
     pub(crate) fn arctangent(&self) -> Option<[String; 2]> {
-        let Some(Direction::Arctangent { tangent, opposite }) = &self.exact else { return None };
+        let (tangent, opposite) = match &self.exact {
+            Some(Direction::Arctangent { tangent, opposite }) => (tangent, opposite),
+            Some(Direction::Turned { by, tangent }) => return Some(turned(by, tangent)),
+            Some(Direction::Turn(_)) | None => return None,
+        };
         let negative = tangent.to_float() < 0.0;
         let size = if negative { tangent.scaled(&-BigRational::one()) } else { tangent.clone() };
         let set = |half_turn: &str, minus: &str, function: String| {
@@ -249,9 +253,22 @@ impl Bearing {
     pub(crate) fn degrees(&self) -> String {
         match &self.exact {
             Some(Direction::Turn(turn)) => degrees(&signed_degrees(turn)),
-            Some(Direction::Arctangent { .. }) | None => format!("{}°", approximate(self.decimal)),
+            Some(Direction::Arctangent { .. } | Direction::Turned { .. }) | None => {
+                format!("{}°", approximate(self.decimal))
+            }
         }
     }
+}
+
+/// `16.5° + arctan(…)` in TeX and as plain text.
+fn turned(by: &Turn, tangent: &Form) -> [String; 2] {
+    let before = degrees(&signed_degrees(by));
+    let (size, sign) = match tangent.to_float() < 0.0 {
+        true => (tangent.scaled(&-BigRational::one()), ["-", "−"]),
+        false => (tangent.clone(), ["+", "+"]),
+    };
+    let in_tex = before.replace('°', "^\\circ").replace('−', "-");
+    [format!("{in_tex} {} \\arctan({})", sign[0], size.tex()), format!("{before} {} arctan({size})", sign[1])]
 }
 
 /// A decimal after its sign.

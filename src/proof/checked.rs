@@ -65,7 +65,7 @@ impl Checked {
             wholes: document.wholes.len(),
             open_wholes: document.wholes.iter().filter(is_open).count(),
             shapes: document.shapes.len(),
-            theorems: document.theorems.len(),
+            theorems: document.theorems.len() + document.recurrences.len(),
             not_covered: [COEFFICIENTS, FORMS].into_iter().chain(unknown).collect(),
         }
     }

@@ -7,6 +7,7 @@ use super::audit::Reason;
 use super::engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, TurningMassClaim, has_offset, rods};
 use super::fraction;
 use super::reading::Format;
+use super::recurrence::RecurrenceClaim;
 use super::shape::ShapeClaim;
 use super::theorem::TheoremClaim;
 use super::verdict::VerdictClaim;
@@ -43,6 +44,9 @@ pub struct Document {
     pub shapes: Vec<ShapeClaim>,
     /// The statements on every order, one per quantity and sense, where they were asked for.
     pub theorems: Vec<TheoremClaim>,
+    /// The same class by class, where no order is a single sum, odd orders exist, or the pattern is long; then no theorem stands above.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub recurrences: Vec<RecurrenceClaim>,
 }
 
 impl Document {

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::audit::{Audit, Fault};
+use super::audit::{Audit, Fault, Reason};
 use super::checked::Checked;
 use super::document::Document;
 use super::engine::{
@@ -10,6 +10,7 @@ use super::engine::{
 };
 use super::judged::{Judged, JudgedGroup};
 use super::reading::Format;
+use super::recurrence::{RecurrenceClaim, check_recurrence};
 use super::rod::Motion;
 use super::shape::check_shape;
 use super::source::knuckle_name;
@@ -35,7 +36,7 @@ pub(super) fn judge(document: &Document, audit: &Audit) -> Result<Vec<Judged>, F
     let motion = Motion::new(audit);
     check_wholes(document, &mut judged, &motion)?;
     check_shapes(document, &judged, &motion)?;
-    check_theorems(document, audit)?;
+    check_theorems(document, audit, &motion)?;
     Ok(judged)
 }
 
@@ -206,24 +207,53 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
     }
 }
 
-/// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none.
-fn check_theorems(document: &Document, audit: &Audit) -> Result<(), Fault> {
+/// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none. They are told class by
+/// class where anything stands there.
+fn check_theorems(document: &Document, audit: &Audit, motion: &Motion<'_>) -> Result<(), Fault> {
     let about = |quantity: &Quantity| match quantity {
         Quantity::Force | Quantity::Moment => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),
         Quantity::Torque | Quantity::Roll => Vec::new(),
     };
-    let asked = document.quantities.iter().filter(|_| document.all_orders).flat_map(about);
-    let mut claims = document.theorems.iter();
-    for (index, (quantity, sense)) in asked.enumerate() {
-        let place = format!("theorems[{index}] ({}, {})", quantity.name(), sense.name());
-        let Some(claim) = claims.next() else { return Err(Fault::new(place, "this theorem is missing")) };
-        if (claim.quantity, claim.sense) != (quantity, sense) {
-            return Err(Fault::new(place, "another theorem stands here"));
+    let asked: Vec<(Quantity, Sense)> =
+        document.quantities.iter().filter(|_| document.all_orders).flat_map(about).collect();
+    match document.recurrences.is_empty() {
+        true => check_each(
+            "theorem",
+            &document.theorems,
+            &asked,
+            |claim| (claim.quantity, claim.sense),
+            |claim| check_theorem(document, claim, audit),
+        ),
+        false => {
+            if !document.theorems.is_empty() {
+                return Err(Fault::new("theorems", "what is said class by class stands in `recurrences` alone"));
+            }
+            let subject = |claim: &RecurrenceClaim| (claim.quantity, claim.sense);
+            check_each("recurrence", &document.recurrences, &asked, subject, |claim| {
+                check_recurrence(document, claim, motion)
+            })
         }
-        check_theorem(document, claim, audit).map_err(|reason| Fault { place, reason })?;
+    }
+}
+
+fn check_each<T>(
+    name: &str,
+    claims: &[T],
+    asked: &[(Quantity, Sense)],
+    subject: impl Fn(&T) -> (Quantity, Sense),
+    check: impl Fn(&T) -> Result<(), Reason>,
+) -> Result<(), Fault> {
+    let mut claims = claims.iter();
+    for (index, (quantity, sense)) in asked.iter().enumerate() {
+        let place = format!("{name}s[{index}] ({}, {})", quantity.name(), sense.name());
+        let Some(claim) = claims.next() else { return Err(Fault::new(place, format!("this {name} is missing"))) };
+        if subject(claim) != (*quantity, *sense) {
+            return Err(Fault::new(place, format!("another {name} stands here")));
+        }
+        check(claim).map_err(|reason| Fault { place, reason })?;
     }
     match claims.next() {
         None => Ok(()),
-        Some(_) => Err(Fault::new("theorems", "there are more than were asked for")),
+        Some(_) => Err(Fault::new(format!("{name}s"), "there are more than were asked for")),
     }
 }

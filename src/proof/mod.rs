@@ -22,6 +22,7 @@ mod document_check;
 mod enclosure;
 mod engine;
 mod evidence;
+mod factor_check;
 mod firing;
 mod firing_check;
 mod fraction;
@@ -33,6 +34,7 @@ mod open_check;
 mod plane;
 mod product_check;
 mod reading;
+mod recurrence;
 mod refusal;
 mod remedy;
 mod rod;
@@ -70,6 +72,7 @@ pub use open::{
 pub use open_check::check_open_document;
 pub use plane::{ClassesClaim, MeetingClaim, ProductClaim, TriangleClaim, TriangleShape};
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
+pub use recurrence::{ClassClaim, FactorClaim, FirstOrderClaim, RayClaim, RecurrenceClaim, SumVerdict, Zeros};
 pub use refusal::Refusal;
 pub use remedy::{
     CorrectedClaim, LeftOutClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart,

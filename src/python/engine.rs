@@ -142,7 +142,7 @@ impl Engine {
         let (orders, masses) = (asked::orders(orders)?, masses.map(asked::masses).transpose()?);
         py.detach(|| {
             let judged = self.judged(&self.orders(orders), masses, torque)?;
-            let theorem = all_orders.then(|| verdict::theorem(&self.engine, judged.masses));
+            let theorem = all_orders.then(|| verdict::every_order(&self.engine, judged.masses));
             let theorem = theorem.transpose().map_err(told)?;
             let quantities = verdict::quantities(&self.engine, torque);
             let document = report::document(&self.engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());

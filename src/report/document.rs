@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::recurrence_claims;
 use crate::engine::{self, Engine, Mechanism, Rod};
 use crate::exact::Term;
 use crate::motion::Component;
@@ -13,7 +14,7 @@ use crate::proof::{
     OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim,
     WholeClaim, WholeOutcome,
 };
-use crate::verdict::{self, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
+use crate::verdict::{self, EveryOrderTheorem, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
 /// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order stand in it where they
 /// are given.
@@ -22,7 +23,7 @@ pub fn document(
     masses: Masses,
     orders: &[OrderVerdict],
     quantities: &[Quantity],
-    every_order: Option<&Theorem>,
+    every_order: Option<&EveryOrderTheorem>,
 ) -> Document {
     let asked: Vec<Quantity> = Quantity::ALL.into_iter().filter(|quantity| quantities.contains(quantity)).collect();
     // Where axes stand counts for the roll moment alone.
@@ -32,6 +33,11 @@ pub fn document(
     let shapes = |order: &OrderVerdict| {
         let both = [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)];
         both.map(|(quantity, whole)| shape_claim(quantity, order.order, whole))
+    };
+    let (theorems, recurrences) = match every_order {
+        None => (Vec::new(), Vec::new()),
+        Some(EveryOrderTheorem::Period(theorem)) => (theorem_claims(theorem), Vec::new()),
+        Some(EveryOrderTheorem::Recurrences(all)) => (Vec::new(), recurrence_claims::claims(engine, all)),
     };
     Document {
         format: Format::Classify,
@@ -46,7 +52,8 @@ pub fn document(
         verdicts: orders.iter().flat_map(of_order).collect(),
         wholes: orders.iter().flat_map(whole).collect(),
         shapes: orders.iter().flat_map(shapes).collect(),
-        theorems: every_order.map(theorem_claims).unwrap_or_default(),
+        theorems,
+        recurrences,
     }
 }
 
@@ -232,7 +239,7 @@ fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
     }
 }
 
-fn outcome_claim(outcome: &Outcome) -> WholeOutcome {
+pub(super) fn outcome_claim(outcome: &Outcome) -> WholeOutcome {
     match outcome {
         Outcome::Zero => WholeOutcome::Zero,
         Outcome::NotZero => WholeOutcome::NotZero,

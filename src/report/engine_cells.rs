@@ -2,11 +2,11 @@
 
 use super::residual;
 use super::typeset;
-use crate::engine::Firing;
+use crate::engine::{Engine, Firing};
 use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
-use crate::verdict::{EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem};
+use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
 /// More intervals than this are told by the least and the largest.
 const MOST_INTERVALS: usize = 4;
@@ -29,20 +29,23 @@ pub(super) fn firing(firing: Option<&Firing>) -> Text {
 }
 
 /// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.
-pub(super) fn first_left(theorem: &Result<Theorem, NoTheorem>) -> [Text; 2] {
-    let one = |every: &EveryOrder| match &every.first {
-        Some(first) => phrase!("{}, {}", first.direct.order, residual::shape_name(first.shape)),
-        None => "none".into(),
-    };
+pub(super) fn first_left(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoTheorem>) -> [Text; 2] {
     let not_stated: &'static str = match theorem {
-        Ok(theorem) => return [one(&theorem.force), one(&theorem.moment)],
-        Err(NoTheorem::PeriodTooLong(_)) => "not stated: long period",
-        Err(NoTheorem::Offset) => "not stated: pin offset",
+        Ok(theorem) => return [Quantity::Force, Quantity::Moment].map(|quantity| first(theorem, engine, quantity)),
+        Err(NoTheorem::PeriodTooLong(_) | NoTheorem::TooManyCandidates(_)) => "not stated: long period",
         Err(NoTheorem::Shaft(_)) => "not stated: balancer shafts",
         Err(NoTheorem::FasterCrank(_)) => "not stated: crankshafts of several speeds",
         Err(NoTheorem::RodsDiffer) => "not stated: rods differ",
     };
     [not_stated.into(), not_stated.into()]
+}
+
+fn first(theorem: &EveryOrderTheorem, engine: &Engine, quantity: Quantity) -> Text {
+    match theorem.first_left(engine, quantity) {
+        FirstLeft::Nothing => "none".into(),
+        FirstLeft::Order(order, shape) => phrase!("{}, {}", order, residual::shape_name(shape)),
+        FirstLeft::NotKnown => "not decided".into(),
+    }
 }
 
 /// A cell of an order: the whole, and what each of its sums leaves where there are several.

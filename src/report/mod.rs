@@ -30,6 +30,8 @@ mod multiples;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod poster;
+mod recurrence_claims;
+mod recurrence_words;
 mod remedy;
 mod residual;
 mod residual_words;

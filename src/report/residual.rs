@@ -34,7 +34,9 @@ pub fn bearing(sum: &PhasorSum) -> Bearing {
 
 /// The largest value through a revolution, `½(|P⁺| + |P⁻|)`.
 pub fn largest(balance: &Balance) -> Amount {
-    modulus(&balance.direct).mean(&modulus(&balance.reverse))
+    let [direct, reverse] = balance.verdicts().map(|verdict| &verdict.sum);
+    let length = |sum| numbers::length(numbers::evaluate(sum));
+    Amount { exact: numbers::half_of_lengths(direct, reverse), decimal: (length(direct) + length(reverse)) / 2.0 }
 }
 
 /// The word for a shape.

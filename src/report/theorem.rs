@@ -1,20 +1,24 @@
 //! What does a report say of every order?
 
-use super::table;
 pub(super) use super::theorem_words::{no_theorem, statements, why};
+use super::{recurrence_words, table};
 use crate::engine::Engine;
 use crate::page::{Block, Fold};
-use crate::verdict::{NoTheorem, Theorem};
+use crate::verdict::{EveryOrderTheorem, NoTheorem};
 
 /// Longer tables of one period are left out.
 const MOST_ROWS: usize = 24;
 
 /// The section on every order: the statements, why one period proves them, and the period.
-pub(super) fn section(engine: &Engine, theorem: &Result<Theorem, NoTheorem>) -> Vec<Block> {
+pub(super) fn section(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoTheorem>) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "Every order".into())];
     match theorem {
         Err(reason) => blocks.push(Block::Paragraph(no_theorem(reason))),
-        Ok(theorem) => {
+        Ok(EveryOrderTheorem::Recurrences(all)) => {
+            blocks.push(Block::List(recurrence_words::statements(engine, all)));
+            blocks.extend(recurrence_words::why(all).into_iter().map(Block::Paragraph));
+        }
+        Ok(EveryOrderTheorem::Period(theorem)) => {
             blocks.push(Block::List(statements(engine, theorem)));
             blocks.push(Block::Paragraph(why(engine, theorem)));
             if theorem.force.direct.len() <= MOST_ROWS {

@@ -5,7 +5,7 @@ use crate::engine::Engine;
 use crate::order::{self, Masses};
 use crate::page::{Number, Text, phrase};
 use crate::proof::Survivors;
-use crate::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
+use crate::verdict::{self, EveryOrder, LONGEST_SIEVED, MOST_CANDIDATES, NoTheorem, Theorem};
 
 /// Up to so many classes of orders are named one by one, as `18j − 8`.
 const MOST_NAMED: usize = 4;
@@ -16,13 +16,13 @@ const MOST_DIGITS: usize = 20;
 pub(super) fn statements(engine: &Engine, theorem: &Theorem) -> Vec<Text> {
     let force = phrase!("**Force.** {}", statement(&theorem.force));
     let moment = phrase!("**Moment.** {}", statement(&theorem.moment));
-    [force, moment].map(|statement| whose(engine, theorem, statement)).into()
+    [force, moment].map(|statement| whose(engine, theorem.masses, statement)).into()
 }
 
 /// Whose masses it is about, where the engine has others than pistons.
-fn whose(engine: &Engine, theorem: &Theorem, statement: Text) -> Text {
+pub(super) fn whose(engine: &Engine, masses: Masses, statement: Text) -> Text {
     let has_others = order::groups_of(engine).len() > 1;
-    match theorem.masses {
+    match masses {
         Masses::Reciprocating if has_others => phrase!("{} This is about the pistons alone.", statement),
         Masses::All if has_others => phrase!("{} This is about the engine as it is built.", statement),
         Masses::Reciprocating | Masses::All => statement,
@@ -38,23 +38,24 @@ pub(super) fn no_theorem(reason: &NoTheorem) -> Text {
     match reason {
         NoTheorem::PeriodTooLong(period) => match period.to_string() {
             digits if digits.len() <= MOST_DIGITS => phrase!(
-                "No statement is made on every order at once: the pattern repeats only after {} orders, and at most {} are judged one \
-                 by one.",
+                "No statement is made on every order at once: the pattern repeats only after {} orders, and at most {} are gone \
+                 through.",
                 digits,
-                LONGEST_PERIOD
+                LONGEST_SIEVED
             ),
             digits => phrase!(
                 "No statement is made on every order at once: the pattern repeats only after a number of orders that has {} digits, \
-                 and at most {} are judged one by one.",
+                 and at most {} are gone through.",
                 digits.len(),
-                LONGEST_PERIOD
+                LONGEST_SIEVED
             ),
         },
-        NoTheorem::Offset => {
-            "No statement is made on every order at once: with a pin offset every order exists, and the \
-                              statement is about order 1 and the even ones."
-                .into()
-        }
+        NoTheorem::TooManyCandidates(period) => phrase!(
+            "No statement is made on every order at once: the pattern repeats only after {} orders, of which more than {} may be zero, and so many \
+             are not judged. The verdicts are on the orders that were asked for, and on no other.",
+            *period,
+            MOST_CANDIDATES
+        ),
         NoTheorem::RodsDiffer => {
             "No statement is made on every order at once: the rods differ, so that no order is a single sum.".into()
         }

@@ -4,6 +4,7 @@ mod balance;
 mod firmness;
 mod judgement;
 mod reason;
+mod recurrence;
 mod theorem;
 mod whole;
 
@@ -13,7 +14,11 @@ pub use judgement::{Judgement, NotJudged, quantities};
 pub use reason::{
     Component, Reason, Size, corners, drawn_polygons, mirror_axis, mirror_partners, opposed_partners, reason,
 };
-pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors, theorem};
+pub use recurrence::{
+    AtOrder, ClassPattern, EveryOrderTheorem, FactorPattern, FirstLeft, JudgedOrder, LONGEST_SIEVED, MOST_CANDIDATES,
+    NextLeft, Ray, Recurrence, Recurrences, Stars, every_order,
+};
+pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors};
 pub use whole::{Outcome, WholeOrder};
 
 use crate::engine::{Engine, NotAnOrder, are_orders};

@@ -9,12 +9,13 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
+use super::recurrence::{LONGEST_SIEVED, MOST_CANDIDATES};
 use super::{Balance, Verdict};
 use crate::engine::Engine;
 use crate::order::{Masses, OrderTerms, Sources};
 use crate::proof::{Quantity, Sense, Survivors};
 
-/// Longer periods are not judged.
+/// Of longer periods only the orders are judged that may be zero.
 pub const LONGEST_PERIOD: u32 = 720;
 
 /// The statements on every order of the force and the moment, with the verdicts that prove them.
@@ -44,11 +45,11 @@ pub struct EveryOrder {
 /// Why there is no statement on every order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoTheorem {
-    /// The pattern repeats only after so many orders.
+    /// The pattern repeats only after so many orders, more than are gone through.
     PeriodTooLong(BigInt),
-    /// With a pin offset there are more orders than 1 and the even ones.
-    Offset,
-    /// The rods differ, so that the cylinders have no coefficient in common.
+    /// The pattern repeats only after so many orders, and too many of these may be zero.
+    TooManyCandidates(u32),
+    /// Rods are links, which add sums of other kinds.
     RodsDiffer,
     /// A crankshaft turns so many times while the reference turns once: its pistons have other orders.
     FasterCrank(u32),
@@ -60,10 +61,11 @@ impl fmt::Display for NoTheorem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NoTheorem::PeriodTooLong(period) => {
-                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_PERIOD} are judged")
+                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_SIEVED} are gone through")
             }
-            NoTheorem::Offset => f.write_str(
-                "with a pin offset every order exists, and the statement is about order 1 and the even ones",
+            NoTheorem::TooManyCandidates(period) => write!(
+                f,
+                "the pattern repeats only after {period} orders, of which more than {MOST_CANDIDATES} may be zero: so many are not judged"
             ),
             NoTheorem::RodsDiffer => f.write_str("the rods differ, so that no order is a single sum"),
             NoTheorem::FasterCrank(speed) => write!(
@@ -86,32 +88,16 @@ pub fn period(engine: &Engine) -> BigInt {
     angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
 }
 
-/// Judges one period of orders of these masses.
-///
-/// # Errors
-/// Where the pattern repeats only after more than [`LONGEST_PERIOD`] orders, where the engine is not one of equal centric
-/// cranks, and where a shaft turns faster than the crank.
-pub fn theorem(engine: &Engine, masses: Masses) -> Result<Theorem, NoTheorem> {
-    if engine.mechanisms().len() > 1 || engine.has_links() {
-        return Err(NoTheorem::RodsDiffer);
+/// Judges one period of orders; none where the pattern is long, or the engine not one of equal centric rods.
+pub(super) fn theorem(engine: &Engine, sources: &Sources) -> Option<Theorem> {
+    if engine.mechanisms().len() > 1 || engine.has_offset() {
+        return None;
     }
-    if let Some(crank) = engine.faster_crank() {
-        return Err(NoTheorem::FasterCrank(crank.speed));
-    }
-    if engine.has_offset() {
-        return Err(NoTheorem::Offset);
-    }
-    let sources = Sources::new(engine, masses);
-    if let Some(mass) = sources.turning().iter().find(|mass| mass.order > 1) {
-        return Err(NoTheorem::Shaft(mass.order));
-    }
-    let period = period(engine);
-    let short = period.to_u32().filter(|&period| period <= LONGEST_PERIOD);
-    let period = short.ok_or(NoTheorem::PeriodTooLong(period))?;
+    let period = period(engine).to_u32().filter(|&period| period <= LONGEST_PERIOD)?;
     let orders = std::iter::once(1).chain((2..=period).step_by(2));
     let terms: Vec<OrderTerms> = orders.map(|order| sources.force_terms(order)).collect();
     let judge = |quantity| EveryOrder::new(&terms, quantity);
-    Ok(Theorem { masses, period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
+    Some(Theorem { masses: sources.masses(), period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
 }
 
 impl EveryOrder {

@@ -71,6 +71,16 @@ fn every_direction_agrees_with_its_sum_to_fifty_digits() {
                 assert_eq!(re < BigInt::from(0), opposite, "{name}");
                 kinds[1] += 1;
             }
+            Some(Direction::Turned { by, tangent }) => {
+                let (cos, sin) = decimals::cos_sin(&by);
+                // Turned back, the direction is an arctangent.
+                let one = decimals::one();
+                let [back_re, back_im] = [(&re * &cos + &im * &sin) / &one, (&im * &cos - &re * &sin) / &one];
+                let tangent = decimals::form(&tangent);
+                assert!(back_re > BigInt::from(0), "{name} points the other way");
+                assert!(decimals::agree(&(&back_re * &tangent / &one), &back_im), "{name}");
+                kinds[1] += 1;
+            }
             None => kinds[2] += 1,
         }
     }

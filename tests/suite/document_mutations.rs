@@ -168,7 +168,9 @@ fn excuse(format: &Value, path: &str, before: &Value, after: &Value) -> Option<&
         list.sort();
         Some(list)
     };
-    let is_set = [".cylinders", ".weights", ".turning_masses", ".alternatives"].iter().any(|key| path.ends_with(key));
+    let is_set = [".cylinders", ".weights", ".turning_masses", ".alternatives", ".factors"]
+        .iter()
+        .any(|key| path.ends_with(key));
     if is_set && sorted(before).is_some() && sorted(before) == sorted(after) {
         return Some("a set in another order");
     }
@@ -267,6 +269,15 @@ fn every_change_of_links_with_corrected_knuckle_angles_is_refused() {
 fn every_change_of_theorems_is_refused() {
     classify("inline.throws = [0, 180]\n[mechanism]\nrod_ratio = 0.25", &[2], false, true);
     classify("vee = { bank_angle = 90, throws = [0] }", &[1], false, true);
+}
+
+#[test]
+fn every_change_of_statements_class_by_class_is_refused() {
+    // An offset of either side, unequal masses; and banks that are alike.
+    let rods = "[mechanism]\nrod_ratio = 0.25\noffset_ratio = [0.1, '-0.1']\nreciprocating_mass = [1, 2]";
+    classify(&format!("inline.throws = [0, 180]\n{rods}"), &[1], false, true);
+    let banks = "[mechanism]\nrod_ratio = 0.25\noffset_ratio = 0.1";
+    classify(&format!("vee = {{ bank_angle = 180, throws = [0, 180] }}\n{banks}"), &[2], false, true);
 }
 
 #[test]

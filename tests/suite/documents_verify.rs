@@ -69,10 +69,11 @@ fn every_document_on_all_masses_verifies_and_is_that_of_another_producer() {
         let orders = [&[1, 2][..], &[1, 2, 3, 4, 6], &[5], &[2, 12]][index % 4];
         let masses = ALL_MASSES[index / 4 % 4];
         let judged = verdict::classify(&layout, orders, masses, &quantities).expect("orders");
-        let theorem = (index % 5 == 0).then(|| verdict::theorem(&layout, masses).ok()).flatten();
+        let theorem = (index % 5 == 0).then(|| verdict::every_order(&layout, masses).ok()).flatten();
         let document = report::document(&layout, masses, &judged, &quantities, theorem.as_ref());
         let (_, checked) = verified(&document, &text);
-        let mut other = Document { theorems: Vec::new(), all_orders: false, ..document.clone() };
+        let mut other =
+            Document { theorems: Vec::new(), recurrences: Vec::new(), all_orders: false, ..document.clone() };
         whole_documents::fill(&mut other);
         verified(&other, &text);
         let said = |document: &Document| -> Vec<(Vec<String>, Vec<Vector>, bool)> {

@@ -73,7 +73,7 @@ fn throws_opposed_on_a_fast_crank_cancel_its_own_odd_orders() {
     assert!(orders[1].force.is_balanced());
     assert_eq!(orders[2].force.shape, Shape::Planar);
     assert_eq!(force(&orders[2]), [(Some(Factor::Geared(2, Box::new(Factor::Open))), [8.0; 2])]);
-    assert!(matches!(verdict::theorem(&engine, Masses::Reciprocating), Err(NoTheorem::FasterCrank(2))));
+    assert!(matches!(verdict::every_order(&engine, Masses::Reciprocating), Err(NoTheorem::FasterCrank(2))));
 }
 
 /// A single with a pair of crankshafts at ±2 beside it, whose rotating masses are the Lanchester pair that `remedy` proposes for it.

@@ -8,6 +8,7 @@ mod articulated;
 mod atlas;
 mod beam;
 mod bearings;
+mod book_lengths;
 mod book_words;
 mod certificate_cheats;
 mod certificate_words;
@@ -82,6 +83,7 @@ mod plane_cheats;
 mod plots;
 mod printed_lines;
 mod random_engines;
+mod recurrences;
 mod remedy;
 mod remedy_cheats;
 mod reports;
@@ -105,6 +107,7 @@ mod web;
 mod whole_cheats;
 
 mod support {
+    pub mod books;
     pub mod class;
     pub mod decimals;
     pub mod dice;

@@ -153,6 +153,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "examples",
                 "families",
                 "firing",
+                "forms",
                 "grigoryev",
                 "optimise",
                 "stability",

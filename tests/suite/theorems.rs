@@ -9,7 +9,7 @@ use crankstar::page::Format;
 use crankstar::proof::{
     Certificate, Document, Fault, Quantity, RodClaim, RodStatement, Sense, Survivors, check_document,
 };
-use crankstar::verdict::{self, EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem};
+use crankstar::verdict::{self, EveryOrder, EveryOrderTheorem, LONGEST_PERIOD, NoTheorem, Theorem};
 use num_rational::BigRational;
 
 use crate::support::pages;
@@ -30,7 +30,10 @@ fn written(form: &str) -> Engine {
 }
 
 fn proved(layout: &Engine) -> Theorem {
-    theorem(layout).expect("a short period")
+    match theorem(layout).expect("a short period") {
+        EveryOrderTheorem::Period(theorem) => theorem,
+        EveryOrderTheorem::Recurrences(_) => panic!("the rods are equal and centric"),
+    }
 }
 
 fn survivors(order_one: bool, modulus: u32, residues: &[u32]) -> Survivors {
@@ -204,27 +207,27 @@ fn no_statement_on_the_catalogue_holds_with_a_smaller_modulus() {
 fn a_period_too_long_is_named() {
     let longest = written("[inline]\nthrows = [0, 0.5]");
     assert_eq!((proved(&longest).period, LONGEST_PERIOD), (720, 720));
-    let longer = written("[inline]\nthrows = ['360/361']");
-    let reason = theorem(&longer).expect_err("a long period");
-    assert_eq!(reason.to_string(), "the pattern repeats only after 722 orders; at most 720 are judged");
-    let line = "No statement is made on every order at once: the pattern repeats only after 722 orders, and at most 720 are \
-                judged one by one.";
-    says(&longer, &[line]);
-    assert!(!text(&longer, Format::Latex).contains("The next order that is left"));
-    let huge = written(&format!("[inline]\nthrows = ['360/1{}7']", "0".repeat(40)));
+    let huge = written("[inline]\nthrows = [0, '360/1000003', 90]");
+    let reason = theorem(&huge).expect_err("a long period");
+    assert_eq!(reason.to_string(), "the pattern repeats only after 4000012 orders; at most 1000000 are gone through");
+    let line = "No statement is made on every order at once: the pattern repeats only after 4000012 orders, and at most 1000000 \
+                are gone through.";
+    says(&huge, &[line]);
+    assert!(!text(&huge, Format::Latex).contains("The next order that is left"));
+    let huge = written(&format!("[inline]\nthrows = [0, '360/1{}7']", "0".repeat(40)));
     let NoTheorem::PeriodTooLong(period) = theorem(&huge).expect_err("a long period") else {
         panic!("another reason");
     };
     assert_eq!(period.to_string().len(), 42);
     let digits = "No statement is made on every order at once: the pattern repeats only after a number of orders that has 42 \
-                  digits, and at most 720 are judged one by one.";
+                  digits, and at most 1000000 are gone through.";
     says(&huge, &[digits]);
 }
 
 /// The verdicts on order 1 with the theorems: force direct, reverse, moment direct, reverse.
 fn document(layout: &Engine) -> Document {
     let orders = judged(layout, &[1], false);
-    verdicts::document(layout, &orders, false, Some(&proved(layout)))
+    verdicts::document(layout, &orders, false, Some(&theorem(layout).expect("a short period")))
 }
 
 #[test]

@@ -113,7 +113,7 @@ impl EngineRow {
                     moment: Left::new(judged, &judged.moment, |part| &part.moment),
                 })
                 .collect(),
-            first_left: engine_cells::first_left(&verdict::theorem(layout, Masses::Reciprocating)),
+            first_left: engine_cells::first_left(layout, &verdict::every_order(layout, Masses::Reciprocating)),
             remedy: engine_cells::remedy(&remedy::remedy(layout, &wish)),
             unit: layout.length_unit(),
         }

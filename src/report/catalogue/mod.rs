@@ -16,7 +16,9 @@ use crate::loads;
 use crate::order::Masses;
 use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Shape};
-use crate::verdict::{self, EveryOrder, NoTheorem, OrderBalance, OrderVerdict, Theorem, WholeOrder};
+use crate::verdict::{
+    self, EveryOrder, EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict, WholeOrder,
+};
 
 /// An engine of the catalogue, judged.
 pub(super) struct Known<'a> {
@@ -25,7 +27,7 @@ pub(super) struct Known<'a> {
     /// The engine.
     pub engine: &'a Engine,
     /// The statements on every order.
-    pub theorem: Result<Theorem, NoTheorem>,
+    pub theorem: Result<EveryOrderTheorem, NoTheorem>,
 }
 
 /// The engines of the catalogue that are built alike.
@@ -42,7 +44,8 @@ pub(super) struct Family<'a> {
 pub(super) fn families(engines: &[(Entry, Engine)]) -> Vec<Family<'_>> {
     let mut families: Vec<Family> = Vec::new();
     for (entry, engine) in engines {
-        let known = Known { name: entry.name, engine, theorem: verdict::theorem(engine, Masses::Reciprocating) };
+        let theorem = verdict::every_order(engine, Masses::Reciprocating);
+        let known = Known { name: entry.name, engine, theorem };
         let (file, heading) = family(engine.form());
         match families.iter_mut().find(|family| family.file == file) {
             Some(family) => family.engines.push(known),
@@ -77,11 +80,25 @@ pub(super) struct First {
 impl Known<'_> {
     /// What is left first of the force and of the moment; none where nothing is known of every order.
     pub fn first(&self) -> Option<[Option<First>; 2]> {
-        let Ok(theorem) = &self.theorem else { return self.first_of_links() };
+        let theorem = match &self.theorem {
+            Ok(EveryOrderTheorem::Period(theorem)) => theorem,
+            Ok(several @ EveryOrderTheorem::Recurrences(_)) => return self.first_of_classes(several),
+            Err(_) => return self.first_of_links(),
+        };
         Some([&theorem.force, &theorem.moment].map(|every: &EveryOrder| {
             let first = every.first.as_ref()?;
             Some(First { order: first.direct.order, shape: first.shape, size: Some(residual::largest(first).into()) })
         }))
+    }
+
+    /// The same where every order is told class by class.
+    fn first_of_classes(&self, theorem: &EveryOrderTheorem) -> Option<[Option<First>; 2]> {
+        let first = |quantity| match theorem.first_left(self.engine, quantity) {
+            FirstLeft::Nothing => Some(None),
+            FirstLeft::Order(order, shape) => Some(Some(First { order, shape, size: None })),
+            FirstLeft::NotKnown => None,
+        };
+        Some([first(Quantity::Force)?, first(Quantity::Moment)?])
     }
 
     /// The same of an engine with articulated rods: at the orders that it asks for, or proved to be zero at every order.

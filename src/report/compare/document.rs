@@ -122,7 +122,8 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 }
 
 fn engine(engine: &Compared) -> EngineEntry {
-    let [first_force_left, first_moment_left] = engine_cells::first_left(&engine.theorem).map(|text| text.plain());
+    let first_left = engine_cells::first_left(engine.engine, &engine.theorem);
+    let [first_force_left, first_moment_left] = first_left.map(|text| text.plain());
     let full = BigRational::from_integer(360.into());
     let firing = engine.engine.firing().map(|firing| Firing {
         even: firing.is_even(),

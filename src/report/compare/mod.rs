@@ -14,7 +14,7 @@ use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::text::Untrusted;
-use crate::verdict::{self, Judgement, NoTheorem, OrderVerdict, Theorem};
+use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem, OrderVerdict};
 
 /// An engine of a comparison, judged.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ pub struct Compared<'a> {
     /// The verdicts, rising by order; several an order where rods differ.
     pub judged: Judgement,
     /// The statements on every order.
-    pub theorem: Result<Theorem, NoTheorem>,
+    pub theorem: Result<EveryOrderTheorem, NoTheorem>,
     /// What takes away the orders that are compared.
     pub remedy: Result<Remedy, RemedyError>,
     /// The orders in newtons, where the layout has the numbers.
@@ -48,7 +48,7 @@ impl<'a> Compared<'a> {
         Ok(Compared {
             name,
             engine,
-            theorem: verdict::theorem(engine, judged.masses),
+            theorem: verdict::every_order(engine, judged.masses),
             judged,
             remedy: remedy::remedy(engine, &wish),
             loads: loads::loads(engine, orders),

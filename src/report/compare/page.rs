@@ -8,7 +8,7 @@ use crate::loads::OrderLoads;
 use crate::page::{Block, Document, Picture, Text, phrase};
 use crate::proof::Quantity;
 use crate::text::Format;
-use crate::verdict::{EveryOrder, OrderBalance, Theorem};
+use crate::verdict::{FirstLeft, OrderBalance};
 
 /// Engines that stand beside each other on a terminal; more begin a new table.
 const MOST_BESIDE: usize = 3;
@@ -56,8 +56,7 @@ fn answer(engines: &[Compared]) -> Vec<Text> {
 
 /// The engines that leave nothing up to the highest order, where every order of all is known and they are not all alike.
 fn furthest(engines: &[Compared]) -> Option<Text> {
-    let lowest = |engine: &Compared| Some(lowest_left(engine.theorem.as_ref().ok()?).unwrap_or(u32::MAX));
-    let lowest: Vec<u32> = engines.iter().map(lowest).collect::<Option<_>>()?;
+    let lowest: Vec<u32> = engines.iter().map(lowest_left).collect::<Option<_>>()?;
     let highest = lowest.iter().copied().max()?;
     let best: Vec<&Compared> =
         engines.iter().zip(&lowest).filter(|(_, order)| **order == highest).map(|(engine, _)| engine).collect();
@@ -69,22 +68,31 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
     }
 }
 
-/// The lowest order at which anything is left.
-fn lowest_left(theorem: &Theorem) -> Option<u32> {
-    [&theorem.force, &theorem.moment].into_iter().filter_map(first).map(|(order, _)| order).min()
+/// The lowest order at which anything is left, the highest number where nothing is; none where it is not known.
+fn lowest_left(engine: &Compared) -> Option<u32> {
+    let [force, moment] = first_left(engine)?;
+    let order = |first: Option<(u32, &'static str)>| first.map_or(u32::MAX, |(order, _)| order);
+    Some(order(force).min(order(moment)))
 }
 
-fn first(every: &EveryOrder) -> Option<(u32, &'static str)> {
-    every.first.as_ref().map(|first| (first.direct.order, residual::shape_name(first.shape)))
+/// The lowest order of the force and of the moment that is left, with its shape; none of all where it is not known.
+fn first_left(engine: &Compared) -> Option<[Option<(u32, &'static str)>; 2]> {
+    let theorem = engine.theorem.as_ref().ok()?;
+    let first = |quantity| match theorem.first_left(engine.engine, quantity) {
+        FirstLeft::Nothing => Some(None),
+        FirstLeft::Order(order, shape) => Some(Some((order, residual::shape_name(shape)))),
+        FirstLeft::NotKnown => None,
+    };
+    Some([first(Quantity::Force)?, first(Quantity::Moment)?])
 }
 
 /// What an engine leaves of all orders.
 fn left(engine: &Compared) -> Text {
     let name = &engine.name;
-    let Ok(theorem) = &engine.theorem else {
+    let Some([force, moment]) = first_left(engine) else {
         return phrase!("**{}**: nothing is stated on every order; the table has the orders that are compared.", name);
     };
-    match (first(&theorem.force), first(&theorem.moment)) {
+    match (force, moment) {
         (None, None) => phrase!("**{}** leaves neither force nor moment, at any order.", name),
         (Some((order, shape)), None) => {
             phrase!("**{}** leaves a force from order {} on, {}, and no moment at any order.", name, order, shape)

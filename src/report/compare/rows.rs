@@ -34,7 +34,7 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
             }
         }
     }
-    let first = |engine: &Compared| engine_cells::first_left(&engine.theorem);
+    let first = |engine: &Compared| engine_cells::first_left(engine.engine, &engine.theorem);
     add("First force left".into(), &|engine| first(engine)[0].clone());
     add("First moment left".into(), &|engine| first(engine)[1].clone());
     add("Remedy".into(), &|engine| engine_cells::remedy(&engine.remedy));

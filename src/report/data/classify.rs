@@ -149,7 +149,7 @@ fn angle(verdict: &VerdictClaim) -> Option<String> {
     }
     match numbers::direction_of(&star(verdict))? {
         Direction::Turn(turn) => Some(exact_number(&signed_degrees(&turn))),
-        Direction::Arctangent { .. } => None,
+        Direction::Arctangent { .. } | Direction::Turned { .. } => None,
     }
 }
 

@@ -8,14 +8,14 @@ use crate::loads::{self, Loads};
 use crate::order::{self, Factor, Masses};
 use crate::page::{Block, Document, Piece, Table, Text, phrase};
 use crate::proof::{Quantity, Sense, Shape};
-use crate::verdict::{Judgement, OrderVerdict, Outcome, Theorem, WholeOrder};
+use crate::verdict::{EveryOrderTheorem, Judgement, NextLeft, OrderVerdict, Outcome, WholeOrder};
 
 /// The lines of the box that a report opens with.
 pub(super) fn lines(
     engine: &Engine,
     judged: &Judgement,
     loads: Option<&Loads>,
-    theorem: Option<&Theorem>,
+    theorem: Option<&EveryOrderTheorem>,
 ) -> Vec<Text> {
     let existing: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
     let loads = loads.filter(|_| is_as_built(engine, judged));
@@ -28,7 +28,7 @@ pub(super) fn lines(
         lines.push(phrase!("**What cures it.** {}", Text::joined(cures, " ")));
         lines.push(phrase!("**What no crankshaft cures.** {}", beyond_counterweights(engine, &existing)));
     }
-    lines.extend(rest(&judged.orders, &existing, theorem.filter(|theorem| theorem.masses == judged.masses)));
+    lines.extend(rest(&judged.orders, &existing, theorem.filter(|theorem| theorem.masses() == judged.masses)));
     if let Some(pistons) = &judged.pistons {
         let sizes = Sizes { engine, masses: Masses::Reciprocating, loads: None };
         let left: Vec<Text> =
@@ -192,7 +192,7 @@ fn beyond_several(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
 }
 
 /// What vanishes, what is not there, and what is known of other orders.
-fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&Theorem>) -> Vec<Text> {
+fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&EveryOrderTheorem>) -> Vec<Text> {
     let mut sentences = Vec::new();
     let zero: Vec<String> = existing
         .iter()
@@ -210,7 +210,7 @@ fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&Theor
         [only] => sentences.push(phrase!("Order {} {}.", only.clone(), DOES_NOT_EXIST)),
         several => sentences.push(phrase!("Orders {} do not exist.", several.join(", "))),
     }
-    sentences.extend(theorem.map(|theorem| others(existing, theorem)));
+    sentences.extend(theorem.and_then(|theorem| others(existing, theorem)));
     let is_all_balanced = existing.iter().all(|order| left_vectors(order) == [false, false]);
     let words = match (is_all_balanced, zero.is_empty()) {
         (true, _) => "**What shakes.** Nothing that is proved to be left at the orders judged. {}",
@@ -220,16 +220,14 @@ fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&Theor
     (!sentences.is_empty()).then(|| phrase!(words, Text::joined(sentences, " "))).into_iter().collect()
 }
 
-/// The first order that is left beside those told.
-fn others(judged: &[&OrderVerdict], theorem: &Theorem) -> Text {
-    let every = [&theorem.force, &theorem.moment].map(|every| every.survivors());
+/// The first order that is left beside those told; nothing where that is not known.
+fn others(judged: &[&OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Text> {
     let told = |order: u32| judged.iter().any(|judged| judged.order == order);
     let last = judged.iter().map(|order| order.order).max().unwrap_or(1);
-    let beyond = last.max(theorem.period) + theorem.period + 2;
-    let mut orders = (1..=beyond).filter(|order| *order == 1 || order % 2 == 0);
-    match orders.find(|order| !told(*order) && every.iter().any(|survivors| survivors.contains(*order))) {
-        None => "No other order is left, of all there are.".into(),
-        Some(next) => phrase!("The next order that is left is {}.", next),
+    match theorem.next_left(last, told) {
+        NextLeft::None => Some("No other order is left, of all there are.".into()),
+        NextLeft::Order(next) => Some(phrase!("The next order that is left is {}.", next)),
+        NextLeft::NotKnown => None,
     }
 }
 

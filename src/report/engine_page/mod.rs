@@ -26,7 +26,7 @@ use crate::loads::{Missing, Needed};
 use crate::order::Masses;
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::remedy::{self, Remedy, RemedyError, Wish};
-use crate::verdict::{self, Judgement, NoTheorem, Theorem};
+use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem};
 
 /// What a report shows of an engine.
 #[derive(Clone, Copy)]
@@ -61,10 +61,10 @@ impl Contents<'_> {
 }
 
 /// What is true of every order, of the masses judged or else of the pistons.
-fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<Theorem, NoTheorem> {
-    match verdict::theorem(engine, judged.masses) {
+fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<EveryOrderTheorem, NoTheorem> {
+    match verdict::every_order(engine, judged.masses) {
         // The pistons have a pattern even where a shaft has none.
-        Err(NoTheorem::Shaft(_)) => verdict::theorem(engine, Masses::Reciprocating),
+        Err(NoTheorem::Shaft(_)) => verdict::every_order(engine, Masses::Reciprocating),
         other => other,
     }
 }

@@ -3,7 +3,7 @@
 use crankstar::engine::Engine;
 use crankstar::order::Masses;
 use crankstar::proof::{Document, Quantity};
-use crankstar::verdict::{self, OrderBalance, OrderVerdict, Theorem};
+use crankstar::verdict::{self, EveryOrderTheorem, OrderBalance, OrderVerdict};
 
 pub fn quantities(torque: bool) -> Vec<Quantity> {
     [Quantity::Force, Quantity::Moment].into_iter().chain(torque.then_some(Quantity::Torque)).collect()
@@ -19,10 +19,10 @@ pub fn pistons(engine: &Engine, orders: &[u32]) -> Vec<OrderBalance> {
     judged(engine, orders, false).into_iter().flat_map(|order| order.parts).collect()
 }
 
-pub fn theorem(engine: &Engine) -> Result<Theorem, verdict::NoTheorem> {
-    verdict::theorem(engine, Masses::Reciprocating)
+pub fn theorem(engine: &Engine) -> Result<EveryOrderTheorem, verdict::NoTheorem> {
+    verdict::every_order(engine, Masses::Reciprocating)
 }
 
-pub fn document(engine: &Engine, orders: &[OrderVerdict], torque: bool, every: Option<&Theorem>) -> Document {
+pub fn document(engine: &Engine, orders: &[OrderVerdict], torque: bool, every: Option<&EveryOrderTheorem>) -> Document {
     crankstar::report::document(engine, Masses::Reciprocating, orders, &quantities(torque), every)
 }

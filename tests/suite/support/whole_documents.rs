@@ -67,6 +67,7 @@ pub fn document(
         wholes: Vec::new(),
         shapes: Vec::new(),
         theorems: Vec::new(),
+        recurrences: Vec::new(),
     };
     fill(&mut document);
     document

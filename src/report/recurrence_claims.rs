@@ -1,0 +1,70 @@
+//! How are the statements on every order written as data, class by class?
+
+use super::document::outcome_claim;
+use crate::engine::Engine;
+use crate::order::Source;
+use crate::proof::{
+    ClassClaim, FactorClaim, FirstOrderClaim, OrderClaim, Quantity, RayClaim, RecurrenceClaim, Sense, SumVerdict,
+};
+use crate::verdict::{Balance, ClassPattern, FactorPattern, OrderBalance, Ray, Recurrence, Recurrences, WholeOrder};
+
+/// One claim for each quantity and sense, with the verdicts that prove it.
+pub(super) fn claims(engine: &Engine, all: &Recurrences) -> Vec<RecurrenceClaim> {
+    let class = |class: &ClassPattern| class_claim(engine, class);
+    let claim = |one: &Recurrence| RecurrenceClaim {
+        quantity: one.quantity,
+        sense: one.sense,
+        first: first(all, one),
+        even: one.even.iter().map(class).collect(),
+        odd: one.odd.iter().map(class).collect(),
+    };
+    all.force.iter().chain(&all.moment).map(claim).collect()
+}
+
+fn first(all: &Recurrences, one: &Recurrence) -> FirstOrderClaim {
+    let is_moment = one.quantity == Quantity::Moment;
+    let whole: &WholeOrder = if is_moment { &all.first.moment } else { &all.first.force };
+    let place = match one.sense {
+        Sense::Direct => 0,
+        Sense::Reverse => 1,
+    };
+    let verdict = |part: &OrderBalance| {
+        let balance: &Balance = if is_moment { &part.moment } else { &part.force };
+        let verdict = balance.verdicts()[place];
+        SumVerdict { vanishes: verdict.vanishes(), certificate: verdict.certificate.clone() }
+    };
+    let has_several = all.first.parts.len() > 1;
+    FirstOrderClaim {
+        sums: all.first.parts.iter().map(verdict).collect(),
+        outcome: has_several.then(|| outcome_claim(&whole.outcomes[place])),
+    }
+}
+
+fn class_claim(engine: &Engine, class: &ClassPattern) -> ClassClaim {
+    let name = |source: &Source| source.name(engine);
+    ClassClaim {
+        of: class.sources.iter().map(name).collect(),
+        factors: class.stars.factors().into_iter().map(factor_claim).collect(),
+    }
+}
+
+fn factor_claim(factor: &FactorPattern) -> FactorClaim {
+    let mut rays: Vec<&Ray> = factor.rays.iter().collect();
+    rays.sort_by_key(|ray| (&ray.per_order, &ray.fixed));
+    let rays = rays.into_iter().map(|ray| RayClaim {
+        per_order: ray.per_order.turns().clone(),
+        fixed: ray.fixed.turns().clone(),
+        weight: ray.weight.clone(),
+    });
+    let judged = factor.judged.iter().map(|judged| OrderClaim {
+        order: judged.order,
+        vanishes: judged.vanishes(),
+        certificate: judged.certificate.clone(),
+    });
+    FactorClaim {
+        terms: rays.collect(),
+        period: factor.period.into(),
+        judged: judged.collect(),
+        zeros: factor.zeros().clone(),
+    }
+}

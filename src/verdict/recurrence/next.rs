@@ -1,0 +1,126 @@
+//! Which order is the first that is left, of all there are, or beside those that are told?
+
+use super::{AtOrder, ClassPattern, EveryOrderTheorem, Recurrences};
+use crate::engine::Engine;
+use crate::order::{Coefficients, Sources};
+use crate::proof::{Quantity, Shape};
+use crate::verdict::{OrderVerdict, WholeOrder, of_order};
+
+/// So many orders are looked through, class by class, for one that is left.
+const MOST_LOOKED_THROUGH: u32 = 1000;
+
+/// What is left first of all orders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FirstLeft {
+    /// Nothing is, at any order.
+    Nothing,
+    /// This order, and what it traces.
+    Order(u32, Shape),
+    /// An order is not decided before any that is left, or the first thousand vanish and not all do.
+    NotKnown,
+}
+
+/// The next order that is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NextLeft {
+    /// None is.
+    None,
+    /// This one.
+    Order(u32),
+    /// These rods may make an order before it cancel, or it is none of the first thousand.
+    NotKnown,
+}
+
+impl EveryOrderTheorem {
+    /// The lowest order of force or moment that is left.
+    pub fn first_left(&self, engine: &Engine, quantity: Quantity) -> FirstLeft {
+        match (self, quantity) {
+            (_, Quantity::Torque | Quantity::Roll) => FirstLeft::NotKnown,
+            (EveryOrderTheorem::Period(theorem), Quantity::Force | Quantity::Moment) => {
+                let every = if quantity == Quantity::Force { &theorem.force } else { &theorem.moment };
+                every
+                    .first
+                    .as_ref()
+                    .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape))
+            }
+            (EveryOrderTheorem::Recurrences(all), Quantity::Force) => {
+                all.first_left(engine, |order| &order.force, |of| &of.force)
+            }
+            (EveryOrderTheorem::Recurrences(all), Quantity::Moment) => {
+                all.first_left(engine, |order| &order.moment, |of| &of.moment)
+            }
+        }
+    }
+
+    /// The lowest order of force and moment that is left beside those that are told, the last of which is given.
+    pub fn next_left(&self, last: u32, told: impl Fn(u32) -> bool) -> NextLeft {
+        match self {
+            EveryOrderTheorem::Period(theorem) => {
+                let every = [&theorem.force, &theorem.moment].map(|every| every.survivors());
+                let beyond = last.max(theorem.period) + theorem.period + 2;
+                let mut orders = (1..=beyond).filter(|order| *order == 1 || order % 2 == 0);
+                let is_left = |order: u32| every.iter().any(|survivors| survivors.contains(order));
+                orders.find(|order| !told(*order) && is_left(*order)).map_or(NextLeft::None, NextLeft::Order)
+            }
+            EveryOrderTheorem::Recurrences(all) => all.next_left(last, told),
+        }
+    }
+}
+
+impl Recurrences {
+    fn first_left(
+        &self,
+        engine: &Engine,
+        whole: impl Fn(&OrderVerdict) -> &WholeOrder,
+        both: impl Fn(&Self) -> &[super::Recurrence; 2],
+    ) -> FirstLeft {
+        let (sources, known) = (Sources::new(engine, self.masses), Coefficients::default());
+        for order in 1..=MOST_LOOKED_THROUGH {
+            if order > 1 && both(self).iter().all(|one| one.at(order) == AtOrder::Zero) {
+                continue;
+            }
+            let judged = if order == 1 { self.first.clone() } else { of_order(&sources, order, &[], &known) };
+            let whole = whole(&judged);
+            if whole.is_left() {
+                return FirstLeft::Order(order, whole.shape);
+            }
+            if !whole.is_balanced() {
+                return FirstLeft::NotKnown;
+            }
+        }
+        match both(self).iter().flat_map(|one| one.even.iter().chain(&one.odd)).all(vanishes_always) {
+            true => FirstLeft::Nothing,
+            false => FirstLeft::NotKnown,
+        }
+    }
+
+    fn next_left(&self, last: u32, told: impl Fn(u32) -> bool) -> NextLeft {
+        let all = || self.force.iter().chain(&self.moment);
+        if !told(1) {
+            let whole = [&self.first.force, &self.first.moment];
+            if whole.iter().any(|whole| whole.is_left()) {
+                return NextLeft::Order(1);
+            }
+            if !whole.iter().all(|whole| whole.is_balanced()) {
+                return NextLeft::NotKnown;
+            }
+        }
+        for order in (2..=last.saturating_add(MOST_LOOKED_THROUGH)).filter(|order| !told(*order)) {
+            let known: Vec<AtOrder> = all().map(|one| one.at(order)).collect();
+            if known.contains(&AtOrder::Left) {
+                return NextLeft::Order(order);
+            }
+            if known.contains(&AtOrder::SeveralLeft) {
+                return NextLeft::NotKnown;
+            }
+        }
+        match all().flat_map(|one| one.even.iter().chain(&one.odd)).all(vanishes_always) {
+            true => NextLeft::None,
+            false => NextLeft::NotKnown,
+        }
+    }
+}
+
+fn vanishes_always(class: &ClassPattern) -> bool {
+    class.stars.factors().iter().any(|factor| factor.vanishes_always())
+}
