@@ -193,7 +193,8 @@ fn two(first: &Part, second: &Part) -> When {
             let alternatives = vec![alternative(first, &[(second, turn.opposite())])];
             When::Where(Angles { alternatives, equal_lengths: Vec::new() })
         }
-        Some(Direction::Arctangent { .. }) | None => match circle::arcs_of(&[first, second]) {
+        Some(Direction::Arctangent { .. } | Direction::Turned { .. }) | None => match circle::arcs_of(&[first, second])
+        {
             // An angle beyond the digits of the arcs is named without them.
             Some(circle) if circle.is_complete() => When::Circle(Box::new(circle)),
             Some(_) | None => irrational(first, second, &quotient, comparison),
