@@ -64,6 +64,7 @@ kind alternatives equal_lengths
 conditions certificate
 phi delta turn
 kind middle phi delta turn cosine multiples
+kind phi delta conductor prime root scale u v
 order sense position parts
 coefficient terms modulus angle_deg
 quantity order sense coefficient terms certificate
@@ -78,12 +79,12 @@ speed of
 period verdicts
 """.strip().splitlines()]
 OPTIONAL = {key for _, more in SHAPES for key in more}
-WHOLE = "orders order speed sides bits sign prime first second modulus residues middle period angle_deg below".split()  # without quotes
+WHOLE = "orders order speed sides bits sign prime first second modulus residues middle period angle_deg below conductor root u v".split()  # without quotes
 TRUTH = "vanishes all_orders order_one".split()
 WORDS = "title name of symbol".split()  # which may look like numbers
 # When a sum over open angles is zero, and how many parts of it are then not zero.
 WHENS = {"always": [0], "never": [1], "unequal-lengths": [2], "equal-lengths": [2], "where": [2, 3], "cosine": [3],
-         "not-solved": range(3, 1_000_000)}
+         "coprime": range(2, 1_000_000), "not-solved": range(3, 1_000_000)}
 PLACE = []  # where the checker is, for its answer
 
 
@@ -582,6 +583,37 @@ def check_open(entry, expected, notes):
             demand(against(part, middle) == (sign * when.phi, sign * when.delta), "the parts do not turn against the middle one so")
             away = [(t, w / (2 * when.cosine)) for t, w in middle[1]]
             certify([(t - sign * when.turn, w) for t, w in part[1]] + away, certificate, True)
+    elif when.kind == "coprime":
+        coprime(when, [(against(part, left[0]), collect(part[1])) for part in left])
+
+
+def coprime(when, parts):
+    """The sum is Σ S x^n with x = e^i(phi·φ + delta·δ). On the circle P = 0 gives P* = x^d conj(P) = 0: then their resultant is zero,
+    and so is its image modulo a prime. But there P keeps its leading coefficient, and U P + V P* = 1 leaves no common factor."""
+    demand(when.phi > 0 or when.phi == 0 < when.delta, "the unknown has no direction")
+    exponents = [phi / when.phi if when.phi else delta / when.delta for (phi, delta), _ in parts]
+    demand([(when.phi * n, when.delta * n) for n in exponents] == [angle for angle, _ in parts], "a part turns otherwise than the unknown")
+    demand(all(n.denominator == 1 for n in exponents) and exponents == sorted(set(exponents)), "the unknown enters no rising whole times")
+    exponents = [int(n) for n in exponents]
+    demand(exponents[-1] <= 4096 and gcd(*exponents) == 1, "the exponents have a common divisor, or are too large")
+    N, p, g, scale = when.conductor, when.prime, when.root, when.scale
+    demand(1 <= N <= 1_000_000 and p <= 2**32 and primes_of(p) == [p], "conductor or prime is out of range")
+    demand(scale.denominator == 1 and scale >= 1, "the scale is whole and positive")
+    demand(pow(g, N, p) == 1 and all(pow(g, N // q, p) != 1 for q in primes_of(N)), "the root has another order than the conductor")
+    straight, mirrored = [0] * (exponents[-1] + 1), [0] * (exponents[-1] + 1)
+    for n, (_, total) in zip(exponents, parts):
+        demand(all((t * N).denominator == 1 == (w * scale).denominator for t, w in total.items()), "an angle or weight is not whole")
+        straight[n] = sum(int(w * scale) * pow(g, int(t * N), p) for t, w in total.items()) % p
+        mirrored[-1 - n] = sum(int(w * scale) * pow(g, int(-t * N) % N, p) for t, w in total.items()) % p
+    demand(straight[-1] != 0, "the leading coefficient is 0 modulo the prime")
+    demand(all(type(one) is list and len(one) <= len(straight) and all(type(x) is int for x in one) for one in (when.u, when.v)), "u or v is too long")
+    whole = [0] * (2 * len(straight))
+    for factor, of in ((when.u, straight), (when.v, mirrored)):
+        for i, a in enumerate(factor):
+            for j, b in enumerate(of):
+                whole[i + j] = (whole[i + j] + a * b) % p
+    demand(whole == [1] + [0] * (len(whole) - 1), "U P + V P* is not 1 modulo the prime")
+    CHECKED[0] += 1
 
 
 # ---- 6. Remedies -----------------------------------------------------------------------------------------------------------

@@ -286,6 +286,40 @@ fn false_families_remedies_and_firing_stars_are_refused() {
 }
 
 #[test]
+fn false_identities_that_show_a_sum_to_vanish_for_no_angle_are_refused() {
+    let path = scratch("second-checker-coprime-layout").join("layout.toml");
+    let masses = "[1, 2, 1, 1, 2, 3, 1, 2, 1]";
+    let text = format!(
+        "orders = [1]\n[fan]\nbanks = ['-phi', 0, 'phi']\nthrows = [0, 90, 200]\n[mechanism]\nreciprocating_mass = {masses}"
+    );
+    fs::write(&path, text).expect("written");
+    let honest = told(&["classify", path.to_str().expect("UTF-8"), "--json"]);
+    let is_coprime = |place: &String| honest.pointer(place) == Some(&json!("coprime"));
+    let places = (0..4).map(|at| format!("/open_verdicts/{}/sums/0/when/kind", at));
+    let kind = places.into_iter().find(is_coprime).expect("a sum that vanishes for no angle");
+    let when = kind.strip_suffix("/kind").expect("its place");
+    let mut cheats = Cheats::default();
+    for (key, value, says) in [
+        ("phi", json!("4"), "enters no rising whole times"),
+        ("phi", json!("-2"), "has no direction"),
+        ("delta", json!("1"), "turns otherwise"),
+        ("conductor", json!(72), "another order"),
+        ("prime", json!(10011), "out of range"),
+        ("root", json!(1), "another order"),
+        ("scale", json!("0"), "whole and positive"),
+        ("scale", json!("2"), "is not 1 modulo the prime"),
+        ("u", json!([1, 1]), "is not 1 modulo the prime"),
+        ("v", json!([0]), "is not 1 modulo the prime"),
+        ("v", json!([0, 0, 0, 0, 0, 0]), "too long"),
+    ] {
+        cheats.put(&honest, &format!("{when}/{key}"), value, says);
+    }
+    let terms = format!("{}/parts/0/terms/0/weight", when.strip_suffix("/when").expect("a sum"));
+    cheats.put(&honest, &terms, json!("7"), "not those of the cylinders");
+    cheats.are_refused("second-checker-coprime");
+}
+
+#[test]
 fn numbers_that_contradict_their_evidence_are_refused() {
     let mut cheats = Cheats::default();
     let compare = told(&["compare", "I4", "V8-crossplane", "--json"]);
