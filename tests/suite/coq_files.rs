@@ -111,6 +111,7 @@ fn what_the_file_cannot_state_is_refused_with_the_reason() {
         path.to_str().expect("a path").to_owned()
     };
     let open = layout("open.toml", "title = 'Open'\n[vee]\nbank_angle = 'phi'\nthrows = [0]\n");
+    let long = layout("long.toml", "title = 'Long'\n[inline]\nthrows = ['0 turn', '1/1009 turn']\n");
     let offset = layout(
         "offset.toml",
         "title = 'Offset'\n[inline]\nthrows = [0, 180]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = 0.05\n",
@@ -119,6 +120,7 @@ fn what_the_file_cannot_state_is_refused_with_the_reason() {
         (vec!["radial-9-master"], "is a link on a master rod"),
         (vec![open.as_str()], "has unknowns; give them values"),
         (vec![offset.as_str()], "has an offset"),
+        (vec![long.as_str(), "--all-orders"], "leave out --all-orders"),
         (vec!["I4", "--firing"], "leave out --firing"),
         (vec!["I4", "--output", "x.json"], "is named as a file of json"),
     ];

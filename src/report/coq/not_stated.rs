@@ -25,6 +25,8 @@ pub enum NotStated {
         /// The order.
         order: u32,
     },
+    /// What is said of every order is no period of verdicts.
+    NoPeriod,
     /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
     Scale {
         /// Of what.
@@ -64,6 +66,9 @@ impl fmt::Display for NotStated {
                  reciprocating where the rods are equal",
                 quantity.name()
             ),
+            NotStated::NoPeriod => f.write_str(
+                "what vanishes at every order is told by recurrences, and formal/Checker.v knows periods; leave out --all-orders",
+            ),
             NotStated::Scale { quantity, order } => write!(
                 f,
                 "the weights of order {order} of the {} have a denominator that the prime of its evidence divides; scale masses and \
@@ -93,6 +98,9 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     }
     if let Some(shaft) = document.turning_masses.iter().find(|mass| mass.coefficient_of.is_some()) {
         return Err(NotStated::SizedByRod(shaft.name.clone()));
+    }
+    if !document.recurrences.is_empty() {
+        return Err(NotStated::NoPeriod);
     }
     match document.verdicts.iter().find(|verdict| !verdict.of.is_empty()) {
         None => Ok(()),
