@@ -12,7 +12,7 @@ use crate::numbers::{self, Direction, Form};
 
 /// What is left of one quantity, order and sense, its angles known.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "an order has a few of them")]
+#[allow(clippy::large_enum_variant, reason = "an order has a few of them")]
 pub enum Left {
     /// Nothing.
     Nothing,

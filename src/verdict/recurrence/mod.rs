@@ -24,7 +24,7 @@ pub use rays::Ray;
 
 /// What is true of every order: one statement where every order is a single sum of a short pattern, else one for each class.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "an engine has one of them")]
+#[allow(clippy::large_enum_variant, reason = "an engine has one of them")]
 pub enum EveryOrderTheorem {
     /// The rods are equal and centric, the period is short.
     Period(Theorem),
