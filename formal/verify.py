@@ -7,18 +7,19 @@ Every verdict is about a sum  S = Σ weight · e^(2πi·angle)  with rational we
 from the engine that the document names, and then believes nothing but arithmetic with whole numbers: it never searches. The
 format is told in src/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
 
-To audit it, read part 1 (reading) and part 2 (certificates), and then the part on the kind of document that you hold.
+The arithmetic is in sums.py beside it, parts 1 to 4: reading, certificates, open angles, arcs. What engines are is here, parts 5 to 10.
+To audit it, read parts 1 and 2, and then the part on the kind of document that you hold.
 """
 import json
 import sys
 from fractions import Fraction
 from math import comb, prod
 
-sys.dont_write_bytecode = True
-from sums import (CHECKED, PLACE, Decimal, NoDocument, Refused, certify, check_when, collect, demand, each, equal, no_key_twice, primes_of, read, terms_of, unequal)
+sys.dont_write_bytecode = True  # a reader finds two files here, and no third
+from sums import (CHECKED, PLACE, Decimal, NoDocument, Refused, certify, check_when, collect, demand, each, equal,  # noqa: E402
+                  no_key_twice, primes_of, read, terms_of, unequal)
 
-
-# ---- 3. From an engine to its terms ----------------------------------------------------------------------------------------
+# ---- 5. From an engine to its terms ----------------------------------------------------------------------------------------
 
 SENSES = {"force": ["direct", "reverse"], "moment": ["direct", "reverse"], "torque": [None], "roll": [None]}
 ONE, QUARTER, HALF = ("one",), Fraction(1, 4), Fraction(1, 2)
@@ -157,7 +158,7 @@ def plain(terms):
     return [(angle, weight) for _, angle, weight in terms]
 
 
-# ---- 4. Verdicts on an engine ----------------------------------------------------------------------------------------------
+# ---- 6. Verdicts on an engine ----------------------------------------------------------------------------------------------
 
 
 def check_classify(document, notes):
@@ -365,7 +366,7 @@ def check_factor(factor, parity, first):
     return rays
 
 
-# ---- 5. Families: open angles and lengths ----------------------------------------------------------------------------------
+# ---- 7. Families: open angles and lengths ----------------------------------------------------------------------------------
 
 
 def check_family(document, notes):
@@ -410,7 +411,7 @@ def check_open(entry, expected, notes):
     check_when(entry.when, left, notes)
 
 
-# ---- 6. Remedies -----------------------------------------------------------------------------------------------------------
+# ---- 8. Remedies -----------------------------------------------------------------------------------------------------------
 
 
 def number_of(coefficient):
@@ -453,7 +454,7 @@ def check_remedy(document, notes):
     demand(not found, f"sums: {list(found)} are none of the engine")
 
 
-# ---- 7. Firing stars -------------------------------------------------------------------------------------------------------
+# ---- 9. Firing stars -------------------------------------------------------------------------------------------------------
 
 
 def check_firing(document, notes):
@@ -486,7 +487,7 @@ def check_firing(document, notes):
             certify(star(of, k), entry.certificate, entry.vanishes)
 
 
-# ---- 8. Numbers with verdicts as their evidence, and files -----------------------------------------------------------------
+# ---- 10. Numbers with verdicts as their evidence, and files ----------------------------------------------------------------
 
 
 def check_evidence(document, notes):
