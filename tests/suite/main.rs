@@ -125,6 +125,7 @@ mod support {
     pub mod plain_search;
     pub mod plane_star;
     pub mod program;
+    pub mod second;
     pub mod side;
     pub mod stiffness;
     pub mod tables;
