@@ -167,7 +167,7 @@ pub(super) fn judge_with(
         });
         SweptOrder { order, force, moment }
     });
-    let orders = judged.collect();
+    let orders: Vec<SweptOrder> = judged.collect();
     let mechanism = engine.dimensions();
     let rods_known = !engine.mechanisms().is_empty();
     Ok(SweptEngine {
@@ -200,8 +200,8 @@ fn from_words(
     let total_length = total_length * coefficient.norm();
     amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
         let [direct, reverse] =
-            [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, quantity, order, Some(sense)));
-        direct.is_as_long_as(&reverse)
+            [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
+        direct.is_as_long_as(&reverse.mirrored())
     })
 }
 
