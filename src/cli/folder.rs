@@ -36,11 +36,7 @@ pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Fail
 }
 
 /// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that `--output` could have.
-pub fn grow_file(
-    path: &Path,
-    example: &str,
-    fill: impl FnOnce(Handle) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result<(), Failure>) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
     let name = path.file_name().filter(|_| !path.is_dir()).and_then(|name| name.to_str());
     let Some(name) = name else {

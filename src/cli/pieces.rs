@@ -144,8 +144,7 @@ fn points(stream: &Stream, like: &Table, piece: usize) -> Result<Table, Failure>
 fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path) -> Result<(), Failure> {
     let mut store = Store::open(path, question, shard).map_err(Failure::new)?;
     let there: BTreeSet<usize> = store.pieces();
-    let list: Vec<usize> =
-        (0..question.pieces).filter(|piece| shard.takes(*piece) && !there.contains(piece)).collect();
+    let list: Vec<usize> = (0..question.pieces).filter(|piece| shard.takes(*piece) && !there.contains(piece)).collect();
     let like = data::sweep_points(&stream.first().map_err(Failure::new)?);
     let bar = bar(&list, there.len());
     let make = |piece| points(stream, &like, piece).map(|table| table::rows(&table));

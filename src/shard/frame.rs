@@ -52,11 +52,7 @@ pub(super) struct Found {
 
 impl Head {
     pub fn new(question: &Question, shard: Option<Shard>) -> Self {
-        Head {
-            words: question.words.clone(),
-            pieces: question.pieces,
-            shard: shard.map(|shard| shard.to_string()),
-        }
+        Head { words: question.words.clone(), pieces: question.pieces, shard: shard.map(|shard| shard.to_string()) }
     }
 
     /// The shard that it says it is of.
@@ -108,10 +104,9 @@ pub(super) fn read(path: &Path, file: &mut impl BufRead, question: &Question) ->
     if format != FORMAT {
         let known = format.strip_prefix("crankstar pieces ").map(|version| version.chars().take(8).collect::<String>());
         return Err(match known {
-            Some(version) => ShardError::of(
-                path,
-                format_args!("is of format {version}, and this program reads 1; compute it again"),
-            ),
+            Some(version) => {
+                ShardError::of(path, format_args!("is of format {version}, and this program reads 1; compute it again"))
+            }
             None => ShardError::of(path, "is no file of pieces; --shard and --resume make them"),
         });
     }

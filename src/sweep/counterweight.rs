@@ -4,7 +4,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use super::integers::IntegerEngine;
+use super::integers::{IntegerEngine, KnownWeights};
 use super::swept_engine::{Amplitude, float};
 use crate::engine::{Cylinder, Engine, throws};
 use crate::order::{self, Factor};
@@ -16,7 +16,7 @@ use crate::proof::{Quantity, Sense};
 /// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
 /// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
 pub fn counterweight(engine: &Engine) -> Option<Amplitude> {
-    counterweight_of(engine, IntegerEngine::new(engine).as_ref())
+    counterweight_of(engine, IntegerEngine::new(engine, &mut KnownWeights::default()).as_ref())
 }
 
 /// The same for an engine whose whole numbers are known already.

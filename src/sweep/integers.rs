@@ -13,7 +13,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use smallvec::SmallVec;
 
-use crate::engine::Engine;
+use crate::engine::{Cylinder, Engine};
 use crate::exact;
 use crate::order::{self, Factor, TurningMass};
 use crate::proof::{Quantity, Sense};
@@ -37,7 +37,12 @@ pub(super) struct IntegerEngine {
     unknown: Vec<u32>,
 }
 
+/// The weights of the pistons of an engine, kept for the next one: most sweeps change angles alone.
+#[derive(Default)]
+pub(super) struct KnownWeights(Option<(Vec<[BigRational; 3]>, BigRational, [Weights; 2])>);
+
 /// Whole weights, and what a unit of them is.
+#[derive(Clone)]
 struct Weights {
     whole: Vec<i64>,
     unit: f64,
@@ -54,7 +59,7 @@ pub(super) struct Pair {
 
 impl IntegerEngine {
     /// The engine in words; none where it has no reciprocating masses, rods or the speeds of crankshafts differ, or a number is too long.
-    pub fn new(engine: &Engine) -> Option<Self> {
+    pub fn new(engine: &Engine, known: &mut KnownWeights) -> Option<Self> {
         let weightless = engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
         if weightless || engine.mechanisms().len() > 1 || engine.faster_crank().is_some() {
             return None;
@@ -64,31 +69,30 @@ impl IntegerEngine {
         let is_plain = !engine.has_offset() && !engine.has_links();
         let beside = |mass: &TurningMass| is_plain && mass.order == 1 && mass.factor == Factor::One;
         let unknown = turning.iter().filter(|mass| !beside(mass)).map(|mass| mass.order).collect();
-        let known: Vec<TurningMass> = turning.iter().filter(|mass| beside(mass)).cloned().collect();
-        Self::with(engine, &known, unknown).or_else(|| {
-            let unknown = turning.iter().map(|mass| mass.order).collect();
-            if known.is_empty() { None } else { Self::with(engine, &[], unknown) }
-        })
+        let in_words: Vec<TurningMass> = turning.iter().filter(|mass| beside(mass)).cloned().collect();
+        if in_words.is_empty() {
+            return Self::with(engine, &[], unknown, known.of(engine)?);
+        }
+        Weights::of(engine, &in_words).and_then(|weights| Self::with(engine, &in_words, unknown, weights)).or_else(
+            || {
+                let unknown = turning.iter().map(|mass| mass.order).collect();
+                Self::with(engine, &[], unknown, Weights::of(engine, &[])?)
+            },
+        )
     }
 
-    fn with(engine: &Engine, turning: &[TurningMass], unknown: Vec<u32>) -> Option<Self> {
+    fn with(engine: &Engine, turning: &[TurningMass], unknown: Vec<u32>, weights: [Weights; 2]) -> Option<Self> {
         let cylinders = engine.cylinders();
         let angles = cylinders.iter().flat_map(|cylinder| [cylinder.throw.turns(), cylinder.bank.turns()]);
         let conductor = common(angles.chain(turning.iter().map(|mass| mass.angle.turns())))?;
         let exponent = |turns: &BigRational| Some(turns.numer().to_i64()? * (conductor / turns.denom().to_i64()?));
-        let pistons = cylinders.iter().map(|cylinder| (cylinder.weight(), &cylinder.position));
-        let force: Vec<(BigRational, &BigRational)> =
-            pistons.chain(turning.iter().map(|mass| (mass.weight(), &mass.position))).collect();
-        let plane = engine.reference_plane();
-        let moment: Vec<BigRational> = force.iter().map(|(weight, position)| weight * (*position - plane)).collect();
-        let force: Vec<BigRational> = force.into_iter().map(|(weight, _)| weight).collect();
         let turns = |mass: &TurningMass| Some((exponent(mass.angle.turns())?, mass.sense));
         Some(IntegerEngine {
             conductor,
             throws: cylinders.iter().map(|cylinder| exponent(cylinder.throw.turns())).collect::<Option<_>>()?,
             banks: cylinders.iter().map(|cylinder| exponent(cylinder.bank.turns())).collect::<Option<_>>()?,
             turning: turning.iter().map(turns).collect::<Option<_>>()?,
-            weights: [Weights::new(&force)?, Weights::new(&moment)?],
+            weights,
             unknown,
         })
     }
@@ -157,7 +161,43 @@ impl IntegerEngine {
     }
 }
 
+impl KnownWeights {
+    /// Those of the force and the moment of the pistons.
+    fn of(&mut self, engine: &Engine) -> Option<[Weights; 2]> {
+        let enters = |cylinder: &Cylinder| {
+            [&cylinder.reciprocating_mass, &cylinder.crank_radius, &cylinder.position].map(Clone::clone)
+        };
+        let is_same = |cylinder: &Cylinder, [mass, radius, position]: &[BigRational; 3]| {
+            (&cylinder.reciprocating_mass, &cylinder.crank_radius, &cylinder.position) == (mass, radius, position)
+        };
+        let (cylinders, plane) = (engine.cylinders(), engine.reference_plane());
+        if let Some((pistons, known_plane, weights)) = &self.0 {
+            let pairs = || cylinders.iter().zip(pistons);
+            let are_same =
+                pistons.len() == cylinders.len() && pairs().all(|(cylinder, known)| is_same(cylinder, known));
+            if are_same && known_plane == plane {
+                return Some(weights.clone());
+            }
+        }
+        let weights = Weights::of(engine, &[])?;
+        self.0 = Some((cylinders.iter().map(enters).collect(), plane.clone(), weights.clone()));
+        Some(weights)
+    }
+}
+
 impl Weights {
+    /// Those of the force and the moment, of the pistons and then of these masses.
+    fn of(engine: &Engine, turning: &[TurningMass]) -> Option<[Weights; 2]> {
+        let cylinders = engine.cylinders();
+        let pistons = cylinders.iter().map(|cylinder| (cylinder.weight(), &cylinder.position));
+        let force: Vec<(BigRational, &BigRational)> =
+            pistons.chain(turning.iter().map(|mass| (mass.weight(), &mass.position))).collect();
+        let plane = engine.reference_plane();
+        let moment: Vec<BigRational> = force.iter().map(|(weight, position)| weight * (*position - plane)).collect();
+        let force: Vec<BigRational> = force.into_iter().map(|(weight, _)| weight).collect();
+        Some([Weights::new(&force)?, Weights::new(&moment)?])
+    }
+
     fn new(weights: &[BigRational]) -> Option<Self> {
         let scale = common(weights)?;
         let whole = |weight: &BigRational| {

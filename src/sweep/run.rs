@@ -141,9 +141,7 @@ pub(super) fn count(parameters: &[Parameter]) -> Result<usize, SweepError> {
             let count = one.range.count().checked_mul(other.range.count());
             count.filter(|count| *count <= MOST_COUNTED).ok_or_else(too_many)
         }
-        several => {
-            Err(SweepError::new(format!("{} parameters are swept; one makes curves, two a map", several.len())))
-        }
+        several => Err(SweepError::new(format!("{} parameters are swept; one makes curves, two a map", several.len()))),
     }
 }
 

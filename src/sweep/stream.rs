@@ -77,7 +77,14 @@ impl<'a> Stream<'a> {
         let ranges = self.parameters.iter().map(|parameter| {
             let (range, gives_way) = (&parameter.range, parameter.instead_of.join(" "));
             let ends = (range.value(0), range.last());
-            format!("{}={}..{} {}, {} values, for {gives_way}", parameter.key, ends.0, ends.1, range.unit(), range.count())
+            format!(
+                "{}={}..{} {}, {} values, for {gives_way}",
+                parameter.key,
+                ends.0,
+                ends.1,
+                range.unit(),
+                range.count()
+            )
         });
         let ranges: Vec<String> = ranges.collect();
         let firing: Vec<String> = self.firing.iter().map(ToString::to_string).collect();

@@ -41,9 +41,12 @@ pub fn rows(table: &Table) -> String {
 fn field(all: &mut String, values: &Values, row: usize) {
     match values {
         // Nothing of this program's own begins as a formula does, but for numbers.
-        Values::Words(values) | Values::Exact(values) => {
-            all.push_str(&values[row].as_deref().map(text::field).unwrap_or_default());
-        }
+        Values::Words(values) | Values::Exact(values) => match values[row].as_deref().unwrap_or_default() {
+            plain if plain.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"./-".contains(&byte)) => {
+                all.push_str(plain)
+            }
+            other => all.push_str(&text::field(other)),
+        },
         Values::Person(values) => {
             let text = values[row].as_ref().map(|text| text::field(&text.escaped(Format::Csv)));
             all.push_str(&text.unwrap_or_default());

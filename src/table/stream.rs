@@ -72,7 +72,8 @@ impl<W: Write + Send> Stream<W> {
             File::Csv(sink) => sink.write_all(rows.as_bytes()).map_err(|error| failed(&error)),
             #[cfg(feature = "parquet")]
             File::Parquet(groups) => {
-                let table = csv::from_rows(&self.like, rows).ok_or_else(|| refused("the rows are none of this table"))?;
+                let table =
+                    csv::from_rows(&self.like, rows).ok_or_else(|| refused("the rows are none of this table"))?;
                 groups.add(&table).map_err(refused)
             }
         }

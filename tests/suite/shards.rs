@@ -264,7 +264,12 @@ fn a_worker_that_is_killed_loses_nothing_that_was_finished() {
 fn rows_of_a_table_read_back_to_the_same_table() {
     for (text, key) in [
         (V8.to_owned(), "vee.bank_angle=0..179:1"),
-        (format!("{V8}[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.3\nreciprocating_mass = 0.6\nrotating_mass = 0.2\n"), "speed=0..6000:97"),
+        (
+            format!(
+                "{V8}[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.3\nreciprocating_mass = 0.6\nrotating_mass = 0.2\n"
+            ),
+            "speed=0..6000:97",
+        ),
     ] {
         let template = Template::new("v8.toml", &text).expect("TOML");
         let parameters = [Parameter::parse(key).expect("a parameter")];

@@ -516,7 +516,8 @@ fn what_is_zero_at_a_point_stands_among_the_zeros() {
     for round in 0..24 {
         let count = 1 + dice.below(4);
         let throws: Vec<String> = (0..count).map(|_| (30 * dice.below(12)).to_string()).collect();
-        let masses = ["", "[mechanism]\nreciprocating_mass = 2\nrotating_mass = 1\n[crankshaft]\nbalance_factor = 0.5\n"];
+        let masses =
+            ["", "[mechanism]\nreciprocating_mass = 2\nrotating_mass = 1\n[crankshaft]\nbalance_factor = 0.5\n"];
         let text = format!(
             "[vee]\nbank_angle = 90\nthrows = [{}]\npin_split = {}\n{}",
             throws.join(", "),
