@@ -88,10 +88,10 @@ impl ZeroSet {
                 Zeros::Along => part.along.vanishes,
                 Zeros::Across => part.across.vanishes,
             };
-            if let (true, [value]) = (vanishes, point.values.as_slice()) {
-                if let Err(place) = self.at.binary_search(value) {
-                    self.at.insert(place, value.clone());
-                }
+            if let (true, [value]) = (vanishes, point.values.as_slice())
+                && let Err(place) = self.at.binary_search(value)
+            {
+                self.at.insert(place, value.clone());
             }
         }
     }
