@@ -45,7 +45,7 @@ for _ in $(seq 60); do
 done
 [ "$(sinfo -h -t idle -o %D)" = 3 ] || { echo "the nodes do not come up:"; tail -5 "$work"/*.log "$work"/*.out; exit 1; }
 cd "$work/job"
-export CRANKSTAR SHARDS=12 ASK="V8-crossplane --bank-angle 0..${LAST:-179.982}:0.018 --orders 1,2,4,6"
+export CRANKSTAR SHARDS=12 ASK="V8-crossplane --bank-angle 0..${LAST:-179.9982}:0.0018 --orders 1,2,4,6"
 job=$(sbatch --parsable --array=1-12 "$here/slurm-array.sh")
 killed=
 while [ -n "$(squeue -h -j "$job" -o %i)" ]; do
@@ -71,7 +71,7 @@ while [ -n "$(squeue -h -j "$job" -o %i)" ]; do
     fi
     sleep 0.2
 done
-[ -n "$killed" ] || { echo "no node was killed: the job was over too soon"; exit 1; }
+[ -n "$killed" ] || { echo "no node was killed: the job was over too soon"; tail -n 3 log-*.txt; exit 1; }
 restarts=$(cat log-*.txt | grep -c "restart [1-9]" || true)
 # shellcheck disable=SC2086 # several words on purpose
 "$CRANKSTAR" sweep $ASK --format csv --output merged.csv --merge shards/*.shard

@@ -304,3 +304,16 @@ fn options_that_do_not_go_together_are_told() {
     }
     assert!(!folder.join("a.shard").exists(), "nothing was written");
 }
+
+#[test]
+#[ignore = "starts the daemons of Slurm for a minute, as root; it says so where Slurm is not installed"]
+fn an_array_job_of_slurm_loses_nothing_when_a_node_is_killed() {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/cluster/test-slurm.sh");
+    let mut command = std::process::Command::new("bash");
+    let output = command.arg(script).env("CRANKSTAR", env!("CARGO_BIN_EXE_crankstar")).env("LAST", "17.9982").output();
+    let output = output.expect("bash starts");
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    println!("{told}");
+    assert!(output.status.success(), "{told}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(told.contains("nothing is lost") || told.starts_with("skipped: "), "{told}");
+}
