@@ -91,6 +91,7 @@ mod rooms;
 mod search;
 mod search_torsion;
 mod second_checker;
+mod shards;
 mod side_force;
 mod sweep;
 mod sweep_firing;
