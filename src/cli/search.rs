@@ -97,7 +97,7 @@ impl Search {
         };
         let usual = Options::default();
         let threads = self.threads.map_or(usual.threads, usize::from);
-        let options = Options { threads, resume: self.resume.clone(), progress: &progress };
+        let options = Options { threads, resume: self.resume.clone(), progress: &progress, ..usual };
         let front = search::search(&problem, &options);
         bar.finish_and_clear();
         let front = front.map_err(Failure::new)?;

@@ -302,7 +302,7 @@ fn a_search_stopped_and_resumed_gives_the_same_bytes_on_any_number_of_threads() 
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        let stopped = search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress });
+        let stopped = search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress, ..Options::default() });
         assert!(stopped.is_err(), "stopped after {after} pieces");
     }
     let known: serde_json::Value = serde_json::from_str(state(&file).lines().next().expect("a line")).expect("JSON");
