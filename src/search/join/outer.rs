@@ -1,9 +1,10 @@
 //! Which directions do the outer throws take? Every choice up to rotation and mirror image, with what carries it to itself.
 
+use super::super::problem::MOST_THROWS;
 use super::super::space::Space;
 
-/// The most images that can carry a choice to itself: rotations, mirrored or not, and reversed or not.
-pub(super) const MOST_IMAGES: usize = u128::BITS as usize;
+// The images that can carry a choice to itself are told by the bits of a number: rotations, mirrored or not, and reversed or not.
+const _: () = assert!(4 * MOST_THROWS <= u128::BITS);
 
 /// How the directions are shared out: how often each is taken by the outer throws.
 #[derive(Clone, Debug, PartialEq, Eq)]
