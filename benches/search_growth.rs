@@ -28,7 +28,9 @@ fn with(problem: &Problem, way: Way) -> Front {
 fn main() {
     let asked: Vec<u32> = env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
     let asked = if asked.is_empty() { vec![8, 10, 12, 14] } else { asked };
-    println!("| cylinders | stars | way | judged | front | seconds | memory |\n| --- | --- | --- | --- | --- | --- | --- |");
+    println!(
+        "| cylinders | stars | way | judged | front | seconds | memory |\n| --- | --- | --- | --- | --- | --- | --- |"
+    );
     for cylinders in asked {
         let problem = Problem::inline(cylinders, Cycle::TwoStroke, &[1, 2]);
         for (name, _, run) in WAYS.iter().filter(|(_, most, _)| cylinders <= *most) {
@@ -37,7 +39,10 @@ fn main() {
             let seconds = worked().zip(from).map_or(start.elapsed().as_secs_f64(), |(to, from)| to - from);
             let points = front.stars.iter().filter(|star| !front.stars.iter().any(|other| beats(other, star))).count();
             let memory = memory().map_or(String::new(), |kilobytes| format!("{} MB", kilobytes / 1024));
-            println!("| {cylinders} | {} | {name} | {} | {points} | {seconds:.2} | {memory} |", front.all, front.judged);
+            println!(
+                "| {cylinders} | {} | {name} | {} | {points} | {seconds:.2} | {memory} |",
+                front.all, front.judged
+            );
         }
     }
 }

@@ -117,7 +117,10 @@ impl Search {
             };
             return self.answer.show_json("search", json(&document)?);
         }
-        self.answer.show(&with_torsion(report::search_answer(&front)), || with_torsion(report::search_page(&front)))
+        // Beside a page stand the stars as layout files.
+        let beside = || Ok(report::search_layouts(&front));
+        let answer = with_torsion(report::search_answer(&front));
+        self.answer.show_with(&answer, || with_torsion(report::search_page(&front)), beside)
     }
 
     fn problem(&self) -> Result<Problem, Failure> {

@@ -13,7 +13,9 @@ use crankstar::exact::Turn;
 use crankstar::file;
 use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
-use crankstar::search::{FoundStar, Front, Options, Problem, Standing, Way, document, every_value, search};
+use crankstar::search::{
+    FoundStar, Front, Options, Problem, SearchError, Standing, Way, document, every_value, search,
+};
 use crankstar::{page, report};
 use plain_search::{Star, all_stars, of_even_throws};
 
@@ -312,8 +314,9 @@ fn stopped_and_resumed(way: Way) {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        let stopped = search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress, ..options() });
-        assert!(stopped.is_err(), "stopped after {after} pieces");
+        let stopped =
+            search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress, ..options() });
+        assert_eq!(stopped.err(), Some(SearchError::Stopped), "after {after} pieces");
     }
     let known: serde_json::Value = serde_json::from_str(state(&file).lines().next().expect("a line")).expect("JSON");
     let pieces = known["pieces"].as_object().expect("pieces").len();
@@ -480,13 +483,46 @@ fn the_page_of_a_search_draws_its_first_stars_and_gives_them_as_layout_files() {
     let page = report::search_page(&front);
     let files = page::write(&page, page::Format::GITHUB, &page::Options::default());
     let drawn = front.stars.len().min(3);
-    assert_eq!(files.iter().filter(|file| file.name.ends_with(".svg")).count(), 2 * drawn);
+    assert_eq!(files.iter().filter(|file| file.name.ends_with(".svg")).count(), 1 + 2 * drawn);
+    let stairs = files.iter().find(|file| file.name == "front.svg").expect("the front");
+    assert_eq!(stairs.text.matches("<circle").count(), front.stars.len(), "a dot a star");
     // The first star leaves nothing of order 1, and is drawn at order 2.
     assert!(files.iter().any(|file| file.name == "star-1-order-2.svg"));
     for star in front.stars.iter().take(drawn) {
         assert!(files[0].text.contains(&star.layout_file(&front.problem)));
     }
     assert_eq!(files[0].text.matches("\n| ").count(), front.stars.len() + 2, "a row a star");
+}
+
+#[test]
+fn each_star_of_the_front_is_a_layout_file_beside_the_page_that_report_reads() {
+    let folder = scratch("search-output");
+    let path = folder.to_str().expect("a path");
+    let (code, out, err) = crankstar(&format!("--cylinders 6 --cycle two-stroke --output {path}"));
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(out.contains("star-4.toml"), "{out}");
+    let front = found(&Problem::inline(6, Cycle::TwoStroke, &[1, 2]));
+    for (number, star) in (1..).zip(&front.stars) {
+        let layout = folder.join(format!("star-{number}.toml"));
+        let text = fs::read_to_string(&layout).expect("a layout");
+        assert_eq!(text, star.layout_file(&front.problem));
+        let report =
+            Command::new(env!("CARGO_BIN_EXE_crankstar")).arg("report").arg(&layout).output().expect("it starts");
+        assert!(report.status.success(), "{}", String::from_utf8_lossy(&report.stderr));
+        let order = star.firing_order.as_ref().expect("even").iter().map(|cylinder| (cylinder + 1).to_string());
+        let order = order.collect::<Vec<_>>().join("-");
+        assert!(String::from_utf8_lossy(&report.stdout).contains(&order), "the report of star {number} says {order}");
+    }
+    assert!(!folder.join("star-5.toml").exists());
+}
+
+#[test]
+fn a_front_of_one_star_or_one_order_has_no_picture_of_its_own() {
+    for orders in [&[1][..], &[1, 2]] {
+        let page = report::search_page(&found(&Problem::inline(4, Cycle::FourStroke, orders)));
+        let files = page::write(&page, page::Format::GITHUB, &page::Options::default());
+        assert!(files.iter().all(|file| file.name != "front.svg"));
+    }
 }
 
 #[test]

@@ -28,16 +28,25 @@ pub(super) struct Arrangement<'a> {
     pub same: u128,
 }
 
+/// Throws that are filled together.
+pub(super) struct Group {
+    /// The first of its pairs, from the outside.
+    pub first: usize,
+    /// The first pair after it.
+    pub end: usize,
+    /// Whether it has the throw in the middle.
+    pub with_middle: bool,
+}
+
 impl<'a, V: FnMut(&Arrangement)> Filling<'a, V> {
-    /// Visits every way to put these directions on the pairs from `first` to before `end`.
+    /// Visits every way to put these directions on the throws of a group.
     pub fn all(
         (space, tables): (&'a Space, &'a Tables),
-        (first, end): (usize, usize),
+        Group { first, end, with_middle }: Group,
         counts: Vec<usize>,
         images: &'a [Image],
         visit: V,
     ) {
-        let with_middle = end == space.pairs() && !space.places.is_multiple_of(2);
         let sums = vec![0; (end - first + 1) * 2 * space.orders.len()];
         let throws = Vec::with_capacity(space.places);
         let mut filling = Filling { space, tables, images, last: end, with_middle, left: counts, throws, sums, visit };

@@ -13,7 +13,7 @@ use super::symmetry;
 use super::tables::Tables;
 use super::value;
 use cells::Cells;
-use filling::{Arrangement, Filling, still_same};
+use filling::{Arrangement, Filling, Group, still_same};
 use outer::{Image, Outer};
 
 /// Longer than every sum, and short enough to be added to one.
@@ -35,7 +35,8 @@ pub(super) fn run(space: &Space, tables: &Tables, outer: &Outer, judge: Pareto) 
     };
     join.look_around();
     let visit = |arrangement: &Arrangement| join.meet(arrangement);
-    Filling::all((space, tables), (0, split), outer.counts.clone(), &symmetries, visit);
+    let group = Group { first: 0, end: split, with_middle: false };
+    Filling::all((space, tables), group, outer.counts.clone(), &symmetries, visit);
     (join.judge, join.counts)
 }
 
@@ -55,18 +56,35 @@ impl Inner {
     fn new(space: &Space, tables: &Tables, outer: &Outer) -> Self {
         let split = outer::pairs(space);
         let supply = space.supply.unwrap_or(0);
-        let counts = outer.counts.iter().map(|count| supply - count).collect();
-        let (mut throws, mut sums) = (Vec::new(), Vec::new());
+        let counts: Vec<usize> = outer.counts.iter().map(|count| supply - count).collect();
+        let (places, width) = (space.places - 2 * split, 2 * space.orders.len());
+        let arrangements = arrangements(&counts);
+        let (mut throws, mut sums) =
+            (Vec::with_capacity(arrangements * places), Vec::with_capacity(arrangements * width));
         let visit = |arrangement: &Arrangement| {
             throws.extend(arrangement.throws.iter().map(|&throw| throw as u8));
             sums.extend_from_slice(arrangement.sums);
         };
-        Filling::all((space, tables), (split, space.pairs()), counts, &[], visit);
-        let width = 2 * space.orders.len();
-        let of_order = |order: usize| Cells::new(sums.chunks_exact(width).map(move |s| [s[2 * order], s[2 * order + 1]]));
+        let group = Group { first: split, end: space.pairs(), with_middle: !space.places.is_multiple_of(2) };
+        Filling::all((space, tables), group, counts, &[], visit);
+        let of_order =
+            |order: usize| Cells::new(sums.chunks_exact(width).map(move |s| [s[2 * order], s[2 * order + 1]]));
         let cells = (0..space.orders.len()).map(of_order).collect();
-        Inner { places: space.places - 2 * split, throws, sums, cells }
+        Inner { places, throws, sums, cells }
     }
+}
+
+/// In how many ways directions, each so often, are put in a row.
+fn arrangements(counts: &[usize]) -> usize {
+    let (mut ways, mut places) = (1, 0);
+    for &count in counts {
+        // Whole after each step: a product of binomial coefficients.
+        for taken in 1..=count {
+            places += 1;
+            ways = ways * places / taken;
+        }
+    }
+    ways
 }
 
 struct Join<'a> {
@@ -128,7 +146,8 @@ impl Join<'_> {
         let inner = &self.inner.sums[2 * orders * number..2 * orders * (number + 1)];
         let mut sums = [0_i64; 2 * MOST_ORDERS];
         (0..2 * orders).for_each(|at| sums[at] = outer.sums[at] + inner[at]);
-        let is_short = |(order, reach): (usize, &i64)| sums[2 * order].abs() <= *reach && sums[2 * order + 1].abs() <= *reach;
+        let is_short =
+            |(order, reach): (usize, &i64)| sums[2 * order].abs() <= *reach && sums[2 * order + 1].abs() <= *reach;
         let throws = &self.inner.throws[self.inner.places * number..self.inner.places * (number + 1)];
         if reach.iter().enumerate().any(is_short) || !self.is_first(outer.same, throws) {
             return;
@@ -161,7 +180,9 @@ impl Join<'_> {
                     let own = (usize::from(a), usize::from(b));
                     still_same(same, self.symmetries, &own, |image| image.of_pair(own, directions))
                 }
-                [throw] => still_same(same, self.symmetries, &usize::from(throw), |image| image.of(throw.into(), directions)),
+                [throw] => {
+                    still_same(same, self.symmetries, &usize::from(throw), |image| image.of(throw.into(), directions))
+                }
                 _ => Some(same),
             };
             match still {
