@@ -89,6 +89,7 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod search_join;
 mod search_torsion;
 mod second_checker;
 mod shards;
