@@ -8,8 +8,8 @@ at_hand = 1;
   my(v = vector(N)); for(j = 1, #s, v[N - N * s[j][1]] += s[j][2]); Pol(v) % P == 0 };
 { measure(what, decide, sums, N) = at_hand = N; my(P = polcyclo(N), start, zeros, rounds = 1, least = oo, spent);
   zeros = sum(i = 1, #sums, decide(sums[i], P));
-  while(1, start = getwalltime(); for(r = 1, rounds, for(i = 1, #sums, decide(sums[i], P))); spent = getwalltime() - start; if(spent > 40, break); rounds *= 2);
-  for(batch = 1, 11, start = getwalltime(); for(r = 1, rounds, for(i = 1, #sums, decide(sums[i], P))); least = min(least, getwalltime() - start));
+  while(1, start = getabstime(); for(r = 1, rounds, for(i = 1, #sums, decide(sums[i], P))); spent = getabstime() - start; if(spent > 100, break); rounds *= 2);
+  for(batch = 1, 5, start = getabstime(); for(r = 1, rounds, for(i = 1, #sums, decide(sums[i], P))); least = min(least, getabstime() - start));
   print(version_name, "; ", what, "; ", N, "; ", strprintf("%.1f", least * 1e6 / (rounds * #sums)), "; ", zeros) };
 { forstep(first = 1, #sums, 28,
     my(some = sums[first .. first + 27], N = some[1][1]);
