@@ -20,7 +20,7 @@ pub struct Circle {
     pub polynomial: Polynomial,
     /// Enclosures with so many bits decide.
     pub bits: u32,
-    /// Evidence that the sum, centred, stays on one line: [`Polynomial::mirrored`]; none where no arc needs it.
+    /// Evidence that the sum, centred, stays on one line; none where no arc needs it.
     pub mirrored: Vec<Certificate>,
     /// Where the first arc begins, in turns of u.
     pub from: BigRational,
