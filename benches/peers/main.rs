@@ -57,7 +57,8 @@ fn sums(conductor: u64) -> Vec<Sum> {
             for sense in [Sense::Direct, Sense::Reverse] {
                 let star = order::star(&v8, quantity, order, Some(sense));
                 let terms = star.terms().iter().zip(&banks).map(|(term, first)| {
-                    let whole = |number: &BigRational, by: u64| (number * BigRational::from_integer(by.into())).to_integer();
+                    let whole =
+                        |number: &BigRational, by: u64| (number * BigRational::from_integer(by.into())).to_integer();
                     let exponent = whole(term.angle.turns(), conductor).to_u64().expect("below the conductor");
                     let turned = if *first || conductor == 8 { exponent } else { (exponent + 1) % conductor };
                     (turned, whole(&term.weight, 2).to_i64().expect("small"))
@@ -83,7 +84,8 @@ fn phasors(conductor: u64, sum: &Sum) -> PhasorSum {
 fn write_down([plain, gp, gap]: &mut [String; 3], conductor: u64, sums: &[Sum]) {
     for sum in sums {
         let numbers = |between: &str| {
-            let terms: Vec<String> = sum.iter().map(|(exponent, weight)| format!("{exponent}{between}{weight}")).collect();
+            let terms: Vec<String> =
+                sum.iter().map(|(exponent, weight)| format!("{exponent}{between}{weight}")).collect();
             terms.join(between)
         };
         let _ = writeln!(plain, "{conductor} {}", numbers(" "));

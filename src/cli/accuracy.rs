@@ -55,9 +55,8 @@ impl Accuracy {
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
         let bar = progress::bar("loads by all methods");
         bar.set_length((engines.len() * AccuracyCase::steps(&quantities)) as u64);
-        let cases = engines
-            .iter()
-            .map(|engine| AccuracyCase::step_by_step(engine, &quantities, Timing::On, &|| bar.inc(1)));
+        let cases =
+            engines.iter().map(|engine| AccuracyCase::step_by_step(engine, &quantities, Timing::On, &|| bar.inc(1)));
         let cases = cases.collect::<Result<Vec<_>, _>>();
         bar.finish_and_clear();
         let cases = cases.map_err(Failure::new)?;

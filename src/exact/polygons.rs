@@ -74,11 +74,7 @@ fn strip_then_split<E: Exponent, W: Weight>(terms: &[(E, W)], conductor: &E, ris
 }
 
 /// Turns each negative vector by half a turn: `−w` at `t` is `w` at `t + ½` less the pair `w` at `t` and `t + ½`.
-fn with_negative_vectors_turned<E: Exponent, W: Weight>(
-    terms: &[(E, W)],
-    conductor: &E,
-    rising: bool,
-) -> Found<E, W> {
+fn with_negative_vectors_turned<E: Exponent, W: Weight>(terms: &[(E, W)], conductor: &E, rising: bool) -> Found<E, W> {
     let half = conductor.clone() / E::from(2);
     let turned = terms.iter().map(|(exponent, weight)| match weight.is_negative() {
         true => ((exponent.clone() + half.clone()) % conductor.clone(), -weight.clone()),
