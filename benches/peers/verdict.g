@@ -1,5 +1,6 @@
 # Which of the sums vanish, by GAP: cyclotomic numbers in normal form.
 Read(GAPInfo.SystemEnvironment.SUMS);
+some := []; conductor := 1;
 name := Concatenation("GAP ", GAPInfo.Version);
 verdict := s -> Sum([1 .. QuoInt(Length(s), 2)], j -> s[2 * j + 1] * E(s[1]) ^ s[2 * j]) = 0;
 from_angles := s -> Sum(s, t -> t[2] * E(DenominatorRat(t[1])) ^ NumeratorRat(t[1])) = 0;

@@ -1,7 +1,8 @@
 //! What does a sum look like in machine words? Over one denominator, with whole weights, where all of it fits.
 
+use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::ToPrimitive;
+use num_traits::Signed;
 use smallvec::SmallVec;
 
 use super::decide::Terms;
@@ -27,8 +28,8 @@ impl Words {
         // Each number is read once: exponent and its denominator, weight and its.
         let mut read: SmallVec<[(u64, u64, i64, u64); 16]> = SmallVec::with_capacity(terms.len());
         for Term { angle, weight } in terms {
-            let (part, whole) = (angle.turns().numer().to_u64()?, angle.denominator().to_u64()?);
-            let (over, under) = (weight.numer().to_i64()?, weight.denom().to_u64()?);
+            let (part, whole) = (word(angle.turns().numer())?, word(angle.denominator())?);
+            let (over, under) = (signed(weight.numer())?, word(weight.denom())?);
             conductor = common(conductor, whole)?;
             scale = common(scale, under)?;
             read.push((part, whole, over, under));
@@ -36,9 +37,9 @@ impl Words {
         let mut total = 0_i64;
         let mut words = Terms::with_capacity(terms.len());
         for (part, whole, over, under) in read {
-            let weight = over.checked_mul(i64::try_from(scale / under).ok()?)?;
+            let weight = over.checked_mul(i64::try_from(quotient(scale, under)).ok()?)?;
             total = total.checked_add(weight.checked_abs()?)?;
-            words.push((part * (conductor / whole), weight));
+            words.push((part * quotient(conductor, whole), weight));
         }
         Some(Words { conductor, scale: i64::try_from(scale).ok()?, terms: words })
     }
@@ -55,8 +56,27 @@ impl Words {
 
 /// The least common multiple of two numbers, below 2⁶³.
 fn common(one: u64, other: u64) -> Option<u64> {
-    if one.is_multiple_of(other) {
+    // A division takes longer than all else here, and most denominators are alike or 1.
+    if one == other || other == 1 || one.is_multiple_of(other) {
         return Some(one);
     }
     (one / one.gcd(&other)).checked_mul(other).filter(|multiple| *multiple <= i64::MAX as u64)
+}
+
+/// The quotient of a multiple.
+fn quotient(multiple: u64, part: u64) -> u64 {
+    if multiple == part { 1 } else { multiple / part }
+}
+
+/// The modulus of a number of one word.
+fn word(number: &BigInt) -> Option<u64> {
+    let mut digits = number.iter_u64_digits();
+    let word = digits.next().unwrap_or(0);
+    (digits.len() == 0).then_some(word)
+}
+
+/// A number of one word with its sign.
+fn signed(number: &BigInt) -> Option<i64> {
+    let modulus = i64::try_from(word(number)?).ok()?;
+    Some(if number.is_negative() { -modulus } else { modulus })
 }
