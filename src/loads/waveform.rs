@@ -117,22 +117,27 @@ impl Waveform {
     /// The vectors at the steps of a circle.
     pub fn sample(&self, circle: &Circle) -> Vec<Complex<f64>> {
         let steps = circle.steps();
-        let mut values = vec![Complex::new(0.0, 0.0); steps];
+        // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y. At −θ only y changes its sign: half the circle is enough.
+        let half = steps / 2 + 1;
+        let mut on_x = vec![Complex::new(0.0, 0.0); half];
+        let mut on_y = on_x.clone();
         for harmonic in &self.harmonics {
-            // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y.
-            let (on_x, on_y) =
+            let (along, across) =
                 (harmonic.direct + harmonic.reverse, (harmonic.direct - harmonic.reverse) * Complex::i());
             let (stride, mut place) = (harmonic.order as usize % steps, 0);
-            for value in &mut values {
+            for (x, y) in on_x.iter_mut().zip(&mut on_y) {
                 let z = circle.directions[place];
-                *value += on_x * z.re + on_y * z.im;
+                *x += along * z.re;
+                *y += across * z.im;
                 place += stride;
                 if place >= steps {
                     place -= steps;
                 }
             }
         }
-        values
+        let ahead = on_x.iter().zip(&on_y).map(|(x, y)| x + y);
+        let behind = on_x.iter().zip(&on_y).skip(1).map(|(x, y)| x - y).take(steps.saturating_sub(half)).rev();
+        ahead.chain(behind).take(steps).collect()
     }
 
     /// The largest length in a revolution.
