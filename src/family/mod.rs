@@ -17,7 +17,7 @@ mod zeros;
 pub use circle::{Arc, Circle, Closed, Coprime, Kind, Polynomial};
 pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};
-pub use firing::even_firing;
+pub use firing::{EvenFiring, even_firing, even_firing_lines};
 pub use left::{Left, left};
 pub use plane::{Classes, Corner, Meeting, Product, Shape, Triangle};
 pub use solve::{Alternative, Angles, Condition, Cosine, Never, When};

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use super::frame::{self, Frame, Head};
 use super::{Question, Shard, ShardError};
@@ -42,10 +44,8 @@ impl Store {
         let mut options = fs::OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
         let mut file = options.open(path).map_err(|error| writing(&error))?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => return Err(ShardError::of(path, "is being written by another process")),
-            // A file system without locks: there one writer at a time is the caller's.
-            Ok(()) | Err(TryLockError::Error(_)) => {}
+        if is_held(&file) {
+            return Err(ShardError::of(path, "is being written by another process"));
         }
         let head = Head::new(question, shard);
         let begin = head.written().map_err(|error| writing(&error))?;
@@ -121,4 +121,21 @@ impl Store {
         }
         self.add(frame::end(&self.frames).as_bytes())
     }
+}
+
+/// How often, and how long apart, a lock is asked for: that of a process which was killed, or is starting another, goes at once.
+const ASKED: u32 = 20;
+const APART: Duration = Duration::from_millis(50);
+
+/// Whether another process holds the file; else this one does.
+fn is_held(file: &File) -> bool {
+    for time in 0..ASKED {
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) if time + 1 < ASKED => thread::sleep(APART),
+            Err(TryLockError::WouldBlock) => return true,
+            // A file system without locks: there one writer at a time is the caller's.
+            Ok(()) | Err(TryLockError::Error(_)) => return false,
+        }
+    }
+    true
 }

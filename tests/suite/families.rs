@@ -149,6 +149,50 @@ fn even_firing_is_found_wherever_a_grid_finds_it() {
 }
 
 #[test]
+fn even_firing_in_two_angles_is_found_wherever_a_grid_finds_it() {
+    let vee = |bank: &str, throws: &str, split: &str| {
+        format!("cycle = 'four-stroke'\nvee = {{ bank_angle = '{bank}', throws = [{throws}], pin_split = '{split}' }}")
+    };
+    let texts = [
+        (vee("phi", "0, 120, 240", "delta"), "φ − δ"),
+        (vee("phi", "0, 180", "2delta"), "φ − 2δ"),
+        (vee("60", "0, 120, 240", "delta"), "δ"),
+        (vee("2phi", "0, 0, 180, 180", "-4delta"), "2φ + 4δ"),
+        (vee("2phi", "10, 47", "-delta"), "2φ + δ"),
+    ];
+    let mut fires = 0;
+    for (text, shown) in texts {
+        let family = open(&text);
+        let even = family::even_firing_lines(&family).expect("the cycle is given");
+        let page = pages::text(&report::family_answer(&family, &[]), Format::PLAIN);
+        let says = if even.turns.is_empty() { "No bank angle and pin split let it fire evenly" } else { shown };
+        assert!(page.contains(says), "{page}");
+        for (i, j) in (0..24).flat_map(|i| (0..24).map(move |j| (i, j))) {
+            let [phi, delta] = [fraction(i, 24), fraction(j, 24)];
+            let centres = family.cylinders().iter().map(|cylinder| {
+                let centre = cylinder.bank.minus(&cylinder.throw);
+                centre.known() + centre.coefficient(PHI) * &phi + centre.coefficient(DELTA) * &delta
+            });
+            let centres: Vec<BigRational> = centres.collect();
+            let count = centres.len() as i64;
+            let mut found: Vec<Turn> = centres.iter().map(|centre| Turn::new(centre - &centres[0])).collect();
+            let mut wanted: Vec<Turn> = (0..count).map(|at| Turn::fraction(2 * at, count)).collect();
+            found.sort();
+            wanted.sort();
+            let told = even.turns.contains(&Turn::new(&even.phi * &phi + &even.delta * &delta));
+            assert_eq!(told, found == wanted, "{text} at {i}, {j}");
+            fires += usize::from(told);
+        }
+    }
+    assert!(fires > 100, "{fires}");
+    // Each pin with a split of its own: two angles turn the centres, or none.
+    let mixed = "[[cylinder]]\nthrow = 'delta'\nbank = 0\nposition = 0\n[[cylinder]]\nthrow = 'phi'\nbank = 0\nposition = 1\n\
+                 [[cylinder]]\nthrow = 0\nbank = 0\nposition = 2\n";
+    assert_eq!(family::even_firing_lines(&open(&format!("cycle = 'four-stroke'\n{mixed}"))), None);
+    assert_eq!(family::even_firing_lines(&open(mixed)), None);
+}
+
+#[test]
 fn the_cross_plane_v8_of_the_thesis_leaves_root_ten_times_its_lengths() {
     // Stabile 2019, section 5.4.2: √10 (2a + b + 2c) at −18.43°, direct; ½ · 2√10 here.
     let family =

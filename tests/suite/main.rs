@@ -103,6 +103,7 @@ mod thesis;
 mod torque;
 mod torsion;
 mod two_angles;
+mod v_angles;
 mod views;
 #[cfg(feature = "web")]
 mod web;
@@ -123,6 +124,7 @@ mod support {
     pub mod linked;
     pub mod oracle;
     pub mod pages;
+    pub mod pin_stars;
     pub mod piston;
     pub mod plain_search;
     pub mod plane_star;
@@ -132,7 +134,11 @@ mod support {
     pub mod stiffness;
     pub mod tables;
     pub mod time_domain;
+    pub mod torus;
     pub mod two_angles;
+    pub mod v_angles;
+    pub mod v_pictures;
+    pub mod v_words;
     pub mod verdicts;
     pub mod whole_degrees;
     pub mod whole_documents;

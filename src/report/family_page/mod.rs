@@ -91,7 +91,8 @@ pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
 }
 
 fn even_firing(family: &Family) -> Option<Text> {
-    family::even_firing(family).map(|angles| words::even_firing_words(&angles))
+    let of_phi = || family::even_firing(family).map(|angles| words::even_firing_words(&angles));
+    of_phi().or_else(|| family::even_firing_lines(family).map(|even| words::even_firing_lines_words(&even)))
 }
 
 pub(super) fn left_open(family: &Family) -> Text {

@@ -9,7 +9,9 @@ use super::super::{argument, residual, typeset};
 use super::{circle_words, plane_words};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
-use crate::family::{self, Alternative, Angles, Condition, Cosine, Left, Never, OpenSum, OpenVerdict, Part, When};
+use crate::family::{
+    self, Alternative, Angles, Condition, Cosine, EvenFiring, Left, Never, OpenSum, OpenVerdict, Part, When,
+};
 use crate::numbers::Form;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
@@ -37,6 +39,16 @@ pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
     match angles.is_empty() {
         true => "No bank angle lets it fire evenly.".into(),
         false => phrase!("It can fire evenly exactly at φ = {}.", list(angles)),
+    }
+}
+
+/// For which bank angles and pin splits together it can.
+pub(super) fn even_firing_lines_words(even: &EvenFiring) -> Text {
+    match even.turns.is_empty() {
+        true => "No bank angle and pin split let it fire evenly.".into(),
+        false => {
+            phrase!("It can fire evenly exactly where {} ≡ {}.", unknowns(&even.phi, &even.delta), list(&even.turns))
+        }
     }
 }
 

@@ -102,17 +102,16 @@ struct Join<'a> {
 impl Join<'_> {
     /// What no star of the front beats is no longer than any one of them in some order: takes the one that leaves the least to look at.
     fn look_around(&mut self) {
-        let orders = self.space.orders.len();
         let mut least = u128::MAX;
         for point in self.judge.points().iter().filter(|point| point.neighbours == 0) {
             let mut reach = [EVERYWHERE; MOST_ORDERS];
             let mut effort = 0;
-            for order in 0..orders {
-                let longest = (point.values[order].high as u128).isqrt() as i64 + 1;
-                reach[order] = longest + self.tables.doubt;
-                let extent = self.inner.cells[order].extent();
-                let share = (reach[order].min(extent) as u128).pow(2) * (1 << 30) / (extent as u128).pow(2).max(1);
-                effort += share;
+            let aims = point.values.iter().zip(&self.inner.cells);
+            for (reach, (value, cells)) in reach.iter_mut().zip(aims) {
+                *reach = (value.high as u128).isqrt() as i64 + 1 + self.tables.doubt;
+                // Below 2^48 for the inner throws of eighteen, so that the square has room for 30 bits more.
+                let extent = cells.extent();
+                effort += ((*reach).min(extent) as u128).pow(2) * (1 << 30) / (extent as u128).pow(2).max(1);
             }
             if effort < least {
                 (least, self.reach) = (effort, reach);
