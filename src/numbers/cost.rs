@@ -19,9 +19,7 @@ fn weight(root: &Root) -> usize {
         Root::Whole(_) => 3,
         Root::Nested(inside) => 9 + weights(inside),
         Root::Cosine(_) => 2,
-        // A square is one cosine to a reader.
-        Root::Product(root, cosines) => {
-            weight(root) + 2 * cosines.chunk_by(|a, b| a == b).flat_map(|alike| alike.chunks(2)).count()
-        }
+        // A power is one cosine to a reader.
+        Root::Product(root, cosines) => weight(root) + 2 * cosines.chunk_by(|a, b| a == b).count(),
     }
 }

@@ -32,7 +32,7 @@ pub struct Form {
 
 /// Products of more terms, or of more cosines, are nobody's number.
 const MOST_TERMS: usize = 64;
-const MOST_COSINES: usize = 8;
+pub(super) const MOST_COSINES: usize = 8;
 /// Square factors of larger numbers than this are not looked for: the form is right, though perhaps not the shortest.
 const LARGEST_FACTOR: u32 = 10_000;
 

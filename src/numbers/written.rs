@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::form::{Form, Root};
+use super::form::{Form, MOST_COSINES, Root};
 use crate::exact::Turn;
 use crate::file::parse_number;
 
@@ -49,10 +49,13 @@ struct Style {
     minus: &'static str,
     fraction: fn(&str, &BigInt, bool) -> String,
     root: fn(&str, bool) -> String,
-    /// Name, whether it is squared, degrees.
-    function: fn(&str, bool, &str) -> String,
+    /// Name, power, degrees.
+    function: fn(&str, usize, &str) -> String,
     times: &'static str,
 }
+
+/// Powers as they stand behind a name: no more than a product has cosines.
+const RAISED: [&str; MOST_COSINES + 1] = ["", "", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸"];
 
 const TEXT: Style = Style {
     minus: "−",
@@ -61,7 +64,7 @@ const TEXT: Style = Style {
         false => format!("{numerator}/{denominator}"),
     },
     root: |inside, is_number| if is_number { format!("√{inside}") } else { format!("√({inside})") },
-    function: |name, is_squared, degrees| format!("{name}{}({degrees}°)", if is_squared { "²" } else { "" }),
+    function: |name, power, degrees| format!("{name}{}({degrees}°)", RAISED.get(power).copied().unwrap_or_default()),
     times: "·",
 };
 
@@ -69,7 +72,10 @@ const TEX: Style = Style {
     minus: "-",
     fraction: |numerator, denominator, _| format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
     root: |inside, _| format!("\\sqrt{{{inside}}}"),
-    function: |name, is_squared, degrees| format!("\\{name}{}({degrees}^\\circ)", if is_squared { "^2" } else { "" }),
+    function: |name, power, degrees| match power {
+        1 => format!("\\{name}({degrees}^\\circ)"),
+        _ => format!("\\{name}^{power}({degrees}^\\circ)"),
+    },
     times: "",
 };
 
@@ -77,7 +83,10 @@ fn write(form: &Form, style: &Style) -> String {
     let denominator = form.terms().iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
     let common = BigRational::from_integer(denominator.clone());
     let mut text = String::new();
-    for (root, coefficient) in form.terms() {
+    // `√5 − 1` reads better than `−1 + √5`.
+    let first = form.terms().iter().position(|(_, coefficient)| coefficient.is_positive()).unwrap_or(0);
+    let (before, from) = form.terms().split_at(first);
+    for (root, coefficient) in from.iter().take(1).chain(before).chain(from.iter().skip(1)) {
         let whole = (coefficient * &common).to_integer();
         text.push_str(match (text.is_empty(), whole.is_negative()) {
             (true, true) => style.minus,
@@ -123,20 +132,19 @@ fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
         coefficient.to_string()
     };
     let first = format!("{number}{root}");
-    // Equal angles stand beside each other; they are told in pairs.
-    let alike = cosines.chunk_by(|a, b| a == b).flat_map(|alike| alike.chunks(2));
-    let factors = alike.map(|one_or_two| function(&one_or_two[0], one_or_two.len() == 2, style));
+    // Equal angles stand beside each other.
+    let factors = cosines.chunk_by(|a, b| a == b).map(|alike| function(&alike[0], alike.len(), style));
     let factors: Vec<String> = Some(first).filter(|first| !first.is_empty()).into_iter().chain(factors).collect();
     factors.join(style.times)
 }
 
-/// A cosine or its square, of an angle above 45° the sine of what is missing to 90°.
-fn function(angle: &Turn, is_squared: bool, style: &Style) -> String {
+/// A power of a cosine, of an angle above 45° the sine of what is missing to 90°.
+fn function(angle: &Turn, power: usize, style: &Style) -> String {
     let degrees = angle.degrees();
     let right = BigRational::from_integer(90.into());
     match &degrees + &degrees > right {
-        true => (style.function)("sin", is_squared, &plain_degrees(&(right - degrees))),
-        false => (style.function)("cos", is_squared, &plain_degrees(&degrees)),
+        true => (style.function)("sin", power, &plain_degrees(&(right - degrees))),
+        false => (style.function)("cos", power, &plain_degrees(&degrees)),
     }
 }
 
@@ -222,14 +230,14 @@ impl Parser {
         for (name, is_sine) in [("cos", false), ("sin", true)] {
             if self.letters[self.at..].iter().copied().take(3).eq(name.chars()) {
                 self.at += 3;
-                let is_squared = self.takes('²');
+                let power = (2..RAISED.len()).find(|&power| RAISED[power].chars().all(|sign| self.takes(sign)));
                 let bracket = self.takes('(');
                 let degrees = self.number()?;
                 (self.takes('°') && (!bracket || self.takes(')'))).then_some(())?;
                 let angle = Turn::from_degrees(&degrees);
                 let angle = if is_sine { &Turn::fraction(1, 4) - &angle } else { angle };
                 let value = Form::cosine(BigRational::one(), angle);
-                return if is_squared { value.times(&value) } else { Some(value) };
+                return (1..power.unwrap_or(1)).try_fold(value.clone(), |product, _| product.times(&value));
             }
         }
         self.number().map(Form::rational)

@@ -61,7 +61,7 @@ impl Head {
     }
 
     /// The lines at the beginning of the file.
-    pub fn written(&self) -> io::Result<String> {
+    pub fn as_line(&self) -> io::Result<String> {
         let json = serde_json::to_string(self)?;
         let digest = crc32fast::hash(json.as_bytes());
         Ok(format!("{FORMAT}\n{json}\ncrc32 {digest:08x}\n"))

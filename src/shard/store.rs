@@ -48,7 +48,7 @@ impl Store {
             return Err(ShardError::of(path, "is being written by another process"));
         }
         let head = Head::new(question, shard);
-        let begin = head.written().map_err(|error| writing(&error))?;
+        let begin = head.as_line().map_err(|error| writing(&error))?;
         let mut store = Store { path: path.to_owned(), file, head, frames: Vec::new(), is_finished: false };
         if store.stops_within(begin.as_bytes())? {
             store.cut(0)?;

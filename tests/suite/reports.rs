@@ -158,7 +158,8 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "optimise",
                 "stability",
                 "thesis",
-                "trust"
+                "trust",
+                "v-angles"
             ]
             .contains(&name.as_str())
                 || file::find(&name).is_some(),

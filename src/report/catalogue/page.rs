@@ -89,7 +89,7 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 13] = [
+const BESIDE: [(&str, &str, &str); 14] = [
     (
         "atlas/README.md",
         "Atlas",
@@ -112,6 +112,11 @@ const BESIDE: [(&str, &str, &str); 13] = [
     ("accuracy/README.md", "Accuracy", "{}: what accuracy costs."),
     ("trust/README.md", "Trust", "{}: 100,000 random engines beside an independent method."),
     ("stability/README.md", "Stability", "{}: hard cases, to fifty digits."),
+    (
+        "v-angles/README.md",
+        "V angles",
+        "{}: all bank angles and pin splits at which a V balances, for every star of up to six pins.",
+    ),
     ("forms/README.md", "Closed forms", "{}: lengths as a person writes them, before and after."),
     ("optimise/README.md", "Optimise", "{}: the best crankshafts of three engines, bearing load against mass."),
     ("grigoryev/README.md", "Grigoryev", "{}: a published sweep of V angles, checked."),
