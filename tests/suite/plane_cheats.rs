@@ -8,12 +8,12 @@ use num_rational::BigRational;
 
 use crate::support::two_angles::documents;
 
-fn half() -> BigRational {
+pub fn half() -> BigRational {
     BigRational::new(1.into(), 2.into())
 }
 
 /// Evidence with one more opposed pair: of no sum for which it was right without.
-fn forged(certificate: &Certificate) -> Certificate {
+pub fn forged(certificate: &Certificate) -> Certificate {
     let mut polygons = match certificate {
         Certificate::Polygons { polygons } => polygons.clone(),
         Certificate::Residue(_) | Certificate::Splitting { .. } => Vec::new(),
@@ -23,7 +23,7 @@ fn forged(certificate: &Certificate) -> Certificate {
 }
 
 /// A change, and whether there was something to change.
-type Cheat<C> = (&'static str, fn(&mut C) -> bool);
+pub type Cheat<C> = (&'static str, fn(&mut C) -> bool);
 
 const CLASSES: [Cheat<ClassesClaim>; 17] = [
     ("another u", |claim| {
@@ -194,7 +194,12 @@ const PRODUCTS: [Cheat<ProductClaim>; 8] = [
 ];
 
 fn change_bits(claim: &mut TriangleClaim, to: u32) -> bool {
-    match &mut claim.shape {
+    change_bits_of(&mut claim.shape, to)
+}
+
+/// Whether it has bits.
+pub fn change_bits_of(shape: &mut TriangleShape, to: u32) -> bool {
+    match shape {
         TriangleShape::Never { bits } | TriangleShape::Two { bits } => {
             *bits = to;
             true
@@ -211,7 +216,7 @@ fn places(document: &OpenDocument, is_it: impl Fn(&WhenClaim) -> bool) -> Vec<[u
 }
 
 /// Tries a change on a few claims of a kind; how many were there to be changed.
-fn tried(
+pub fn tried(
     documents: &[OpenDocument],
     name: &str,
     is_it: impl Fn(&WhenClaim) -> bool,
