@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does a document of crankstar prove what it says? A second checker: one file, the standard library only.
+"""Does a document of crankstar prove what it says? A second checker: two files, the standard library only.
 
     python3 formal/verify.py FILE…      answers 0: all verified, 1: one is refused, 2: one is no document of crankstar
 
@@ -7,251 +7,19 @@ Every verdict is about a sum  S = Σ weight · e^(2πi·angle)  with rational we
 from the engine that the document names, and then believes nothing but arithmetic with whole numbers: it never searches. The
 format is told in src/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
 
-To audit it, read part 1 (reading) and part 2 (certificates), and then the part on the kind of document that you hold.
+The arithmetic is in sums.py beside it, parts 1 to 4: reading, certificates, open angles, arcs. What engines are is here, parts 5 to 10.
+To audit it, read parts 1 and 2, and then the part on the kind of document that you hold.
 """
 import json
-import re
 import sys
 from fractions import Fraction
-from math import comb, gcd, lcm
+from math import comb, prod
 
-# ---- 1. Reading: every key is known, no key stands twice, every number is exact ------------------------------------------
+sys.dont_write_bytecode = True  # a reader finds two files here, and no third
+from sums import (CHECKED, PLACE, Decimal, NoDocument, Refused, certify, check_when, collect, demand, each, equal,  # noqa: E402
+                  no_key_twice, primes_of, read, terms_of, unequal)
 
-# What an object may hold; after a bar what may be left out.
-SHAPES = [[part.split() for part in (shape + "|").split("|")[:2]] for shape in """
-format title masses orders quantities reference_plane cylinders all_orders turning_masses verdicts wholes shapes theorems
-format title masses orders quantities reference_plane cylinders open_verdicts
-format title masses orders quantities reference_plane cylinders turning_masses weights sums | left_out
-format title cycle cylinders orders verdicts pattern
-name throw bank position reciprocating_mass crank_radius rod | speed knuckle_weight crankshaft
-name throw bank position reciprocating_mass crank_radius
-throw bank position weight rod | speed knuckle_weight
-name throw bank firing_angle crank_radius deflection rod
-name order sense position angle mass_radius | coefficient_of axis
-order sense position angle mass_radius | coefficient_of
-known
-link
-ratio offset
-master knuckle angle ratio | correction
-sense axis
-angle weight
-quantity order sense vanishes terms modulus angle_deg certificate | of
-order vanishes terms modulus angle_deg certificate | of
-order vanishes certificate
-kind polygons
-sides rotation weight
-kind conductor prime root scale residue
-kind steps
-class
-angle modulus
-compare
-prime first second
-quantity order sense outcome
-not-zero-by-enclosure
-not-decided
-bits
-below
-quantity order shape | certificate mirror bits
-sign certificates
-quantity sense period survivors verdicts
-order_one modulus residues
-quantity order sense sums
-symbol parts when
-phi delta terms certificate
-kind
-kind certificate
-kind alternatives equal_lengths
-conditions certificate
-phi delta turn
-kind middle phi delta turn cosine multiples
-kind phi delta conductor prime root scale u v
-order sense position parts
-coefficient terms modulus angle_deg
-quantity order sense coefficient terms certificate
-order sense
-rod
-linkage
-corrected
-ratio knuckle apart
-ratio knuckle master apart correction part
-geared
-speed of
-period verdicts
-""".strip().splitlines()]
-OPTIONAL = {key for _, more in SHAPES for key in more}
-WHOLE = "orders order speed sides bits sign prime first second modulus residues middle period angle_deg below conductor root u v".split()  # without quotes
-TRUTH = "vanishes all_orders order_one".split()
-WORDS = "title name of symbol".split()  # which may look like numbers
-# When a sum over open angles is zero, and how many parts of it are then not zero.
-WHENS = {"always": [0], "never": [1], "unequal-lengths": [2], "equal-lengths": [2], "where": [2, 3], "cosine": [3],
-         "coprime": range(2, 1_000_000), "not-solved": range(3, 1_000_000)}
-PLACE = []  # where the checker is, for its answer
-
-
-class Refused(Exception):
-    """A claim that does not hold."""
-
-
-class NoDocument(Exception):
-    """A file that is no document of crankstar, or outside of what is checked."""
-
-
-def demand(holds, why):
-    if not holds:
-        raise Refused(why)
-
-
-class Entry(dict):
-    """An object of a document: its keys as attributes, None for one that may be left out and is."""
-    def __getattr__(self, key):
-        return self.get(key) if key in OPTIONAL else self[key]
-
-
-class Decimal:
-    """A number with a point, which is shown and never reckoned with."""
-    def __init__(self, text):
-        self.is_zero = float(text) == 0
-
-
-def read(value, key=""):
-    """The value with exact numbers as fractions; refused if it is written in another way than the format has it."""
-    if isinstance(value, dict):
-        if key == "when" and value.get("kind") not in WHENS:
-            return Entry(value)
-        if "1" in value:  # a linear expression: symbols with their coefficients
-            return {symbol: read(number) for symbol, number in value.items()}
-        known = any(set(needed) <= set(value) <= set(needed + more) for needed, more in SHAPES)
-        demand(known, f"{key or 'it'} has the keys {', '.join(value)}, or lacks one")
-        return Entry((inner, read(entry, inner)) for inner, entry in value.items())
-    if isinstance(value, list):
-        return [read(one, key) for one in value]
-    if isinstance(value, str) and key not in WORDS and re.match("[-+0-9]", value):
-        demand(re.fullmatch("-?[0-9]{1,5000}(/[1-9][0-9]{0,4999})?", value), f"{value!r} is no number")
-        demand(str(Fraction(value)) == value, f"{value} is not in lowest terms")
-        return Fraction(value)
-    fits = type(value) is bool if key in TRUTH else key in WHOLE if type(value) is int else type(value) is not bool
-    demand(fits and (key not in ("title", "name") or type(value) is str), f"{key} is {value!r}")
-    return value
-
-
-def each(name, entries, due=None):
-    """The entries of a list, or each thing that is due with its entry; keeps the place."""
-    due = entries if due is None else due
-    demand(type(entries) is list and len(entries) == len(due), f"{len(entries)} {name} where {len(due)} are due")
-    PLACE.append("")
-    for index, (one, entry) in enumerate(zip(due, entries)):
-        PLACE[-1] = f"{name}[{index}]"
-        yield entry if due is entries else (one, entry)
-    PLACE.pop()
-
-
-def equal(entry, **due):
-    for key, value in due.items():
-        demand(entry[key] == value, f"{key} is {entry[key]}, and {value} is due")
-
-
-def no_key_twice(pairs):
-    if len(dict(pairs)) < len(pairs):
-        raise ValueError("a key stands twice")
-    return dict(pairs)
-
-
-# ---- 2. Sums and certificates ----------------------------------------------------------------------------------------------
-
-
-def terms_of(entry):
-    """Terms as a document writes them: pairs of an angle and a weight."""
-    return [(one.angle % 1, one.weight) for one in entry]
-
-
-def collect(terms):
-    """Like directions added, no weight zero: {angle: weight}."""
-    total = {}
-    for angle, weight in terms:
-        total[angle % 1] = total.get(angle % 1, 0) + weight
-    return {angle: weight for angle, weight in total.items() if weight}
-
-
-def unequal(one, other):
-    """|S|² − |R|² as a sum."""
-    squared = lambda total, sign: [(t - u, sign * v * w) for t, v in total.items() for u, w in total.items()]
-    return squared(collect(one), 1) + squared(collect(other), -1)
-
-
-def primes_of(number):
-    found, p = [], 2
-    while p * p <= number:
-        if number % p == 0:
-            found.append(p)
-            while number % p == 0:
-                number //= p
-        p += 1
-    return found + [number] * (number > 1)
-
-
-def certify(terms, certificate, vanishes=None):
-    """Checks the certificate of a sum and returns whether it is zero, which has to be `vanishes` where that is given."""
-    kinds = {"polygons": polygons, "residue": residue, "splitting": splitting}
-    demand(isinstance(certificate, Entry) and certificate.kind in kinds, "a certificate is missing")
-    is_zero = certificate.kind == "polygons"
-    demand(vanishes is None or vanishes is is_zero, "the certificate proves the contrary of the verdict")
-    kinds[certificate.kind](collect(terms), certificate)
-    CHECKED[0] += 1
-    return is_zero
-
-
-def polygons(total, certificate):
-    """The corners of a regular polygon sum to zero, so a sum of polygons is zero."""
-    corners = []
-    for one in certificate.polygons:
-        demand(2 <= one.sides <= 100_000 - len(corners), "a polygon has from 2 to 100,000 sides, all together")
-        corners += [(one.rotation + Fraction(j, one.sides), one.weight) for j in range(one.sides)]
-    demand(collect(corners) == total, "the polygons do not add up to the terms")
-
-
-def residue(total, certificate):
-    """e^(2πi/N) ↦ g maps sums to numbers modulo ℓ, so that a sum with an image other than 0 is not zero.
-
-    It respects products where Φ_N(g) ≡ 0: g^N − 1 is the product of all Φ_d(g), d | N, and those with d < N divide some
-    g^(N/q) − 1, which has no factor in common with ℓ."""
-    numbers = [certificate[key] for key in ("conductor", "prime", "root", "scale", "residue")]
-    demand(all(type(x) is Fraction and x.denominator == 1 for x in numbers), "a residue is told by whole numbers")
-    N, modulus, g, scale, claimed = map(int, numbers)
-    demand(1 <= N <= 1_000_000 and modulus >= 2 and scale >= 1, "conductor, modulus or scale is out of range")
-    demand(pow(g, N, modulus) == 1, "the root to the conductor is not 1")
-    for q in primes_of(N):
-        demand(gcd(pow(g, N // q, modulus) - 1, modulus) == 1, f"the root has a smaller order: see {N}/{q}")
-    demand(all((t * N).denominator == 1 == (w * scale).denominator for t, w in total.items()), "an angle or weight is not whole")
-    image = sum(int(w * scale) * pow(g, int(t * N), modulus) for t, w in total.items()) % modulus
-    demand(image == claimed and image != 0, f"the sum is {image} modulo {modulus}, not {claimed}, or it is 0")
-
-
-def splitting(total, certificate):
-    """Each step keeps a part that would be zero if the whole were; one vector that is left at the end is not zero."""
-    for step in certificate.steps:
-        N = lcm(1, *(t.denominator for t in total))
-        if "class" in step:
-            angle, modulus = step["class"].angle, step["class"].modulus
-            demand(modulus.denominator == 1 and modulus > 0, "the modulus of a class is whole and positive")
-            # x^p − ζ is irreducible where p² | N, and n < p terms leave a class empty: the classes vanish one by one.
-            forced = [p for p in range(2, len(total) + 1) if N % p == 0 and modulus % p and primes_of(p) == [p]]
-            demand(not forced, f"{forced} divide the conductor and not the modulus")
-            total = collect((t - angle, w) for t, w in total.items() if ((t - angle) * modulus).denominator == 1)
-        else:
-            p, first, second = step.compare.prime, step.compare.first, step.compare.second
-            demand(p <= 1_000_000 and primes_of(p) == [p] and 0 <= min(first, second) < max(first, second) < p,
-                   "these are no two classes of a prime")
-            rest = N // gcd(N, p)
-            demand(rest % p, "the prime divides the conductor twice")
-            # t = u/p + x, the denominator of x prime to p: times p·rest, u·rest ≡ t·p·rest (mod p).
-            class_of = {t: int(t * p * rest) * pow(rest, -1, p) % p for t in total}
-            # 1 + x + … + x^(p−1) is irreducible over the rest: the classes of a vanishing sum are equal.
-            part = lambda u, sign: [(t - Fraction(u, p), sign * w) for t, w in total.items() if class_of[t] == u]
-            total = collect(part(first, 1) + part(second, -1))
-    demand(len(total) == 1, f"{len(total)} vectors are left instead of one")
-
-
-# ---- 3. From an engine to its terms ----------------------------------------------------------------------------------------
+# ---- 5. From an engine to its terms ----------------------------------------------------------------------------------------
 
 SENSES = {"force": ["direct", "reverse"], "moment": ["direct", "reverse"], "torque": [None], "roll": [None]}
 ONE, QUARTER, HALF = ("one",), Fraction(1, 4), Fraction(1, 2)
@@ -390,7 +158,7 @@ def plain(terms):
     return [(angle, weight) for _, angle, weight in terms]
 
 
-# ---- 4. Verdicts on an engine ----------------------------------------------------------------------------------------------
+# ---- 6. Verdicts on an engine ----------------------------------------------------------------------------------------------
 
 
 def check_classify(document, notes):
@@ -423,8 +191,13 @@ def check_classify(document, notes):
     for about, entry in each("shapes", document.shapes, due):
         check_shape(entry, *about, judged[about], [left[(*about, sense)] for sense in SENSES["force"]], plan[about], notes)
     asked = [(quantity, sense) for quantity, k in due if k == document.orders[0] for sense in SENSES["force"] if document.all_orders]
-    for about, entry in each("theorems", document.theorems, asked):
-        check_theorem(entry, *about, *engine)
+    if document.recurrences:
+        demand(document.theorems == [], "what is said class by class stands in `recurrences` alone")
+        for about, entry in each("recurrences", document.recurrences, asked):
+            check_recurrence(entry, *about, *engine, notes)
+    else:
+        for about, entry in each("theorems", document.theorems, asked):
+            check_theorem(entry, *about, *engine)
     return judged, {(entry.quantity, entry.order): entry.shape for entry in document.shapes}
 
 
@@ -456,6 +229,10 @@ def is_open(number):
 def check_whole(entry, quantity, k, sense, left, notes):
     """Whether an order is zero whose sums stand before several numbers; those in `left` are not zero."""
     equal(entry, quantity=quantity, order=k, sense=sense)
+    return check_outcome(entry, left, notes)
+
+
+def check_outcome(entry, left, notes):
     # That c_k, t_k and g_k are not zero where they are there is a theorem (src/motion); of the parts of h_k there is none.
     if not left or len(left) == 1 and left[0][0] != "corrected":
         equal(entry, outcome="not-zero" if left else "zero")
@@ -480,7 +257,7 @@ def check_shape(entry, quantity, k, zeros, left, found, notes):
     alone = list(found) if len(found) == 1 else left[0] if len(left[0]) == 1 and left[0] == left[1] else []
     if alone:  # one sum each, before the same number
         demand(evidence == ["certificate"] and entry.shape in ("planar", "elliptical"), "a certificate compares the two lengths")
-        certify(unequal(*map(plain, found[alone[0]][1].values())), entry.certificate, entry.shape == "planar")
+        certify(unequal(*(collect(plain(one)) for one in found[alone[0]][1].values())), entry.certificate, entry.shape == "planar")
     elif entry.shape == "planar":  # direct = ± conj(reverse), sum by sum
         there = [sums for is_zero, sums in found.values() if not is_zero]
         demand(evidence == ["mirror"] and entry.mirror.sign in (1, -1), "planar is shown by `mirror`")
@@ -504,10 +281,7 @@ def check_theorem(entry, quantity, sense, cylinders, turning, plane):
     demand(all((angle * period).denominator == 1 for c in cylinders for angle in (c.throw, c.bank)), "an angle is not whole in it")
     demand(2 * len(entry.verdicts) == period + 2, "there is not one verdict for each order of the period")
     modulus, residues = entry.survivors.modulus, entry.survivors.residues
-    demand(modulus >= 2 and modulus % 2 == 0 and period % modulus == 0, "the modulus is no even divisor of the period")
-    demand(residues == [r for r in range(0, modulus, 2) if r in residues], "residues are even numbers below the modulus, rising")
-    for q in primes_of(modulus // 2):
-        demand({(r + modulus // q) % modulus for r in residues} != set(residues), "a smaller modulus says the same")
+    check_residues(period, modulus, residues, 0)
     for k, verdict in each("verdicts", entry.verdicts, [1, *range(2, int(period) + 1, 2)]):
         equal(verdict, order=k)
         is_left = entry.survivors.order_one if k == 1 else k % modulus in residues
@@ -516,7 +290,83 @@ def check_theorem(entry, quantity, sense, cylinders, turning, plane):
         certify(plain(sums[sense]), verdict.certificate, verdict.vanishes)
 
 
-# ---- 5. Families: open angles and lengths ----------------------------------------------------------------------------------
+def check_residues(period, modulus, residues, parity):
+    demand(modulus >= 2 and modulus % 2 == 0 and period % modulus == 0, "the modulus is no even divisor of the period")
+    demand(residues == [r for r in range(parity, modulus, 2) if r in residues], f"residues are {['even', 'odd'][parity]} numbers below the modulus, rising")
+    for q in primes_of(modulus // 2):
+        demand({(r + modulus // q) % modulus for r in residues} != set(residues), "a smaller modulus says the same")
+
+
+def check_recurrence(entry, quantity, sense, cylinders, turning, plane, notes):
+    """Every order class by class: the cylinders before one number, even and odd orders apart. From order 2 on, order k of a cylinder
+    stands at k·per_order + fixed, and its weight depends on the parity of k alone."""
+    equal(entry, quantity=quantity, sense=sense)
+    demand(all(rod_of(c.rod)[0] != "link" and not c.speed for c in cylinders), "a link, or something turns faster than the crank")
+    demand(all(mass.order == 1 for mass in turning), "something turns faster than the crank")
+    found, left = groups(cylinders, turning, plane, quantity, 1), []
+    for (number, (is_zero, sums)), one in each("first.sums", entry.first.sums, list(found.items())):
+        if not certify(plain(sums[sense]), one.certificate, one.vanishes) and not is_zero:
+            left.append(number)
+    demand((entry.first.outcome is None) == (len(found) == 1), "`outcome` belongs to several sums")
+    if len(found) > 1:
+        check_outcome(entry.first, left, notes)
+    named = {c.name: c for c in cylinders}
+    for parity, k, name in ((0, 2, "even"), (1, 3, "odd")):
+        there = [sums[sense] for is_zero, sums in groups(cylinders, turning, plane, quantity, k).values() if not is_zero and sums[sense]]
+        for terms, one in each(name, entry[name], there):
+            demand(one.of == [cylinder for cylinder, _, _ in terms], "the class has other cylinders")
+            way, total = 1 if sense == "direct" else -1, {}
+            for cylinder, _, weight in terms:
+                c = named[cylinder]
+                add_ray(total, way * (c.throw - c.bank), c.bank, weight)
+            product = {(Fraction(0), Fraction(0)): 1}
+            for factor in each("factors", one.factors):
+                rays = check_factor(factor, parity, k)
+                pairs, product = [(a, b) for a in product.items() for b in rays], {}
+                for ((s, t), v), ((u, x), w) in pairs:
+                    add_ray(product, s + u, t + x, v * w)
+            demand(one.factors and without_zeros(product) == without_zeros(total), "the factors multiplied out are not the terms of the class")
+
+
+def add_ray(rays, per_order, fixed, weight):
+    rays[per_order % 1, fixed % 1] = rays.get((per_order % 1, fixed % 1), 0) + weight
+
+
+def without_zeros(rays):
+    return {ray: weight for ray, weight in rays.items() if weight}
+
+
+def check_factor(factor, parity, first):
+    """Which orders of a parity make it zero: judged are those of one period, or of these all that may be zero; returns its rays."""
+    rays, period = [((one.per_order, one.fixed), one.weight) for one in factor.terms], factor.period
+    angles = [ray for ray, _ in rays]
+    demand(angles == sorted(set(angles)) and all(0 <= x < 1 for ray in angles for x in ray) and all(w for _, w in rays), "the terms are not collected")
+    demand(period.denominator == 1 and 2 <= period <= 1_000_000 and period % 2 == 0, "the period is even, at most 1,000,000")
+    demand(all((s - angles[0][0]) * period % 1 == 0 for s, _ in angles), "an angle is not whole in the period")
+    due = range(first, first + int(period), 2)
+    if len(factor.judged) != len(due):
+        # In a vanishing sum of n vectors each has another at R·(angle − angle) whole, R the product of the primes up to n (the lemma
+        # of src/proof/README.md): R (k s + t) = (k p + r)/q, so that k is one number modulo q, or none.
+        R = prod(p for p in range(2, len(rays) + 1) if primes_of(p) == [p])
+        for place, (s, t) in enumerate(angles):
+            partners = set()
+            for u, x in angles[:place] + angles[place + 1:]:
+                q, r = (R * (s - u)).denominator, R * (t - x) * (R * (s - u)).denominator
+                if r.denominator == 1:
+                    partners.add((q, int(-r) * pow((R * (s - u)).numerator, -1, q) % q))
+            due = [k for k in due if any(k % q == r for q, r in partners)]
+    zeros, modulus, residues = [], factor.zeros.modulus, factor.zeros.residues
+    check_residues(period, modulus, residues, parity)
+    for k, one in each("judged", factor.judged, list(due)):
+        equal(one, order=k)
+        demand(one.vanishes is (k % modulus in residues), "the statement contradicts the verdict")
+        certify([(k * s + t, w) for (s, t), w in rays], one.certificate, one.vanishes)
+        zeros += [k] * one.vanishes
+    demand(len(zeros) == len(residues) * (period // modulus), "there are zeros among the orders that are left out")
+    return rays
+
+
+# ---- 7. Families: open angles and lengths ----------------------------------------------------------------------------------
 
 
 def check_family(document, notes):
@@ -557,66 +407,11 @@ def check_open(entry, expected, notes):
     """When a sum over open angles is zero follows from its parts that are not: Σ e^i(phi·φ + delta·δ) S."""
     parts = [((part.phi, part.delta), terms_of(part.terms)) for part in entry.parts]
     demand(dict(parts) == expected and len(parts) == len(expected), "the parts are not those of the cylinders")
-    left = [one for one, part in zip(parts, entry.parts) if not certify(one[1], part.certificate)]
-    when, against = entry.when, lambda a, b: tuple(x - y for x, y in zip(a[0], b[0]))
-    if when.kind not in WHENS:
-        demand(type(when.kind) is str, "`when` is of no kind")
-        return notes.add(f"when a sum vanishes, where it is told as {when.kind!r}")
-    demand(len(left) in WHENS[when.kind], f"{len(left)} parts do not vanish, which contradicts {when.kind}")
-    if when.kind in ("unequal-lengths", "equal-lengths"):
-        certify(unequal(left[0][1], left[1][1]), when.certificate, when.kind == "equal-lengths")
-    elif when.kind == "where":
-        # Two parts cancel at one turn against each other; three of equal length where they stand 120° apart, either way round.
-        for part, certificate in each("equal_lengths", when.equal_lengths, left[1:] if len(left) == 3 else []):
-            certify(unequal(left[0][1], part[1]), certificate, True)
-        turns = []
-        for _, one in each("alternatives", when.alternatives, left[1:]):
-            demand([(c.phi, c.delta) for c in one.conditions] == [against(part, left[0]) for part in left[1:]], "it is about other parts")
-            turns.append([c.turn % 1 for c in one.conditions])
-            certify(left[0][1] + [(t + turn, w) for part, turn in zip(left[1:], turns[-1]) for t, w in part[1]], one.certificate, True)
-        demand(len(turns) == 1 or all(a != b for a, b in zip(*turns)), "the two alternatives are the same")
-    elif when.kind == "cosine":
-        # S (1 + 2q cos x) with q = −1/(2 cosine) vanishes exactly where cos x is the cosine.
-        demand(0 < abs(when.cosine) < 1 and when.middle in (0, 1, 2), "the cosine, or the part in the middle, is out of range")
-        middle = left.pop(when.middle)
-        for (part, sign), certificate in each("multiples", when.multiples, list(zip(left, (1, -1)))):
-            demand(against(part, middle) == (sign * when.phi, sign * when.delta), "the parts do not turn against the middle one so")
-            away = [(t, w / (2 * when.cosine)) for t, w in middle[1]]
-            certify([(t - sign * when.turn, w) for t, w in part[1]] + away, certificate, True)
-    elif when.kind == "coprime":
-        coprime(when, [(against(part, left[0]), collect(part[1])) for part in left])
+    left = [(turned, collect(terms)) for (turned, terms), part in zip(parts, entry.parts) if not certify(terms, part.certificate)]
+    check_when(entry.when, left, notes)
 
 
-def coprime(when, parts):
-    """The sum is Σ S x^n with x = e^i(phi·φ + delta·δ). On the circle P = 0 gives P* = x^d conj(P) = 0: then their resultant is zero,
-    and so is its image modulo a prime. But there P keeps its leading coefficient, and U P + V P* = 1 leaves no common factor."""
-    demand(when.phi > 0 or when.phi == 0 < when.delta, "the unknown has no direction")
-    exponents = [phi / when.phi if when.phi else delta / when.delta for (phi, delta), _ in parts]
-    demand([(when.phi * n, when.delta * n) for n in exponents] == [angle for angle, _ in parts], "a part turns otherwise than the unknown")
-    demand(all(n.denominator == 1 for n in exponents) and exponents == sorted(set(exponents)), "the unknown enters no rising whole times")
-    exponents = [int(n) for n in exponents]
-    demand(exponents[-1] <= 4096 and gcd(*exponents) == 1, "the exponents have a common divisor, or are too large")
-    N, p, g, scale = when.conductor, when.prime, when.root, when.scale
-    demand(1 <= N <= 1_000_000 and p <= 2**32 and primes_of(p) == [p], "conductor or prime is out of range")
-    demand(scale.denominator == 1 and scale >= 1, "the scale is whole and positive")
-    demand(pow(g, N, p) == 1 and all(pow(g, N // q, p) != 1 for q in primes_of(N)), "the root has another order than the conductor")
-    straight, mirrored = [0] * (exponents[-1] + 1), [0] * (exponents[-1] + 1)
-    for n, (_, total) in zip(exponents, parts):
-        demand(all((t * N).denominator == 1 == (w * scale).denominator for t, w in total.items()), "an angle or weight is not whole")
-        straight[n] = sum(int(w * scale) * pow(g, int(t * N), p) for t, w in total.items()) % p
-        mirrored[-1 - n] = sum(int(w * scale) * pow(g, int(-t * N) % N, p) for t, w in total.items()) % p
-    demand(straight[-1] != 0, "the leading coefficient is 0 modulo the prime")
-    demand(all(type(one) is list and len(one) <= len(straight) and all(type(x) is int for x in one) for one in (when.u, when.v)), "u or v is too long")
-    whole = [0] * (2 * len(straight))
-    for factor, of in ((when.u, straight), (when.v, mirrored)):
-        for i, a in enumerate(factor):
-            for j, b in enumerate(of):
-                whole[i + j] = (whole[i + j] + a * b) % p
-    demand(whole == [1] + [0] * (len(whole) - 1), "U P + V P* is not 1 modulo the prime")
-    CHECKED[0] += 1
-
-
-# ---- 6. Remedies -----------------------------------------------------------------------------------------------------------
+# ---- 8. Remedies -----------------------------------------------------------------------------------------------------------
 
 
 def number_of(coefficient):
@@ -659,7 +454,7 @@ def check_remedy(document, notes):
     demand(not found, f"sums: {list(found)} are none of the engine")
 
 
-# ---- 7. Firing stars -------------------------------------------------------------------------------------------------------
+# ---- 9. Firing stars -------------------------------------------------------------------------------------------------------
 
 
 def check_firing(document, notes):
@@ -692,7 +487,7 @@ def check_firing(document, notes):
             certify(star(of, k), entry.certificate, entry.vanishes)
 
 
-# ---- 8. Numbers with verdicts as their evidence, and files -----------------------------------------------------------------
+# ---- 10. Numbers with verdicts as their evidence, and files ----------------------------------------------------------------
 
 
 def check_evidence(document, notes):
@@ -720,7 +515,6 @@ def check_evidence(document, notes):
 
 CHECKS = {"classify 2": check_classify, "family 2": check_family, "remedy 2": check_remedy, "firing 1": check_firing,
           "loads 2": check_evidence, "compare 2": check_evidence, "sweep 2": check_evidence}
-CHECKED = [0]  # certificates so far
 
 
 def verify(path):

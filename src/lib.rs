@@ -40,7 +40,7 @@
 //! order  numbers  gas
 //! file
 //! engine
-//! exact  table
+//! exact  shard  table
 //! proof  motion  beam  text
 //! ```
 //!
@@ -116,6 +116,7 @@ pub mod remedy;
 pub mod report;
 #[allow(clippy::disallowed_types)]
 pub mod search;
+pub mod shard;
 #[allow(clippy::disallowed_types)]
 pub mod sweep;
 #[allow(clippy::disallowed_types)]

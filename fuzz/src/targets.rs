@@ -128,7 +128,8 @@ pub fn resume(bytes: &[u8]) {
     let path = std::env::temp_dir().join(format!("crankstar-{}-{thread}.json", std::process::id()));
     fs::write(&path, bytes).expect("a folder for passing files");
     // The first piece that the state lacks ends the search.
-    let options = Options { threads: 1, resume: Some(path.clone()), progress: &|_| ControlFlow::Break(()) };
+    let options =
+        Options { threads: 1, resume: Some(path.clone()), progress: &|_| ControlFlow::Break(()), ..Options::default() };
     match search(&problem(), &options) {
         Ok(front) => assert_eq!(answer(&front), *AFRESH),
         Err(error) => assert!(!error.to_string().is_empty()),

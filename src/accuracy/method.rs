@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::branch::{Found, Search};
+use super::largest::{Largest, largest};
 use super::orders::Orders;
 use super::reference::Fractions;
 use super::sample::{Doubles, Singles};
@@ -77,6 +78,27 @@ pub struct Study {
     pub doubt: f64,
     /// The methods; none where the load vanishes at every order that was looked at.
     pub rows: Vec<Row>,
+    /// What the program does for its own reports; none where no times are asked for, or nothing is left to find.
+    pub own: Option<Own>,
+}
+
+/// The program's own choice ([`super::largest`]) beside the methods that are compared.
+#[derive(Clone, Copy, Debug)]
+pub struct Own {
+    /// Guaranteed: it is off by at most this part of the peak.
+    pub bound: f64,
+    /// Median time from the engine itself, exact sums and bounds included.
+    pub time: Duration,
+}
+
+impl Own {
+    fn new(engine: &Engine, quantity: Quantity, timing: Timing) -> Option<Self> {
+        let Timing::On = timing else { return None };
+        match measured(timing, || largest(engine, quantity)) {
+            (Ok(Largest::Known { value, error, .. }), Some(time)) => Some(Own { bound: error / value, time }),
+            (Ok(Largest::Known { .. } | Largest::Zero | Largest::Below(_)) | Err(_), _) => None,
+        }
+    }
 }
 
 /// Finds the peak of a load by all methods, and the time of each where they are timed.
@@ -95,7 +117,7 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     }
     let orders = Orders::new(engine, quantity, SUMMED)?;
     if loads::vanishes_at_every_order(engine, quantity) {
-        return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new() });
+        return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new(), own: None });
     }
     let fractions = Fractions::new(engine, quantity);
     let (steady, steady_rest) = match orders.steady() {
@@ -117,7 +139,7 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     let nothing = || Missing::Motion("the peak cannot be enclosed: a crank comes too near the end of its reach".into());
     let enclosure = enclosure.into_iter().chain(guaranteed).reduce(narrowed).ok_or_else(nothing)?;
     if orders.waveform.harmonics().is_empty() && steady {
-        return Ok(Study { quantity, peak: enclosure, rounding: 0.0, doubt: 0.0, rows: Vec::new() });
+        return Ok(Study { quantity, peak: enclosure, rounding: 0.0, doubt: 0.0, rows: Vec::new(), own: None });
     }
     let yardstick = Yardstick::new(&enclosure);
     let mut rows = Vec::new();
@@ -159,7 +181,8 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     let (value, error) = (yardstick.size, yardstick.error(yardstick.size));
     rows.push(Row { method: Method::Fractions, value, bound: Some(doubt), error, looked_at: None, time });
     let rounding = (ROUNDINGS * f64::EPSILON * orders.largest_sum / yardstick.size).max(doubt);
-    Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), doubt, rows })
+    let own = Own::new(engine, quantity, timing);
+    Ok(Study { quantity, peak: enclosure, rounding: ten_above(rounding), doubt, rows, own })
 }
 
 impl Study {

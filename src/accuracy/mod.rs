@@ -36,7 +36,7 @@ use num_traits::Zero;
 pub use bearing::{BearingMethod, BearingRow, bearings};
 pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
-pub use method::{Method, Row, Study, study};
+pub use method::{Method, Own, Row, Study, study};
 pub use timing::{Timing, measured};
 
 use crate::engine::{BuildError, Engine, Mechanism, Rod};

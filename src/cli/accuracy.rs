@@ -53,10 +53,12 @@ impl Accuracy {
             }
         };
         let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
-        let spinner = progress::spinner("finding each peak by all methods");
-        let cases = engines.iter().map(|engine| AccuracyCase::of(engine, &quantities, Timing::On));
+        let bar = progress::bar("loads by all methods");
+        bar.set_length((engines.len() * AccuracyCase::steps(&quantities)) as u64);
+        let cases =
+            engines.iter().map(|engine| AccuracyCase::step_by_step(engine, &quantities, Timing::On, &|| bar.inc(1)));
         let cases = cases.collect::<Result<Vec<_>, _>>();
-        spinner.finish_and_clear();
+        bar.finish_and_clear();
         let cases = cases.map_err(Failure::new)?;
         if self.json {
             self.pages.write(|| report::accuracy_page(&engine, &cases), Vec::new)?;

@@ -1,6 +1,6 @@
 //! What is an answer written in: a page in one of its formats, or data?
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use clap::ValueEnum;
@@ -92,6 +92,25 @@ impl Answer {
             Some(Format::Data(DataFormat::Json) | Format::Page(_)) | None => None,
         };
         self.tables.wanted(question, format, self.look.measures(), self.look.folder())
+    }
+
+    /// Where the answer goes, if not to standard output.
+    pub fn output(&self) -> Option<&Path> {
+        self.look.folder()
+    }
+
+    /// The file that `--output` names, where nothing else is said of the answer.
+    ///
+    /// # Errors
+    /// No file, or a format.
+    pub fn nothing_but_output(&self, flag: &str) -> Result<&Path, Failure> {
+        match (self.format, self.output()) {
+            (None, Some(output)) => Ok(output),
+            (Some(_), _) => Err(Failure::misuse(format!(
+                "{flag} keeps pieces of the table, in no format yet; name one with --merge, when all are there"
+            ))),
+            (None, None) => Err(Failure::misuse(format!("{flag} needs a file for its pieces: --output NAME.shard"))),
+        }
     }
 
     /// Whether JSON is asked for.

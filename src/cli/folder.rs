@@ -35,6 +35,30 @@ pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Fail
     write_contents(parent, &[(name, content)])
 }
 
+/// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that `--output` could have.
+pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result<(), Failure>) -> Result<(), Failure> {
+    let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
+    let name = path.file_name().filter(|_| !path.is_dir()).and_then(|name| name.to_str());
+    let Some(name) = name else {
+        let path = shown(path);
+        return Err(Failure::new(format!("`{path}` is no name of a file; --output names one, such as {example}")));
+    };
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::create_dir_all(parent).map_err(fail)?;
+    clear_abandoned(parent, name);
+    let (staging, lock) = staging(parent, name).map_err(fail)?;
+    let partial = staging.join(name);
+    let grown = Handle::create_new(&partial).map_err(fail).and_then(fill);
+    let placed = grown.and_then(|()| {
+        let synced = Handle::options().write(true).open(&partial).and_then(|file| file.sync_all());
+        synced.and_then(|()| fs::rename(&partial, path)).and_then(|()| sync(parent)).map_err(fail)
+    });
+    // What was staged is of no use to anyone by now; the first error is the one to tell.
+    let _ = fs::remove_dir_all(&staging);
+    drop(lock);
+    placed
+}
+
 /// The same of any files.
 pub fn write_contents(folder: &Path, files: &[Content]) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write the folder `{}`: {error}", shown(folder)));

@@ -20,6 +20,7 @@ mod masses;
 mod notation;
 mod optimise;
 mod pages;
+mod pieces;
 mod progress;
 mod questions;
 mod remedy;

@@ -97,7 +97,7 @@ impl Search {
         };
         let usual = Options::default();
         let threads = self.threads.map_or(usual.threads, usize::from);
-        let options = Options { threads, resume: self.resume.clone(), progress: &progress };
+        let options = Options { threads, resume: self.resume.clone(), progress: &progress, ..usual };
         let front = search::search(&problem, &options);
         bar.finish_and_clear();
         let front = front.map_err(Failure::new)?;
@@ -117,7 +117,10 @@ impl Search {
             };
             return self.answer.show_json("search", json(&document)?);
         }
-        self.answer.show(&with_torsion(report::search_answer(&front)), || with_torsion(report::search_page(&front)))
+        // Beside a page stand the stars as layout files.
+        let beside = || Ok(report::search_layouts(&front));
+        let answer = with_torsion(report::search_answer(&front));
+        self.answer.show_with(&answer, || with_torsion(report::search_page(&front)), beside)
     }
 
     fn problem(&self) -> Result<Problem, Failure> {

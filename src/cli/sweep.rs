@@ -7,10 +7,12 @@ use crankstar::engine::CycleOrder;
 use crankstar::file::{Beside, Template};
 use crankstar::page::File;
 use crankstar::report::{self, data};
-use crankstar::sweep::{self, Geometry, Parameter};
+use crankstar::shard::Question;
+use crankstar::sweep::{self, Geometry, Parameter, Stream};
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::pieces::Pieces;
 use super::{json, layouts, progress};
 
 /// Arguments of `sweep`.
@@ -26,6 +28,8 @@ pub struct Sweep {
     /// Judge the firing stars, the orders of the gas torque, too: 1/2,1,3/2
     #[arg(long, value_delimiter = ',', value_name = "ORDERS")]
     firing_orders: Vec<CycleOrder>,
+    #[command(flatten)]
+    pieces: Pieces,
     #[command(flatten)]
     answer: Answer,
 }
@@ -59,7 +63,24 @@ pub struct Ranges {
 impl Sweep {
     /// Prints the points, or writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        if let Some(shard) = self.pieces.shard()? {
+            let output = self.answer.nothing_but_output("--shard")?;
+            return self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, |stream, question| {
+                self.pieces.keep(stream, question, shard, output)
+            });
+        }
         let wanted = self.answer.wanted("sweep")?;
+        if let Some(output) = self.pieces.merged_into_one(self.answer.output()) {
+            return self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, |_, question| {
+                self.pieces.merge(question, output)
+            });
+        }
+        if let Some(wanted) = wanted.as_ref().filter(|wanted| wanted.is_streamed("points")) {
+            return self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, |stream, question| {
+                self.pieces.write(stream, question, wanted)
+            });
+        }
+        self.pieces.are_for_tables()?;
         let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders)?;
         if let Some(wanted) = wanted {
             return wanted.give(data::sweep(&sweep));
@@ -86,13 +107,11 @@ impl Ranges {
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
         let parameters = self.parameters(&template)?;
-        let mut orders = orders.to_vec();
-        orders.sort_unstable();
-        orders.dedup();
+        let orders = rising(orders);
         let spinner = progress::spinner("sweeping");
         let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
         let sweep = sweep.and_then(|mut sweep| {
-            let firing: Vec<CycleOrder> = firing.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+            let firing = rising(firing);
             if !firing.is_empty() {
                 sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing)?);
             }
@@ -100,6 +119,24 @@ impl Ranges {
         });
         spinner.finish_and_clear();
         sweep.map_err(Failure::new)
+    }
+
+    /// The same for a table of any length, which `then` writes.
+    fn streamed(
+        &self,
+        layout: &Path,
+        orders: &[u32],
+        firing: &[CycleOrder],
+        then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let (name, text) = layouts::source(layout)?;
+        let read = |path: &str| layouts::beside(layout, path);
+        let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
+        let parameters = self.parameters(&template)?;
+        let (orders, firing) = (rising(orders), rising(firing));
+        let stream = Stream::new(&template, &parameters, &orders, &firing, &Geometry::default());
+        let stream = stream.map_err(Failure::new)?;
+        then(&stream, &stream.question(&text))
     }
 
     fn flags(&self) -> [(&'static str, Option<&String>); 6] {
@@ -120,4 +157,9 @@ impl Ranges {
         let set = self.set.iter().map(|text| Parameter::parse(text));
         short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)
     }
+}
+
+/// Each once.
+fn rising<T: Ord + Copy>(all: &[T]) -> Vec<T> {
+    all.iter().copied().collect::<BTreeSet<T>>().into_iter().collect()
 }

@@ -1,10 +1,11 @@
 //! Which tables are asked for, and where do they go: to standard output, into a file, into a folder?
 
+use std::io::Write;
 use std::path::Path;
 
 use crankstar::page::Units;
 use crankstar::report::data::TABLES;
-use crankstar::table::{Format, Table};
+use crankstar::table::{Format, Stream, Table};
 use crankstar::text::harmless;
 
 use super::failure::Failure;
@@ -79,6 +80,42 @@ impl Tables {
 }
 
 impl Wanted<'_> {
+    /// Whether it is this table alone, in a format that is written some rows at a time.
+    pub fn is_streamed(&self, main: &str) -> bool {
+        let is_one_file = self.output.is_none_or(|path| ends_in(path, self.format.ending()));
+        let grows = match self.format {
+            Format::Csv | Format::Parquet => true,
+            Format::Xlsx => false,
+        };
+        grows && is_one_file && self.table.is_none_or(|table| table == main)
+    }
+
+    /// Writes a table that `fill` fills, some rows at a time; `like` has its columns.
+    pub fn stream(
+        &self,
+        like: Table,
+        fill: impl FnOnce(&mut Stream<Box<dyn Write + Send>>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let example = format!("{}.{}", self.question, self.format.ending());
+        let fill = |sink: Box<dyn Write + Send>| {
+            let mut stream = Stream::new(self.format, like, sink).map_err(Failure::new)?;
+            fill(&mut stream)?;
+            stream.finish().map(drop).map_err(Failure::new)
+        };
+        match self.output {
+            None => fill(Box::new(write::table_to_stdout())),
+            Some(path) => {
+                folder::grow_file(path, &example, |file| fill(Box::new(file)))?;
+                write::to_stdout(&format!("Written: {}\n", shown(path)))
+            }
+        }
+    }
+
+    /// What it is written in.
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
     /// Prints the table, or writes the file or the folder.
     pub fn give(&self, mut tables: Vec<Table>) -> Result<(), Failure> {
         let main = tables.first().map_or("", Table::name);

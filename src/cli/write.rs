@@ -17,6 +17,32 @@ pub fn to_stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Standard output for a table, whose texts are harmless already; a reader that has seen enough takes the rest.
+pub fn table_to_stdout() -> impl Write + Send {
+    Seen(Some(std::io::stdout()))
+}
+
+/// A reader that may leave.
+struct Seen(Option<std::io::Stdout>);
+
+impl Write for Seen {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        match self.0.as_mut().map(|out| out.write_all(bytes)) {
+            Some(Err(error)) if error.kind() == ErrorKind::BrokenPipe => self.0 = None,
+            Some(Err(error)) => return Err(error),
+            Some(Ok(())) | None => {}
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        match self.0.as_mut().map(Write::flush) {
+            Some(Err(error)) if error.kind() != ErrorKind::BrokenPipe => Err(error),
+            Some(Err(_) | Ok(())) | None => Ok(()),
+        }
+    }
+}
+
 /// Tells why there is no answer; where nobody can be told, the exit status says it alone.
 pub fn to_stderr(text: &str) {
     let _ = writeln!(anstream::stderr().lock(), "{text}");

@@ -1,7 +1,9 @@
 //! What proves the decision? Polygons where the sum is zero; a residue, or a splitting, where it is not.
 
 use super::collected::IntegerSum;
+use super::decide::{Exponent, Weight, collect, vanishes};
 use super::sum::PhasorSum;
+use super::words::Words;
 use super::{polygons, residue, splitting};
 use crate::proof::Certificate;
 
@@ -17,12 +19,23 @@ impl PhasorSum {
     /// assert_eq!(json, r#"{"kind":"polygons","polygons":[{"sides":3,"rotation":"0","weight":"1"}]}"#);
     /// ```
     pub fn certificate(&self) -> Certificate {
-        if self.vanishes() {
-            Certificate::Polygons { polygons: polygons::find(&IntegerSum::collect(self.terms())) }
-        } else if let Some(residue) = residue::find(self.terms()) {
-            Certificate::Residue(residue)
-        } else {
-            Certificate::Splitting { steps: splitting::find(&IntegerSum::collect(self.terms())) }
+        match Words::of(self.terms()).filter(Words::leave_room) {
+            Some(sum) => prove(&sum.conductor, &sum.scale, &collect(sum.terms.into_iter())),
+            None => {
+                let sum = IntegerSum::collect(self.terms());
+                prove(&sum.conductor, &sum.scale, &sum.terms)
+            }
         }
+    }
+}
+
+/// The evidence on a sum whose directions are collected.
+fn prove<E: Exponent, W: Weight>(conductor: &E, scale: &W, terms: &[(E, W)]) -> Certificate {
+    if vanishes(conductor, terms) {
+        Certificate::Polygons { polygons: polygons::find(conductor, scale, terms) }
+    } else if let Some(residue) = residue::find(conductor, scale, terms) {
+        Certificate::Residue(residue)
+    } else {
+        Certificate::Splitting { steps: splitting::find(conductor, terms) }
     }
 }

@@ -5,12 +5,14 @@
 
 mod collected;
 mod decide;
+mod dense;
 mod evidence;
 mod polygons;
 mod residue;
 mod splitting;
 mod sum;
 mod turn;
+mod words;
 
 pub use collected::IntegerSum;
 pub use decide::vanishes;

@@ -3,21 +3,23 @@
 //! Where a conductor is too large for a prime with a root of that order, the decision itself is the evidence: each
 //! step keeps a part that would be zero if the whole were (theory, section 4), until one vector is left.
 
+use std::collections::BTreeMap;
+
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::collected::IntegerSum;
-use super::decide::{collect, corner_in_class, primes_up_to, vanishes};
-use super::polygons::classes;
+use super::decide::{Exponent, Weight, collect, corner_in_class, primes_up_to, vanishes};
 use crate::proof::Step;
 
 type Terms = Vec<(BigUint, BigInt)>;
 
 /// Steps that lead from a sum that is not zero to a single vector.
-pub(super) fn find(sum: &IntegerSum) -> Vec<Step> {
+pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, terms: &[(E, W)]) -> Vec<Step> {
     let mut steps = Vec::new();
-    let (mut conductor, mut terms) = (sum.conductor.clone(), sum.terms.clone());
+    let mut conductor: BigUint = conductor.clone().into();
+    let mut terms: Terms =
+        terms.iter().map(|(exponent, weight)| (exponent.clone().into(), weight.clone().into())).collect();
     while terms.len() > 1 {
         let (primes, product) = primes_up_to(terms.len(), &conductor);
         let (step, next_conductor, next_terms) = if product == conductor {
@@ -30,6 +32,15 @@ pub(super) fn find(sum: &IntegerSum) -> Vec<Step> {
         (conductor, terms) = (next_conductor, next_terms);
     }
     steps
+}
+
+/// The terms by the remainder of their exponent.
+fn classes(terms: &Terms, modulus: &BigUint) -> BTreeMap<BigUint, Terms> {
+    let mut classes: BTreeMap<BigUint, Terms> = BTreeMap::new();
+    for (exponent, weight) in terms {
+        classes.entry(exponent % modulus).or_default().push((exponent.clone(), weight.clone()));
+    }
+    classes
 }
 
 /// The shortest class that is not zero among those that must vanish by themselves.

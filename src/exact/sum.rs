@@ -8,6 +8,7 @@ use num_traits::{Signed, Zero};
 use super::collected::IntegerSum;
 use super::decide;
 use super::turn::Turn;
+use super::words::Words;
 use crate::proof::Vector;
 
 /// One rotating vector: `weight · e^{2πi·angle}`.
@@ -99,10 +100,12 @@ impl PhasorSum {
 
     /// Whether the sum is zero, decided exactly (see [`decide::vanishes`]).
     pub fn vanishes(&self) -> bool {
-        let sum = IntegerSum::collect(&self.terms);
-        match sum.in_words() {
-            Some((conductor, terms)) => decide::vanishes(&conductor, &terms),
-            None => decide::vanishes(&sum.conductor, &sum.terms),
+        match Words::of(&self.terms) {
+            Some(sum) => decide::vanishes(&sum.conductor, &sum.terms),
+            None => {
+                let sum = IntegerSum::collect(&self.terms);
+                decide::vanishes(&sum.conductor, &sum.terms)
+            }
         }
     }
 

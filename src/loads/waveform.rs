@@ -117,21 +117,33 @@ impl Waveform {
     /// The vectors at the steps of a circle.
     pub fn sample(&self, circle: &Circle) -> Vec<Complex<f64>> {
         let steps = circle.steps();
-        let mut values = vec![Complex::new(0.0, 0.0); steps];
+        // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y. At −θ only y changes its sign: half the circle is enough. What stands on
+        // x is summed at θ, what stands on y at −θ; the last place is 0 once more.
+        let mut values = vec![Complex::new(0.0, 0.0); steps + 1];
         for harmonic in &self.harmonics {
-            // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y.
             let (on_x, on_y) =
                 (harmonic.direct + harmonic.reverse, (harmonic.direct - harmonic.reverse) * Complex::i());
             let (stride, mut place) = (harmonic.order as usize % steps, 0);
-            for value in &mut values {
+            let (ahead, behind) = values.split_at_mut(steps / 2 + 1);
+            for (x, y) in ahead.iter_mut().zip(behind.iter_mut().rev()) {
                 let z = circle.directions[place];
-                *value += on_x * z.re + on_y * z.im;
+                *x += on_x * z.re;
+                *y += on_y * z.im;
                 place += stride;
                 if place >= steps {
                     place -= steps;
                 }
             }
+            // Half a turn has no partner: y is 0 there.
+            if steps.is_multiple_of(2) {
+                ahead[steps / 2] += on_x * circle.directions[place].re;
+            }
         }
+        for j in 1..steps.div_ceil(2) {
+            let (x, y) = (values[j], values[steps - j]);
+            (values[j], values[steps - j]) = (x + y, x - y);
+        }
+        values.truncate(steps);
         values
     }
 

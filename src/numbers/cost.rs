@@ -19,6 +19,9 @@ fn weight(root: &Root) -> usize {
         Root::Whole(_) => 3,
         Root::Nested(inside) => 9 + weights(inside),
         Root::Cosine(_) => 2,
-        Root::Product(root, cosines) => weight(root) + 2 * cosines.len(),
+        // A square is one cosine to a reader.
+        Root::Product(root, cosines) => {
+            weight(root) + 2 * cosines.chunk_by(|a, b| a == b).flat_map(|alike| alike.chunks(2)).count()
+        }
     }
 }

@@ -158,7 +158,7 @@ impl Form {
     }
 }
 
-/// Multiplies what stands before the cosines, and puts the cosines of both behind it.
+/// Multiplies what stands before the cosines, and puts the cosines of both behind it; of `cos t · sin t` it makes `½ sin 2t`.
 fn product(a: &Root, b: &Root) -> Option<Form> {
     let ((a, mut cosines), (b, others)) = (a.parts(), b.parts());
     cosines.extend(others);
@@ -166,6 +166,12 @@ fn product(a: &Root, b: &Root) -> Option<Form> {
     let roots = product_of_roots(&a, &b)?;
     if cosines.is_empty() {
         return Some(roots);
+    }
+    if let Some([t, u]) = complements(&cosines) {
+        // With u = 90° − t it is ½ sin 2t = ½ cos(u − t).
+        let merged = Form::cosine(BigRational::new(1.into(), 2.into()), &cosines.remove(u) - &cosines.remove(t));
+        let one = |angle: &Turn| Form::cosine(BigRational::one(), angle.clone());
+        return cosines.iter().try_fold(roots, |form, angle| form.times(&one(angle)))?.times(&merged);
     }
     let with_cosines = |(root, coefficient): (Root, BigRational)| {
         let (root, mut all) = root.parts();
@@ -178,6 +184,13 @@ fn product(a: &Root, b: &Root) -> Option<Form> {
         (root, coefficient)
     };
     (cosines.len() <= MOST_COSINES).then(|| Form::new(roots.terms.into_iter().map(with_cosines)))
+}
+
+/// The places of two angles that make a quarter of a turn together.
+fn complements(angles: &[Turn]) -> Option<[usize; 2]> {
+    let quarter = Turn::fraction(1, 4);
+    let larger = |t: usize| (t + 1..angles.len()).find(|&u| &angles[t] + &angles[u] == quarter);
+    (0..angles.len()).find_map(|t| larger(t).map(|u| [t, u]))
 }
 
 fn product_of_roots(a: &Root, b: &Root) -> Option<Form> {

@@ -1,4 +1,4 @@
-//! How is an exact number written, and read back? `2√3`, `(3√2 − √6)/4`, `√(5 − 2√5)`, `3·cos(40°)`, `2√3·sin(4.5°)`.
+//! How is an exact number written, and read back? `2√3`, `(3√2 − √6)/4`, `√(5 − 2√5)`, `3·cos(40°)`, `2√3·sin²(4.5°)`.
 
 use std::fmt;
 
@@ -32,7 +32,7 @@ impl Form {
     /// assert!(Form::parse("2√").is_none());
     /// ```
     ///
-    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)`, `sin 36°` or `sin 36 deg`, and brackets are understood;
+    /// Numbers, `+ − · * /` with a rational divisor, `√`, `sqrt`, `cos(…°)`, `sin 36°`, `sin² 36°` or `sin 36 deg`, and brackets are understood;
     /// `None` for all else, and for the root of a negative number.
     pub fn parse(text: &str) -> Option<Form> {
         let spaced =
@@ -49,7 +49,8 @@ struct Style {
     minus: &'static str,
     fraction: fn(&str, &BigInt, bool) -> String,
     root: fn(&str, bool) -> String,
-    function: fn(&str, &str) -> String,
+    /// Name, whether it is squared, degrees.
+    function: fn(&str, bool, &str) -> String,
     times: &'static str,
 }
 
@@ -60,7 +61,7 @@ const TEXT: Style = Style {
         false => format!("{numerator}/{denominator}"),
     },
     root: |inside, is_number| if is_number { format!("√{inside}") } else { format!("√({inside})") },
-    function: |name, degrees| format!("{name}({degrees}°)"),
+    function: |name, is_squared, degrees| format!("{name}{}({degrees}°)", if is_squared { "²" } else { "" }),
     times: "·",
 };
 
@@ -68,7 +69,7 @@ const TEX: Style = Style {
     minus: "-",
     fraction: |numerator, denominator, _| format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
     root: |inside, _| format!("\\sqrt{{{inside}}}"),
-    function: |name, degrees| format!("\\{name}({degrees}^\\circ)"),
+    function: |name, is_squared, degrees| format!("\\{name}{}({degrees}^\\circ)", if is_squared { "^2" } else { "" }),
     times: "",
 };
 
@@ -122,18 +123,20 @@ fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
         coefficient.to_string()
     };
     let first = format!("{number}{root}");
-    let factors = cosines.iter().map(|angle| function(angle, style));
+    // Equal angles stand beside each other; they are told in pairs.
+    let alike = cosines.chunk_by(|a, b| a == b).flat_map(|alike| alike.chunks(2));
+    let factors = alike.map(|one_or_two| function(&one_or_two[0], one_or_two.len() == 2, style));
     let factors: Vec<String> = Some(first).filter(|first| !first.is_empty()).into_iter().chain(factors).collect();
     factors.join(style.times)
 }
 
-/// A cosine, of an angle above 45° the sine of what is missing to 90°.
-fn function(angle: &Turn, style: &Style) -> String {
+/// A cosine or its square, of an angle above 45° the sine of what is missing to 90°.
+fn function(angle: &Turn, is_squared: bool, style: &Style) -> String {
     let degrees = angle.degrees();
     let right = BigRational::from_integer(90.into());
     match &degrees + &degrees > right {
-        true => (style.function)("sin", &plain_degrees(&(right - degrees))),
-        false => (style.function)("cos", &plain_degrees(&degrees)),
+        true => (style.function)("sin", is_squared, &plain_degrees(&(right - degrees))),
+        false => (style.function)("cos", is_squared, &plain_degrees(&degrees)),
     }
 }
 
@@ -219,12 +222,14 @@ impl Parser {
         for (name, is_sine) in [("cos", false), ("sin", true)] {
             if self.letters[self.at..].iter().copied().take(3).eq(name.chars()) {
                 self.at += 3;
+                let is_squared = self.takes('²');
                 let bracket = self.takes('(');
                 let degrees = self.number()?;
                 (self.takes('°') && (!bracket || self.takes(')'))).then_some(())?;
                 let angle = Turn::from_degrees(&degrees);
                 let angle = if is_sine { &Turn::fraction(1, 4) - &angle } else { angle };
-                return Some(Form::cosine(BigRational::one(), angle));
+                let value = Form::cosine(BigRational::one(), angle);
+                return if is_squared { value.times(&value) } else { Some(value) };
             }
         }
         self.number().map(Form::rational)

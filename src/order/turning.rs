@@ -60,7 +60,8 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
         axis: cranks.get(crank).map_or_else(Vec::new, |crank| crank.axis.clone()),
     };
     let radius = unit_radius(engine);
-    let rods = engine.cylinders().iter().enumerate().map(|(index, at)| {
+    let with_rods = engine.cylinders().iter().enumerate().filter(|(_, at)| !at.rotating_mass.is_zero());
+    let rods = with_rods.map(|(index, at)| {
         let size = &at.rotating_mass * &radius * &at.crank_radius;
         on_the_crank(Source::BigEnd(index), size, &engine.pin_angle(at), (&at.position, at.crank))
     });

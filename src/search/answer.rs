@@ -45,7 +45,7 @@ impl Front {
 /// If the question makes no sense.
 pub fn every_value(problem: &Problem) -> Result<Front, ProblemError> {
     let space = Space::new(problem)?;
-    let tables = Tables::new(&space);
+    let tables = Tables::with_bounds(&space);
     let (mut census, mut counts) = (Census::default(), Counts::default());
     for piece in piece::pieces(&space, &tables) {
         let (next, of_piece) = piece::run(&space, &tables, &piece, census);

@@ -51,11 +51,12 @@ impl StarValues {
 
     /// Counts the stars of an equal point too.
     pub fn join(&mut self, other: StarValues) {
-        self.classes += other.classes;
-        self.stars += other.stars;
-        if other.throws < self.throws {
+        // A star that is not counted here belongs to another piece.
+        if self.classes == 0 || other.throws < self.throws {
             self.throws = other.throws;
         }
+        self.classes += other.classes;
+        self.stars += other.stars;
     }
 }
 

@@ -16,6 +16,14 @@ pub(super) struct Piece {
     pub same: Same,
 }
 
+impl Piece {
+    /// Whether a star begins like this.
+    pub fn holds(&self, throws: &[u16]) -> bool {
+        let ends = throws.iter().zip(throws.iter().rev()).map(|(&a, &b)| (usize::from(a), usize::from(b)));
+        self.pairs.iter().copied().eq(ends.take(self.pairs.len()))
+    }
+}
+
 /// What came of a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {

@@ -11,7 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::firing;
 use super::front::StarValues;
 use super::judged;
-use super::piece::{Counts, Piece};
+use super::piece::Counts;
+use super::plan::Plan;
 use super::problem::Problem;
 use super::space::Space;
 use super::tables::Tables;
@@ -53,13 +54,14 @@ struct WrittenStar {
 }
 
 /// What a state file is about: files of other questions, and of other ways to cut them into pieces, are refused.
-fn signature(problem: &Problem, pieces: usize) -> String {
+fn signature(problem: &Problem, plan: &Plan) -> String {
     let vee = problem.bank_angle.as_ref().map_or(String::new(), |angle| format!(", V {} turn", angle.turns()));
     let directions = problem.directions.map_or(String::new(), |count| format!(", {count} directions"));
     let grid = problem.grid.map_or(String::new(), |grid| format!(", grid {grid}"));
     let neighbours = if problem.neighbours { ", neighbours" } else { "" };
     let (cycle, cylinders, orders) = (firing::cycle_name(problem.cycle), problem.cylinders, &problem.orders);
-    format!("2: {cylinders} cylinders, {cycle}{vee}{directions}{grid}{neighbours}, orders {orders:?}, {pieces} pieces")
+    let (way, pieces) = (plan.name(), plan.len());
+    format!("3: {cylinders} cylinders, {cycle}{vee}{directions}{grid}{neighbours}, orders {orders:?}, {pieces} {way}")
 }
 
 /// Reads the finished pieces; none if there is no file yet. What does not fit the question is refused.
@@ -68,7 +70,7 @@ pub(super) fn read(
     problem: &Problem,
     space: &Space,
     tables: &Tables,
-    pieces: &[Piece],
+    plan: &Plan,
 ) -> Result<BTreeMap<usize, Done>, String> {
     let place = harmless(&path.to_string_lossy());
     let file = match fs::File::open(path) {
@@ -82,7 +84,7 @@ pub(super) fn read(
     let body = undamaged(&bytes).ok_or_else(|| refused("is not the state of a search, or is damaged".to_owned()))?;
     let file: StateFile =
         serde_json::from_slice(body).map_err(|error| refused(format!("is not the state of a search: {error}")))?;
-    let expected = signature(problem, pieces.len());
+    let expected = signature(problem, plan);
     if file.search != expected {
         return Err(refused(format!("belongs to another search ({}); this one is {expected}", harmless(&file.search))));
     }
@@ -90,8 +92,7 @@ pub(super) fn read(
     let mut sum = Counts::default();
     for (number, written) in file.pieces {
         let damaged = || refused(format!("does not fit this search at piece {number}"));
-        let piece = pieces.get(number).ok_or_else(damaged)?;
-        let finished = finished(&written, piece, space, tables).ok_or_else(damaged)?;
+        let finished = finished(&written, number, plan, space, tables).ok_or_else(damaged)?;
         sum = sum.plus(finished.counts).filter(|sum| is_possible(*sum, space)).ok_or_else(damaged)?;
         done.insert(number, finished);
     }
@@ -112,15 +113,12 @@ fn digest_of(body: &[u8]) -> String {
 }
 
 /// A piece as it was written, if it can have come of this piece.
-fn finished(written: &WrittenPiece, piece: &Piece, space: &Space, tables: &Tables) -> Option<Done> {
+fn finished(written: &WrittenPiece, number: usize, plan: &Plan, space: &Space, tables: &Tables) -> Option<Done> {
     let counts = Counts { judged: written.judged, cut: written.cut };
     let mut points: Vec<StarValues> = Vec::new();
     let mut classes = 0_u64;
     for star in &written.stars {
-        let begins = |(at, &(a, b)): (usize, &(usize, usize))| {
-            usize::from(star.throws[at]) == a && usize::from(star.throws[space.places - 1 - at]) == b
-        };
-        let is_here = space.holds(&star.throws) && piece.pairs.iter().enumerate().all(begins);
+        let is_here = space.holds(&star.throws) && plan.holds(number, space, &star.throws);
         // A class of rotation, mirror and reversal holds up to four stars with cylinder 1 at 0.
         let is_counted = star.classes > 0 && (star.classes..=star.classes.checked_mul(4)?).contains(&star.stars);
         let point = is_here.then(|| judged::judge(space, tables, &star.throws))?;
@@ -142,7 +140,7 @@ fn is_possible(counts: Counts, space: &Space) -> bool {
 }
 
 /// Writes the finished pieces: under another name first, so that the file is whole whenever the program stops.
-pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>, count: usize) -> Result<(), String> {
+pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>, plan: &Plan) -> Result<(), String> {
     let star =
         |point: &StarValues| WrittenStar { throws: point.throws.clone(), classes: point.classes, stars: point.stars };
     let piece = |done: &Done| WrittenPiece {
@@ -151,7 +149,7 @@ pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>
         stars: done.points.iter().map(star).collect(),
     };
     let pieces = done.iter().map(|(number, done)| (*number, piece(done))).collect();
-    let file = StateFile { search: signature(problem, count), pieces };
+    let file = StateFile { search: signature(problem, plan), pieces };
     let fail = |error: String| format!("cannot write `{}`: {error}", harmless(&path.to_string_lossy()));
     let mut text = serde_json::to_string(&file).map_err(|error| fail(error.to_string()))?;
     text.push_str(&digest_of(text.as_bytes()));

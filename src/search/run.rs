@@ -13,7 +13,8 @@ use std::thread;
 
 use super::answer::{self, Front};
 use super::front::{Judge, Pareto};
-use super::piece::{self, Counts, Piece};
+use super::piece::Counts;
+use super::plan::{Plan, Way};
 use super::problem::{Problem, ProblemError};
 use super::resume::{self, Done};
 use super::space::Space;
@@ -37,6 +38,8 @@ pub struct Progress {
 pub struct Options<'a> {
     /// Number of threads, at least 1.
     pub threads: usize,
+    /// How the stars are gone through; the front is the same.
+    pub way: Way,
     /// The file that keeps the finished pieces.
     pub resume: Option<PathBuf>,
     /// Told after each piece; a break stops the search.
@@ -47,7 +50,7 @@ impl Default for Options<'_> {
     /// One thread per available core, nothing kept, nothing told.
     fn default() -> Self {
         let threads = thread::available_parallelism().map_or(1, usize::from);
-        Options { threads, resume: None, progress: &|_| ControlFlow::Continue(()) }
+        Options { threads, way: Way::default(), resume: None, progress: &|_| ControlFlow::Continue(()) }
     }
 }
 
@@ -80,22 +83,24 @@ impl std::error::Error for SearchError {}
 /// If the question makes no sense, the state file cannot be read or written, or the progress callback stops the search.
 pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
     let space = Space::new(problem).map_err(SearchError::Problem)?;
-    let tables = Tables::new(&space);
-    let pieces = piece::pieces(&space, &tables);
-    let read = |path| resume::read(path, problem, &space, &tables, &pieces);
+    let (tables, plan) = Plan::new(&space, options.way);
+    let read = |path| resume::read(path, problem, &space, &tables, &plan);
     let known = options.resume.as_deref().map(read).transpose().map_err(SearchError::State)?;
-    let hall = Hall { problem, space: &space, tables: &tables, pieces: &pieces, options };
+    let hall = Hall { problem, space: &space, tables: &tables, plan: &plan, options };
     let state = Mutex::new(State { done: known.unwrap_or_default(), failure: None });
     let mut front = Pareto::default();
     let mut counts = Counts::default();
-    for start in (0..pieces.len()).step_by(ROUND) {
-        let end = pieces.len().min(start + ROUND);
+    let mut start = 0;
+    while start < plan.len() {
+        // The first pieces start from little; each round may be as long as all before it.
+        let end = plan.len().min(start + start.clamp(1, ROUND));
         hall.round(start..end, &front, &state)?;
         let held = state.lock().unwrap_or_else(PoisonError::into_inner);
         for done in held.done.range(start..end).map(|(_, done)| done) {
             done.points.iter().for_each(|point| front.take(point.clone()));
             counts = counts.plus(done.counts).unwrap_or_else(|| unreachable!("no search judges 2^64 stars"));
         }
+        start = end;
     }
     Ok(answer::answer(problem, &space, front.points().to_vec(), counts))
 }
@@ -110,7 +115,7 @@ struct Hall<'a> {
     problem: &'a Problem,
     space: &'a Space,
     tables: &'a Tables,
-    pieces: &'a [Piece],
+    plan: &'a Plan,
     options: &'a Options<'a>,
 }
 
@@ -141,17 +146,17 @@ impl Hall<'_> {
     }
 
     fn finish(&self, number: usize, front: &Pareto, state: &Mutex<State>) {
-        let (own, counts) = piece::run(self.space, self.tables, &self.pieces[number], front.uncounted());
+        let (own, counts) = self.plan.run(number, self.space, self.tables, front.uncounted());
         let points = own.points().iter().filter(|point| point.classes > 0).cloned().collect();
         let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
         state.done.insert(number, Done { points, counts });
         let written = self.options.resume.as_deref();
-        let written = written.map(|path| resume::write(path, self.problem, &state.done, self.pieces.len()));
+        let written = written.map(|path| resume::write(path, self.problem, &state.done, self.plan));
         if let Some(Err(message)) = written {
             state.failure = Some(SearchError::State(message));
         }
         let judged = state.done.values().map(|done| done.counts.judged).sum();
-        let progress = Progress { done: state.done.len(), pieces: self.pieces.len(), judged };
+        let progress = Progress { done: state.done.len(), pieces: self.plan.len(), judged };
         if (self.options.progress)(progress).is_break() && state.failure.is_none() {
             state.failure = Some(SearchError::Stopped);
         }

@@ -43,3 +43,30 @@ fn compare<T: Ord>(same: Same, own: &T, images: &[T; 3]) -> Option<Same> {
 pub(super) fn class_size(same: Same) -> u64 {
     4 / (1 + same.iter().filter(|same| **same).count() as u64)
 }
+
+/// The first star of a class, which puts cylinder 1 at direction 0, and the number of stars in the class that do.
+///
+/// `throws` are directions by place.
+pub(super) fn first_of_class(throws: &[u16], directions: usize) -> (Vec<u16>, u64) {
+    let turned_back = |star: &mut dyn Iterator<Item = usize>| {
+        let star: Vec<usize> = star.collect();
+        let first = star.first().copied().unwrap_or(0);
+        star.iter().map(|throw| ((throw + directions - first) % directions) as u16).collect::<Vec<u16>>()
+    };
+    let own = || throws.iter().map(|&throw| usize::from(throw));
+    let mirrored = || own().map(|throw| directions - throw);
+    let mut images = [
+        turned_back(&mut own()),
+        turned_back(&mut mirrored()),
+        turned_back(&mut own().rev()),
+        turned_back(&mut mirrored().rev()),
+    ];
+    let filled = |star: &Vec<u16>| {
+        let places = (0..star.len()).map(|at| if at % 2 == 0 { at / 2 } else { star.len() - 1 - at / 2 });
+        places.map(|place| star[place]).collect::<Vec<u16>>()
+    };
+    images.sort_by_cached_key(filled);
+    let different = 1 + images.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
+    let [first, ..] = images;
+    (first, different)
+}

@@ -39,7 +39,12 @@ impl Tables {
         let weights: i64 = space.weights.iter().map(|weight| weight.abs()).sum();
         let doubt = weights.max(space.places as i64);
         let (directions, orders) = (space.directions, space.orders.len());
-        let mut tables = Tables { rows: rows.len(), doubt, directions, projections, bounds: Vec::new(), orders };
+        Tables { rows: rows.len(), doubt, directions, projections, bounds: Vec::new(), orders }
+    }
+
+    /// The same with the bounds that the walk needs.
+    pub fn with_bounds(space: &Space) -> Self {
+        let mut tables = Tables::new(space);
         tables.bounds = match space.supply {
             Some(supply) => tables.of_supplies(space, supply),
             None => tables.of_free_pairs(space),

@@ -1,11 +1,12 @@
 //! How large are the counterweights that hold what turns with the crank?
 
 use num_complex::Complex;
+use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use super::integers::IntegerEngine;
+use super::integers::{IntegerEngine, KnownWeights};
 use super::swept_engine::{Amplitude, float};
-use crate::engine::{Engine, throws};
+use crate::engine::{Cylinder, Engine, throws};
 use crate::order::{self, Factor};
 use crate::proof::{Quantity, Sense};
 
@@ -15,7 +16,7 @@ use crate::proof::{Quantity, Sense};
 /// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
 /// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
 pub fn counterweight(engine: &Engine) -> Option<Amplitude> {
-    counterweight_of(engine, IntegerEngine::new(engine).as_ref())
+    counterweight_of(engine, IntegerEngine::new(engine, &mut KnownWeights::default()).as_ref())
 }
 
 /// The same for an engine whose whole numbers are known already.
@@ -40,14 +41,32 @@ pub(super) fn counterweight_of(engine: &Engine, whole: Option<&IntegerEngine>) -
         return Some(Amplitude { value: 0.0, vanishes: true });
     }
     let p = if no_force { Complex::zero() } else { p };
-    let throws = throws(engine);
-    let positions = || throws.iter().map(|throw| &throw.position - engine.reference_plane());
-    let (first, second) = (positions().max()?, positions().min()?);
+    let (first, second) = outermost(engine)?;
     if first == second {
         return no_moment.then_some(Amplitude { value: p.norm() / 2.0, vanishes: false });
     }
-    let (z_1, z_2) = (first.to_f64()?, second.to_f64()?);
+    let [z_1, z_2] = [first, second].map(|position| (position - engine.reference_plane()).to_f64());
+    let (z_1, z_2) = (z_1?, z_2?);
     let apart = 2.0 * (z_1 - z_2);
     let larger = ((c - p * z_2) / apart).norm().max(((p * z_1 - c) / apart).norm());
     Some(Amplitude { value: larger, vanishes: false })
+}
+
+/// The highest and the lowest position of a throw.
+fn outermost(engine: &Engine) -> Option<(BigRational, BigRational)> {
+    let ends = |positions: &mut dyn Iterator<Item = &BigRational>| {
+        let first = positions.next()?;
+        let (high, low) = positions.fold((first, first), |(high, low), at| (high.max(at), low.min(at)));
+        Some((high.clone(), low.clone()))
+    };
+    let cylinders = engine.cylinders();
+    let stands_apart = |(place, one): (usize, &Cylinder)| {
+        let others = cylinders[..place].iter();
+        others.filter(|other| other.pin == one.pin).any(|other| other.position != one.position)
+    };
+    // A throw stands in the middle of its cylinders: where they stand together, at the position of each.
+    match cylinders.iter().enumerate().any(stands_apart) {
+        false => ends(&mut cylinders.iter().map(|cylinder| &cylinder.position)),
+        true => ends(&mut throws(engine).iter().map(|throw| &throw.position)),
+    }
 }

@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
+use smallvec::SmallVec;
 
 use super::integers::IntegerEngine;
 use crate::engine::{Cycle, Engine, Firing};
@@ -110,10 +111,31 @@ impl<'a> Choices<'a> {
     }
 
     /// Those of the choice with the least difference, and of those the shortest longest one.
+    ///
+    /// With the top dead centres rising, the cylinders of the first revolution fire in that order, then those of the second: no choice
+    /// has to be sorted. The first cylinder, whose centre is 0, fires first.
     fn most_even(&self) -> Option<(i64, i64)> {
-        (0..self.count)
-            .map(|choice| self.intervals(choice))
-            .min_by_key(|(longest, shortest)| (longest - shortest, *longest))
+        let mut rising: SmallVec<[i64; MOST_CYLINDERS]> = self.whole.iter().copied().collect();
+        rising.sort_unstable();
+        let (first, others) = rising.split_first()?;
+        let turn = self.revolutions * self.length;
+        let intervals = |choice: usize| {
+            let (mut last, mut longest, mut shortest) = (*first, 0, turn);
+            let mut fires = |at: i64| {
+                (longest, shortest) = (longest.max(at - last), shortest.min(at - last));
+                last = at;
+            };
+            let is_late = |place: usize| choice >> place & 1 == 1;
+            for (_, &centre) in others.iter().enumerate().filter(|(place, _)| !is_late(*place)) {
+                fires(centre);
+            }
+            for (_, &centre) in others.iter().enumerate().filter(|(place, _)| is_late(*place)) {
+                fires(centre + self.length);
+            }
+            fires(first + turn);
+            (longest, shortest)
+        };
+        (0..self.count).map(intervals).min_by_key(|(longest, shortest)| (longest - shortest, *longest))
     }
 }
 

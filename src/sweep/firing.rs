@@ -56,18 +56,9 @@ pub struct FiringZeros {
 /// # Errors
 /// A half order of a two-stroke engine, or of a file that does not say when the cylinders fire.
 pub fn firing_stars(template: &Template, sweep: &Sweep, orders: &[CycleOrder]) -> Result<FiringSweep, SweepError> {
-    let cycle = template.cycle();
-    let known = cycle.map_or(Ok(()), |cycle| firing::are_orders_of(cycle, orders));
-    known.map_err(|why| SweepError::new(why.to_string()))?;
-    let has_half = orders.iter().any(|order| !order.is_whole());
-    if has_half && !template.has("firing_order") && !template.has("firing_angles") {
-        return Err(SweepError::new(NoSpans::NotSaid.to_string()));
-    }
+    can_be_judged(template, orders)?;
     let reader = Reader::new(template, &sweep.parameters);
-    let lengths = |values: &[BigRational]| -> Result<Vec<StarLength>, SweepError> {
-        let engine = reader.engine(values)?;
-        Ok(orders.iter().map(|order| length(&engine, *order)).collect())
-    };
+    let lengths = |values: &[BigRational]| lengths(&reader, values, orders);
     let zeros = match sweep.parameters.as_slice() {
         [one] => found(template, one, orders),
         _ => None,
@@ -86,6 +77,28 @@ pub fn firing_stars(template: &Template, sweep: &Sweep, orders: &[CycleOrder]) -
         curve: curve.into_iter().map(on_curve).collect::<Result<_, SweepError>>()?,
         zeros,
     })
+}
+
+/// Whether these are orders of which the file tells enough.
+pub(super) fn can_be_judged(template: &Template, orders: &[CycleOrder]) -> Result<(), SweepError> {
+    let cycle = template.cycle();
+    let known = cycle.map_or(Ok(()), |cycle| firing::are_orders_of(cycle, orders));
+    known.map_err(|why| SweepError::new(why.to_string()))?;
+    let has_half = orders.iter().any(|order| !order.is_whole());
+    if has_half && !template.has("firing_order") && !template.has("firing_angles") {
+        return Err(SweepError::new(NoSpans::NotSaid.to_string()));
+    }
+    Ok(())
+}
+
+/// The stars of these orders at one point.
+pub(super) fn lengths(
+    reader: &Reader,
+    values: &[BigRational],
+    orders: &[CycleOrder],
+) -> Result<Vec<StarLength>, SweepError> {
+    let engine = reader.engine(values)?;
+    Ok(orders.iter().map(|order| length(&engine, *order)).collect())
 }
 
 fn length(engine: &Engine, order: CycleOrder) -> StarLength {

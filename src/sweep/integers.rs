@@ -1,7 +1,8 @@
 //! How are many sums of one engine decided fast? Its angles and weights as machine words over common denominators.
 //!
-//! Where all cylinders have one rod, or none is given, every sum of an order that no other mass enters has the exponents
-//! `kβ − (k∓1)α` over one denominator. They are formed in words, and the room [`crate::exact`] decides on them as on any.
+//! Where all cylinders have one rod, or none is given, every sum of an order has the exponents `kβ − (k∓1)α` over one
+//! denominator. Masses that turn enter order 1 of centric rods with the same number before them, 1, so that their terms stand
+//! in the same sum. All are formed in words, and the room [`crate::exact`] decides on them as on any.
 
 use std::f64::consts::TAU;
 
@@ -10,10 +11,11 @@ use num_complex::Complex;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use smallvec::SmallVec;
 
-use crate::engine::Engine;
+use crate::engine::{Cylinder, Engine};
 use crate::exact;
-use crate::order;
+use crate::order::{self, Factor, TurningMass};
 use crate::proof::{Quantity, Sense};
 
 /// A sum further from zero than this part of the sum of its weights is not zero: floats are off by far less, with as many
@@ -27,13 +29,20 @@ pub(super) struct IntegerEngine {
     conductor: i64,
     throws: Vec<i64>,
     banks: Vec<i64>,
-    /// Mass times crank radius, for the force; for the moment times the arm.
+    /// The masses that turn and are in words: where each stands in a turn, and which way it goes.
+    turning: Vec<(i64, Sense)>,
+    /// Mass times crank radius, for the force; for the moment times the arm. Of the cylinders, then of the masses that turn.
     weights: [Weights; 2],
-    /// The orders that masses enter that turn.
-    turning: Vec<u32>,
+    /// The orders of masses that turn and are not in words.
+    unknown: Vec<u32>,
 }
 
+/// The weights of the pistons of an engine, kept for the next one: most sweeps change angles alone.
+#[derive(Default)]
+pub(super) struct KnownWeights(Option<(Vec<[BigRational; 3]>, BigRational, [Weights; 2])>);
+
 /// Whole weights, and what a unit of them is.
+#[derive(Clone)]
 struct Weights {
     whole: Vec<i64>,
     unit: f64,
@@ -50,31 +59,47 @@ pub(super) struct Pair {
 
 impl IntegerEngine {
     /// The engine in words; none where it has no reciprocating masses, rods or the speeds of crankshafts differ, or a number is too long.
-    pub fn new(engine: &Engine) -> Option<Self> {
+    pub fn new(engine: &Engine, known: &mut KnownWeights) -> Option<Self> {
         let weightless = engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
         if weightless || engine.mechanisms().len() > 1 || engine.faster_crank().is_some() {
             return None;
         }
-        let turning = order::turning_masses(engine).into_iter().map(|mass| mass.order).collect();
+        let turning = order::turning_masses(engine);
+        // They stand before 1, and so does order 1 of the pistons.
+        let is_plain = !engine.has_offset() && !engine.has_links();
+        let beside = |mass: &TurningMass| is_plain && mass.order == 1 && mass.factor == Factor::One;
+        let unknown = turning.iter().filter(|mass| !beside(mass)).map(|mass| mass.order).collect();
+        let in_words: Vec<TurningMass> = turning.iter().filter(|mass| beside(mass)).cloned().collect();
+        if in_words.is_empty() {
+            return Self::with(engine, &[], unknown, known.of(engine)?);
+        }
+        Weights::of(engine, &in_words).and_then(|weights| Self::with(engine, &in_words, unknown, weights)).or_else(
+            || {
+                let unknown = turning.iter().map(|mass| mass.order).collect();
+                Self::with(engine, &[], unknown, Weights::of(engine, &[])?)
+            },
+        )
+    }
+
+    fn with(engine: &Engine, turning: &[TurningMass], unknown: Vec<u32>, weights: [Weights; 2]) -> Option<Self> {
         let cylinders = engine.cylinders();
         let angles = cylinders.iter().flat_map(|cylinder| [cylinder.throw.turns(), cylinder.bank.turns()]);
-        let conductor = common(angles)?;
+        let conductor = common(angles.chain(turning.iter().map(|mass| mass.angle.turns())))?;
         let exponent = |turns: &BigRational| Some(turns.numer().to_i64()? * (conductor / turns.denom().to_i64()?));
-        let force: Vec<BigRational> = cylinders.iter().map(|cylinder| cylinder.weight()).collect();
-        let moment: Vec<BigRational> =
-            cylinders.iter().zip(&force).map(|(cylinder, weight)| weight * engine.arm(cylinder)).collect();
+        let turns = |mass: &TurningMass| Some((exponent(mass.angle.turns())?, mass.sense));
         Some(IntegerEngine {
             conductor,
             throws: cylinders.iter().map(|cylinder| exponent(cylinder.throw.turns())).collect::<Option<_>>()?,
             banks: cylinders.iter().map(|cylinder| exponent(cylinder.bank.turns())).collect::<Option<_>>()?,
-            weights: [Weights::new(&force)?, Weights::new(&moment)?],
-            turning,
+            turning: turning.iter().map(turns).collect::<Option<_>>()?,
+            weights,
+            unknown,
         })
     }
 
     /// Whether these are all the masses of an order.
     pub fn knows(&self, order: u32) -> bool {
-        !self.turning.contains(&order)
+        !self.unknown.contains(&order)
     }
 
     /// Top dead centres after that of the first cylinder, in `0..turn`, and the length of a turn.
@@ -90,42 +115,44 @@ impl IntegerEngine {
         let n = i128::from(self.conductor);
         let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::multiples(order, Some(sense)));
         let mirrored = reverse.map(|times| -times);
-        let exponents: Vec<[u64; 2]> = self
-            .throws
-            .iter()
-            .zip(&self.banks)
-            .map(|(&throw, &bank)| {
-                [direct, mirrored].map(|[of_throw, of_bank]| {
-                    let exponent = i128::from(of_throw) * i128::from(throw) + i128::from(of_bank) * i128::from(bank);
-                    exponent.rem_euclid(n) as u64
-                })
+        let pistons = self.throws.iter().zip(&self.banks).map(|(&throw, &bank)| {
+            [direct, mirrored].map(|[of_throw, of_bank]| {
+                let exponent = i128::from(of_throw) * i128::from(throw) + i128::from(of_bank) * i128::from(bank);
+                Some(exponent.rem_euclid(n) as u64)
             })
-            .collect();
+        });
+        // What turns is in one of both sums: with the crank in the direct one, against it, mirrored, in the other.
+        let masses = self.turning.iter().filter(|_| order == 1).map(|&(at, sense)| match sense {
+            Sense::Direct => [Some(at.rem_euclid(self.conductor) as u64), None],
+            Sense::Reverse => [None, Some((-at).rem_euclid(self.conductor) as u64)],
+        });
+        let terms: SmallVec<[(i64, [Option<u64>; 2]); 32]> =
+            weights.whole.iter().copied().zip(pistons.chain(masses)).collect();
         let angle = |exponent: u64| TAU * (exponent as f64 / self.conductor as f64);
-        let (mut direct, mut mirrored, mut whole) = (Complex::zero(), Complex::zero(), 0.0);
-        for (&weight, &[one, other]) in weights.whole.iter().zip(&exponents) {
-            let weight = weight as f64;
-            whole += weight.abs();
-            direct += Complex::from_polar(weight, angle(one));
-            mirrored += Complex::from_polar(weight, angle(other));
+        let (mut sums, mut whole) = ([Complex::zero(), Complex::zero()], 0.0);
+        for &(weight, pair) in &terms {
+            whole += (weight as f64).abs();
+            for (sum, exponent) in sums.iter_mut().zip(pair) {
+                if let Some(exponent) = exponent {
+                    *sum += Complex::from_polar(weight as f64, angle(exponent));
+                }
+            }
         }
+        let [direct, mirrored] = sums;
         let conductor = self.conductor as u64;
-        let alone = |place: usize| {
-            let terms: Vec<(u64, i64)> =
-                exponents.iter().map(|pair| pair[place]).zip(weights.whole.iter().copied()).collect();
-            exact::vanishes(&conductor, &terms)
-        };
-        let both = |sign: i64| {
-            let pairs = exponents.iter().zip(&weights.whole);
-            let terms: Vec<(u64, i64)> =
-                pairs.flat_map(|(pair, &weight)| [(pair[0], weight), (pair[1], sign * weight)]).collect();
+        let decide = |signs: [i64; 2]| {
+            let of_both = |&(weight, pair): &(i64, [Option<u64>; 2])| {
+                let of_one = move |(exponent, sign): (Option<u64>, i64)| Some((exponent?, sign * weight));
+                pair.into_iter().zip(signs).filter(|(_, sign)| *sign != 0).filter_map(of_one)
+            };
+            let terms: Vec<(u64, i64)> = terms.iter().flat_map(of_both).collect();
             exact::vanishes(&conductor, &terms)
         };
         let near = |value: Complex<f64>| value.norm() <= SURELY_NOT_ZERO * whole;
-        let (plus, minus) = (near(direct) && alone(0), near(mirrored) && alone(1));
+        let (plus, minus) = (near(direct) && decide([1, 0]), near(mirrored) && decide([0, 1]));
         let [along, across] = match (plus, minus) {
             (true, true) => [true, true],
-            (false, false) => [near(direct + mirrored) && both(1), near(direct - mirrored) && both(-1)],
+            (false, false) => [near(direct + mirrored) && decide([1, 1]), near(direct - mirrored) && decide([1, -1])],
             _ => [false, false],
         };
         let unit = weights.unit;
@@ -134,7 +161,43 @@ impl IntegerEngine {
     }
 }
 
+impl KnownWeights {
+    /// Those of the force and the moment of the pistons.
+    fn of(&mut self, engine: &Engine) -> Option<[Weights; 2]> {
+        let enters = |cylinder: &Cylinder| {
+            [&cylinder.reciprocating_mass, &cylinder.crank_radius, &cylinder.position].map(Clone::clone)
+        };
+        let is_same = |cylinder: &Cylinder, [mass, radius, position]: &[BigRational; 3]| {
+            (&cylinder.reciprocating_mass, &cylinder.crank_radius, &cylinder.position) == (mass, radius, position)
+        };
+        let (cylinders, plane) = (engine.cylinders(), engine.reference_plane());
+        if let Some((pistons, known_plane, weights)) = &self.0 {
+            let pairs = || cylinders.iter().zip(pistons);
+            let are_same =
+                pistons.len() == cylinders.len() && pairs().all(|(cylinder, known)| is_same(cylinder, known));
+            if are_same && known_plane == plane {
+                return Some(weights.clone());
+            }
+        }
+        let weights = Weights::of(engine, &[])?;
+        self.0 = Some((cylinders.iter().map(enters).collect(), plane.clone(), weights.clone()));
+        Some(weights)
+    }
+}
+
 impl Weights {
+    /// Those of the force and the moment, of the pistons and then of these masses.
+    fn of(engine: &Engine, turning: &[TurningMass]) -> Option<[Weights; 2]> {
+        let cylinders = engine.cylinders();
+        let pistons = cylinders.iter().map(|cylinder| (cylinder.weight(), &cylinder.position));
+        let force: Vec<(BigRational, &BigRational)> =
+            pistons.chain(turning.iter().map(|mass| (mass.weight(), &mass.position))).collect();
+        let plane = engine.reference_plane();
+        let moment: Vec<BigRational> = force.iter().map(|(weight, position)| weight * (*position - plane)).collect();
+        let force: Vec<BigRational> = force.into_iter().map(|(weight, _)| weight).collect();
+        Some([Weights::new(&force)?, Weights::new(&moment)?])
+    }
+
     fn new(weights: &[BigRational]) -> Option<Self> {
         let scale = common(weights)?;
         let whole = |weight: &BigRational| {

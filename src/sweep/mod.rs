@@ -13,6 +13,7 @@ mod integers;
 mod parameter;
 mod range;
 mod run;
+mod stream;
 mod swept_engine;
 mod zeros;
 
@@ -23,6 +24,7 @@ pub use firing::{FiringSweep, FiringZeros, StarLength, firing_stars};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
 pub use run::{Sweep, sweep};
+pub use stream::Stream;
 pub use swept_engine::{Amplitude, Amplitudes, SweptEngine, SweptOrder, judge};
 pub use zeros::{ZeroSet, Zeros, zeros};
 

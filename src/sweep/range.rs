@@ -7,8 +7,10 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::SweepError;
 use crate::file::parse_number;
 
-/// More points than this are refused by name: at some kilobytes each they would fill a memory.
+/// More points than this are not kept for a page: at some kilobytes each they would fill a memory. A table of them may be longer.
 pub const MOST_POINTS: usize = 100_000;
+/// More than this no machine computes.
+pub(super) const MOST_COUNTED: usize = 1_000_000_000;
 
 /// Exact values at equal steps. The end is one of them where it lies on the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,7 +31,7 @@ impl Range {
     /// ```
     ///
     /// # Errors
-    /// What cannot be read, a step of 0, a range that is empty, or one of more than [`MOST_POINTS`] points.
+    /// What cannot be read, a step of 0, a range that is empty, or one of more than a thousand million points.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let example = "write FROM..TO:STEP, such as 0..180:10 or 80..120:5 mm";
         let refuse = |what: String| SweepError::new(format!("the range `{}` {what}", shown(text)));
@@ -57,8 +59,8 @@ impl Range {
             return Err(refuse(format!("is empty: its step leads away from {to}; {right} would lead there")));
         }
         let count: BigInt = (way / &step).floor().to_integer() + BigInt::one();
-        let Some(count) = count.to_usize().filter(|count| *count <= MOST_POINTS) else {
-            return Err(refuse(format!("has {count} points; up to {MOST_POINTS} are computed: take a larger step")));
+        let Some(count) = count.to_usize().filter(|count| *count <= MOST_COUNTED) else {
+            return Err(refuse(format!("has {count} points; up to {MOST_COUNTED} are computed: take a larger step")));
         };
         Ok(Range { from, step, count, unit: unit.trim().to_owned() })
     }

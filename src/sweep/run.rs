@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use super::envelope::Geometry;
 use super::firing::FiringSweep;
 use super::parameter::Parameter;
-use super::range::MOST_POINTS;
+use super::range::{MOST_COUNTED, MOST_POINTS};
 use super::swept_engine::{Motions, SweptEngine, judge_with};
 use super::zeros::{is_angle, zeros};
 use super::{SweepError, ZeroSet};
@@ -68,32 +68,26 @@ pub fn sweep(
     orders: &[u32],
     geometry: &Geometry,
 ) -> Result<Sweep, SweepError> {
-    let count = match parameters {
-        [] => return Err(SweepError::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
-        [one] => Some(one.range.count()),
-        [one, other] if one.key == other.key => {
-            return Err(SweepError::new(format!("`{}` is swept twice; two different keys make a map", one.key)));
-        }
-        [one, other] => one.range.count().checked_mul(other.range.count()),
-        _ => {
-            return Err(SweepError::new(format!(
-                "{} parameters are swept; one makes curves, two a map",
-                parameters.len()
-            )));
-        }
-    };
-    let Some(count) = count.filter(|count| *count <= MOST_POINTS) else {
+    let count = count(parameters)?;
+    if count > MOST_POINTS {
         let sizes: Vec<String> = parameters.iter().map(|parameter| parameter.range.count().to_string()).collect();
-        let message = format!("the map has {} points; up to {MOST_POINTS} are computed", sizes.join(" × "));
+        let message = format!(
+            "the sweep has {} points; up to {MOST_POINTS} are kept for a page; the table of points has no such limit: \
+             --format csv or parquet with --output naming a file",
+            sizes.join(" × ")
+        );
         return Err(SweepError::new(message));
-    };
+    }
     let reader = Reader::new(template, parameters);
     let first = reader.engine(&reader.values(0))?;
     let usual = loads::usual_orders(&first);
     let orders = if orders.is_empty() { usual.as_slice() } else { orders };
     let points = all(count, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
     let zeros = match parameters {
-        [one] => zeros(template, one, orders),
+        [one] => zeros(template, one, orders).map(|mut sets| {
+            sets.iter_mut().for_each(|set| set.take_from(&points));
+            sets
+        }),
         _ => None,
     };
     let mut curve = match parameters {
@@ -101,9 +95,11 @@ pub fn sweep(
             let finer = Parameter { range: one.range.finer(SMOOTH.div_ceil(one.range.count() - 1)), ..one.clone() };
             let finer = [finer];
             let between = Reader::new(template, &finer);
-            all(finer[0].range.count(), &|index, motions| {
+            let finer = all(finer[0].range.count(), &|index, motions| {
                 between.point(&between.values(index), orders, geometry, motions)
-            })?
+            });
+            // Between whole numbers there may be no engine.
+            finer.unwrap_or_else(|_| points.clone())
         }
         [_] => points.iter().step_by(points.len().div_ceil(MOST_OF_CURVE)).cloned().collect(),
         _ => Vec::new(),
@@ -130,6 +126,23 @@ pub fn sweep(
         rods_known: !first.mechanisms().is_empty(),
         geometry: geometry.clone(),
     })
+}
+
+/// How many points a sweep over these parameters has.
+pub(super) fn count(parameters: &[Parameter]) -> Result<usize, SweepError> {
+    let too_many = || SweepError::new(format!("the map has more than {MOST_COUNTED} points; take larger steps"));
+    match parameters {
+        [] => Err(SweepError::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
+        [one] => Ok(one.range.count()),
+        [one, other] if one.key == other.key => {
+            Err(SweepError::new(format!("`{}` is swept twice; two different keys make a map", one.key)))
+        }
+        [one, other] => {
+            let count = one.range.count().checked_mul(other.range.count());
+            count.filter(|count| *count <= MOST_COUNTED).ok_or_else(too_many)
+        }
+        several => Err(SweepError::new(format!("{} parameters are swept; one makes curves, two a map", several.len()))),
+    }
 }
 
 /// Reads the engines of a sweep.
@@ -182,7 +195,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn point(
+    pub fn point(
         &self,
         values: &[BigRational],
         orders: &[u32],

@@ -10,7 +10,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness_of};
-use super::integers::{IntegerEngine, Pair};
+use super::integers::{IntegerEngine, KnownWeights, Pair};
 use crate::engine::{self, Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
@@ -92,11 +92,13 @@ pub struct SweptEngine {
     pub envelope: Option<Envelope>,
 }
 
-/// The coefficients of the motion by rod, each computed once, and the numbers of links with corrected knuckle angles.
+/// The coefficients of the motion by rod, each computed once, the numbers of links with corrected knuckle angles, and the weights of the
+/// pistons of the engine before.
 #[derive(Default)]
 pub(super) struct Motions {
     by_rod: BTreeMap<Mechanism, Vec<Complex<f64>>>,
     corrected: Coefficients,
+    weights: KnownWeights,
 }
 
 impl Motions {
@@ -156,7 +158,7 @@ pub(super) fn judge_with(
     if engine.faster_crank().is_some() && engine.mechanisms().is_empty() {
         return Err(Missing::Rods);
     }
-    let whole = IntegerEngine::new(engine);
+    let whole = IntegerEngine::new(engine, &mut motions.weights);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
         let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
@@ -167,7 +169,7 @@ pub(super) fn judge_with(
         });
         SweptOrder { order, force, moment }
     });
-    let orders = judged.collect();
+    let orders: Vec<SweptOrder> = judged.collect();
     let mechanism = engine.dimensions();
     let rods_known = !engine.mechanisms().is_empty();
     Ok(SweptEngine {
@@ -200,8 +202,8 @@ fn from_words(
     let total_length = total_length * coefficient.norm();
     amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
         let [direct, reverse] =
-            [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, quantity, order, Some(sense)));
-        direct.is_as_long_as(&reverse)
+            [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
+        direct.is_as_long_as(&reverse.mirrored())
     })
 }
 

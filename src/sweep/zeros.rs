@@ -10,6 +10,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
 use super::run::Reader;
+use super::swept_engine::SweptEngine;
 use crate::engine::{Engine, Family, PHI};
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
@@ -68,6 +69,30 @@ impl ZeroSet {
             at: Vec::new(),
             irrational: Vec::new(),
             complete: true,
+        }
+    }
+
+    /// Takes in the points of a grid at which it is proved to vanish: what is zero there stands in the list, even where nothing is proved
+    /// of what lies between.
+    pub(super) fn take_from(&mut self, points: &[SweptEngine]) {
+        if !self.exists || self.everywhere {
+            return;
+        }
+        for point in points {
+            let Some(order) = point.orders.iter().find(|swept| swept.order == self.order) else { continue };
+            let part = if self.quantity == Quantity::Force { &order.force } else { &order.moment };
+            let vanishes = match self.of {
+                Zeros::Direct => part.direct.vanishes,
+                Zeros::Reverse => part.reverse.vanishes,
+                Zeros::Largest => part.largest.vanishes,
+                Zeros::Along => part.along.vanishes,
+                Zeros::Across => part.across.vanishes,
+            };
+            if let (true, [value]) = (vanishes, point.values.as_slice())
+                && let Err(place) = self.at.binary_search(value)
+            {
+                self.at.insert(place, value.clone());
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! What is a column of a table? Values of one type, a name with the unit in it, and a sentence that tells what they mean.
 
+use std::borrow::Cow;
+
 use super::Unit;
 use crate::text::Untrusted;
 
@@ -68,6 +70,31 @@ impl Values {
         self.len() == 0
     }
 
+    /// None, of the same type.
+    pub(super) fn none_of_its_kind(&self) -> Values {
+        match self {
+            Values::Words(_) => Values::Words(Vec::new()),
+            Values::Person(_) => Values::Person(Vec::new()),
+            Values::Exact(_) => Values::Exact(Vec::new()),
+            Values::Whole(_) => Values::Whole(Vec::new()),
+            Values::Decimal(_) => Values::Decimal(Vec::new()),
+            Values::Truth(_) => Values::Truth(Vec::new()),
+        }
+    }
+
+    /// Adds a value as a table of comma-separated values has it; none where it is no such value.
+    pub(super) fn read(&mut self, text: Cow<'_, str>) -> Option<()> {
+        let is_there = !text.is_empty();
+        match self {
+            Values::Words(values) | Values::Exact(values) => values.push(is_there.then(|| text.into_owned())),
+            Values::Person(values) => values.push(is_there.then(|| Untrusted::new(&*text))),
+            Values::Whole(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
+            Values::Decimal(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
+            Values::Truth(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
+        }
+        Some(())
+    }
+
     /// Their type.
     pub fn kind(&self) -> Kind {
         match self {
@@ -106,6 +133,11 @@ impl Column {
     /// A column whose name has other holes besides the unit: each is filled in turn.
     pub fn named(pattern: &'static str, holes: &[&str], unit: Unit, about: &'static str, values: Values) -> Self {
         Column { name: filled(pattern, holes, unit), pattern, unit, about, values }
+    }
+
+    /// The same with other values.
+    pub(super) fn with(&self, values: Values) -> Self {
+        Column { name: self.name.clone(), values, ..*self }
     }
 
     /// Its name, with the unit.

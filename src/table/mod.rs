@@ -6,13 +6,15 @@ mod column;
 mod csv;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod stream;
 mod unit;
 mod write;
 #[cfg(feature = "xlsx")]
 mod xlsx;
 
 pub use column::{Column, Kind, Values, filled};
-pub use csv::csv;
+pub use csv::{csv, from_rows, rows};
+pub use stream::Stream;
 pub use unit::Unit;
 pub use write::{DataFile, Format, Unwritable};
 
@@ -68,6 +70,14 @@ impl Table {
     /// The columns, from left to right.
     pub fn columns(&self) -> &[Column] {
         &self.columns
+    }
+
+    /// Whether both have the same columns, as far as names and types go.
+    pub fn has_the_columns_of(&self, other: &Table) -> bool {
+        let shape = |table: &Table| -> Vec<(String, Kind)> {
+            table.columns().iter().map(|column| (column.name().to_owned(), column.values().kind())).collect()
+        };
+        shape(self) == shape(other)
     }
 
     /// The column of this name.

@@ -1,5 +1,6 @@
 //! How is a table written as Parquet? Each column with its type, and empty where there is nothing to say.
 
+use std::io::Write;
 use std::sync::Arc;
 
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical, ZstdLevel};
@@ -20,24 +21,46 @@ pub(super) fn parquet(table: &Table) -> Result<Vec<u8>, Unwritable> {
 }
 
 fn file(table: &Table) -> Result<Vec<u8>, ParquetError> {
-    let fields = table.columns().iter().map(field).collect::<Result<Vec<TypePtr>, _>>()?;
-    let schema = Type::group_type_builder(table.name()).with_fields(fields).build()?;
-    let properties = WriterProperties::builder()
-        .set_compression(Compression::ZSTD(ZstdLevel::default()))
-        .set_created_by(concat!("crankstar ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_key_value_metadata(Some(metadata(table)))
-        .build();
-    let mut writer = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
-    let mut rows = writer.next_row_group()?;
-    for column in table.columns() {
-        let Some(mut writer) = rows.next_column()? else {
-            return Err(ParquetError::General("a column of the schema has no writer".to_owned()));
-        };
-        write(&mut writer, column.values())?;
-        writer.close()?;
+    let mut groups = Groups::new(table, Vec::new())?;
+    groups.add(table)?;
+    groups.finish()
+}
+
+/// A file that is written group after group of rows.
+pub(super) struct Groups<W: Write + Send> {
+    writer: SerializedFileWriter<W>,
+}
+
+impl<W: Write + Send> Groups<W> {
+    /// A file with the columns of this table.
+    pub fn new(like: &Table, sink: W) -> Result<Self, ParquetError> {
+        let fields = like.columns().iter().map(field).collect::<Result<Vec<TypePtr>, _>>()?;
+        let schema = Type::group_type_builder(like.name()).with_fields(fields).build()?;
+        let properties = WriterProperties::builder()
+            .set_compression(Compression::ZSTD(ZstdLevel::default()))
+            .set_created_by(concat!("crankstar ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(metadata(like)))
+            .build();
+        Ok(Groups { writer: SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties))? })
     }
-    rows.close()?;
-    writer.into_inner()
+
+    /// Adds the rows of a table with the same columns.
+    pub fn add(&mut self, table: &Table) -> Result<(), ParquetError> {
+        let mut rows = self.writer.next_row_group()?;
+        for column in table.columns() {
+            let Some(mut writer) = rows.next_column()? else {
+                return Err(ParquetError::General("a column of the schema has no writer".to_owned()));
+            };
+            write(&mut writer, column.values())?;
+            writer.close()?;
+        }
+        rows.close().map(drop)
+    }
+
+    /// Ends the file.
+    pub fn finish(self) -> Result<W, ParquetError> {
+        self.writer.into_inner()
+    }
 }
 
 fn field(column: &Column) -> Result<TypePtr, ParquetError> {

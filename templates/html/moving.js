@@ -29,6 +29,7 @@
   const CENTRE = [0, 0];
   const POINT = (0.5).toLocaleString(document.documentElement.lang || "en")[1];
   const size = (point) => Math.hypot(...point);
+  const dot = ([a, b], [c, d]) => a * c + b * d;
   const line = (...points) => `M${points.map((point) => point.map(short).join(" ")).join("L")}`;
   /** An arrow, longer than its head. */
   const arrow = (from, to, head) => {
@@ -58,16 +59,23 @@
     };
     const moved = () => (angle ? (value - home) / angle.unit : 0); // in degrees
 
-    // The engine from its free end, pistons side by side.
-    const place = (body) => {
-      const bank = body.bank + body.bank_turns * moved();
-      const crank = body.throw + body.throw_turns * moved() + theta;
-      const psi = (crank - bank) * RADIANS;
-      const across = body.radius * Math.sin(psi) - body.aside;
-      const height = body.radius * Math.cos(psi) + Math.sqrt(Math.max(0, body.rod ** 2 - across ** 2));
-      const shift = polar(body.aside, bank + 90);
-      return { bank, height, shift, wrist: plus(polar(height, bank), shift), pin: polar(body.radius, crank) };
+    // The engine from its free end, pistons side by side. A rod stands on the crankpin, a link on a pin of the master rod.
+    const place = ({ bank, bank_turns, throw: at, throw_turns, radius, aside, rod, knuckle }) => {
+      const axis = bank + bank_turns * moved();
+      const crank = at + throw_turns * moved() + theta;
+      const pin = polar(radius, crank);
+      let foot = pin;
+      if (knuckle) {
+        const master = axis - knuckle.angle;
+        const lean = Math.asin((radius * Math.sin((crank - master) * RADIANS)) / knuckle.master) / RADIANS;
+        foot = plus(pin, polar(knuckle.radius, master - lean + knuckle.ahead));
+      }
+      const across = dot(foot, polar(1, axis + 90)) - aside;
+      const height = dot(foot, polar(1, axis)) + Math.sqrt(Math.max(0, rod ** 2 - across ** 2));
+      const shift = polar(aside, axis + 90);
+      return { axis, height, shift, pin, foot, wrist: plus(polar(height, axis), shift) };
     };
+    const middle = ({ rod, knuckle }) => rod + (knuckle ? knuckle.radius : 0);
     const engine = part("engine");
     const layers = ["barrel", "crank", "rod", "piston", "pin"].map(() => draw(engine, "g", {}));
     const unit = Math.max(...bodies.map(({ radius }) => radius));
@@ -90,19 +98,19 @@
         const at = place(body);
         set(piston, { transform: `translate(${at.wrist.map(short)})` });
         set(crank, { d: line(CENTRE, at.pin) });
-        set(rod, { d: line(at.pin, at.wrist) });
+        set(rod, { d: line(at.pin, at.foot, at.wrist) });
         set(pin, { cx: at.pin[0], cy: at.pin[1] });
       }
-      bodies.forEach((body, at) => set(heights[at], { y: 9.5 - (7.5 * (place(body).height - body.rod)) / unit }));
+      bodies.forEach((body, at) => set(heights[at], { y: 9.5 - (7.5 * (place(body).height - middle(body))) / unit }));
     };
     /** Barrels, and a window on all of them: only the open angle moves them. */
     const drawBarrels = () => {
       const corners = [[-1.3 * unit, -1.3 * unit], [1.3 * unit, 1.3 * unit]];
       for (const { body, crown, barrel } of drawn) {
-        const { bank, shift } = place(body);
-        set(crown, { transform: `rotate(${short(-bank)})` });
-        const ends = [-1, 1].map((end) => plus(shift, polar(body.rod + end * (body.radius + half), bank)));
-        const walls = [90, -90].map((side) => ends.map((end) => plus(end, polar(1.08 * half, bank + side))));
+        const { axis, shift } = place(body);
+        set(crown, { transform: `rotate(${short(-axis)})` });
+        const ends = [-1, 1].map((end) => plus(shift, polar(middle(body) + end * (body.radius + half), axis)));
+        const walls = [90, -90].map((side) => ends.map((end) => plus(end, polar(1.08 * half, axis + side))));
         set(barrel, { d: walls.map((wall) => line(...wall)).join("") });
         corners.push(...walls.flat());
       }

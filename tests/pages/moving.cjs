@@ -38,6 +38,32 @@ async function crankTurns(page, figure, name) {
   assert.ok((await drawing(figure)) !== turned, `${name}: nothing is dragged`);
 }
 
+/** Every rod stands on its crankpin or knuckle pin, keeps its length and leads its piston along the axis of the cylinder. */
+async function rodsFit(figure, scene, name) {
+  const seen = scene.bodies.filter((body) => body.label !== null);
+  const paths = await figure.locator("svg .rod").evaluateAll((all) => all.map((rod) => rod.getAttribute("d")));
+  const joints = paths.map((d) => d.slice(1).split("L").map((point) => point.split(" ").map(Number)));
+  const from = ([a, b], [c, d]) => [c - a, b - d]; // y upwards
+  const near = (one, other, what) => assert.ok(Math.abs(one - other) < 4e-3, `${name}: ${what} ${one}, not ${other}`);
+  const ahead = (one, other) => ((Math.atan2(other[1], other[0]) - Math.atan2(one[1], one[0])) * 180) / Math.PI;
+  let links = 0;
+  seen.forEach((body, index) => {
+    const [pin, foot, wrist] = joints[index];
+    near(Math.hypot(...pin), body.radius, "crank");
+    near(Math.hypot(...from(foot, wrist)), body.rod, "rod");
+    const turned = (ahead([0, 1], from([0, 0], wrist)) - body.bank) * (Math.PI / 180);
+    if (!scene.angle) near(Math.sin(turned) * Math.hypot(...wrist), body.aside, "side of the axis");
+    if (!body.knuckle) return;
+    const its = (other) => other.crank === body.crank && !other.knuckle && Math.abs(other.rod - body.knuckle.master) < 1e-9;
+    const master = joints[seen.findIndex(its)];
+    near(Math.hypot(...from(pin, foot)), body.knuckle.radius, "knuckle radius");
+    const off = (ahead(from(master[0], master[2]), from(pin, foot)) - body.knuckle.ahead) * (Math.PI / 180);
+    near(Math.abs(Math.sin(off)) + Math.abs(Math.cos(off) - 1), 0, "knuckle angle");
+    links += 1;
+  });
+  return links;
+}
+
 async function wordsAreThoseOfTheVerdicts(figure, scene, name) {
   for (const [index, order] of scene.orders.entries()) {
     await figure.locator('[data-part="order"]').selectOption({ index });
@@ -112,6 +138,7 @@ async function playsOrStandsStill(page, figure, name) {
   const names = JSON.parse(fs.readFileSync(0, "utf8"));
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
   let jumps = 0;
+  let links = 0;
   for (const name of names) {
     const url = `file://${path.resolve(`${name}.html`)}`;
     const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
@@ -125,6 +152,7 @@ async function playsOrStandsStill(page, figure, name) {
       const scene = await sceneOf(figure);
       assert.ok((await figure.locator(".moving-title").textContent()).startsWith(scene.title), name);
       await crankTurns(page, figure, name);
+      links += await rodsFit(figure, scene, name);
       await wordsAreThoseOfTheVerdicts(figure, scene, name);
       if (scene.angle) jumps += await zerosAreExact(page, figure, scene, name);
       await playsOrStandsStill(page, figure, name);
@@ -147,6 +175,7 @@ async function playsOrStandsStill(page, figure, name) {
   }
   await browser.close();
   assert.ok(jumps > 20, `only ${jumps} zeros were visited`);
+  assert.ok(links > 10, `only ${links} links were measured`);
   console.log(`${names.length} pages, ${jumps} zeros`);
 })().catch((error) => {
   console.error(error);

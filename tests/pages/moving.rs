@@ -13,6 +13,8 @@ use crankstar::verdict::Judgement;
 
 const UNEQUAL_RODS: &str = "title = 'Four, two kinds of rod, one axis offset'\n[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\n\
                             rod_ratio = [0.25, 0.3, 0.3, 0.25]\noffset_ratio = [0.1, 0.1, 0.1, 0.1]\n";
+const CORRECTED: &str = "title = 'Five, corrected knuckle pins'\n[radial]\ncylinders = 5\n[mechanism]\nrod_ratio = 0.25\n[articulated]\nmaster = 2\n\
+                         knuckle_ratio = 0.2\nknuckle_angle = [-70, 70, 146, 214]\n";
 const HOSTILE: &str = "title = '</script><script>alert(1)</script><!-- <img src=x onerror=alert(2)> & \"q\"'\n[inline]\nthrows = [0, 180]\n";
 const MEMBER: &str = "title = 'V-twin at 60°'\n[values]\nphi = 60\n[vee]\nbank_angle = 'phi'\nthrows = [0]\n";
 
@@ -32,7 +34,7 @@ fn scenes(name: &str, text: &str) -> Vec<Scene> {
 }
 
 fn all() -> Vec<(String, Vec<Scene>)> {
-    let catalogue = ["I4", "I6", "V8-crossplane", "radial-9", "radial-18", "boxer-6"].map(|name| {
+    let catalogue = ["I4", "I6", "V8-crossplane", "radial-9", "radial-9-master", "radial-18", "boxer-6"].map(|name| {
         let engine = file::find(name).expect("an engine").engine().expect("it reads");
         (name.to_owned(), vec![scene(&engine, &judged(&engine), None)])
     });
@@ -41,7 +43,7 @@ fn all() -> Vec<(String, Vec<Scene>)> {
         let text = fs::read_to_string(stored.join(name).join("layout.toml")).expect("a layout file");
         (name.to_owned(), scenes(name, &text))
     });
-    let written = [("unequal-rods", UNEQUAL_RODS), ("hostile", HOSTILE), ("member", MEMBER)];
+    let written = [("unequal-rods", UNEQUAL_RODS), ("corrected", CORRECTED), ("hostile", HOSTILE), ("member", MEMBER)];
     let written = written.map(|(name, text)| (name.to_owned(), scenes(name, text)));
     catalogue.into_iter().chain(families).chain(written).collect()
 }

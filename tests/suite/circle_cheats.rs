@@ -1,10 +1,12 @@
-//! Is every way to cheat with the arcs of a circle, or with an identity modulo a prime, caught?
+//! Is every way to cheat with the arcs of a circle, or with an identity modulo a prime, caught, by both checkers?
 
 use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::proof::{ArcClaim, CircleClaim, CoprimeClaim, OpenDocument, WhenClaim, check_open_document};
 use crankstar::report;
 use num_rational::BigRational;
+
+use crate::support::second;
 
 /// The force of order 1, reverse, is `5 + e^{2iφ} + e^{4iφ}`: never 0.
 const NEVER: &str = "
@@ -30,8 +32,11 @@ fn document(text: &str) -> OpenDocument {
 fn refused(text: &str, change: impl FnOnce(&mut WhenClaim)) -> String {
     let mut document = document(text);
     check_open_document(&document).expect("it holds");
+    second::accepts(&[&document], &["when a sum vanishes", "open"]);
     change(&mut document.open_verdicts[REVERSE].sums[0].when);
-    check_open_document(&document).expect_err("a forged document").reason.to_string()
+    let reason = check_open_document(&document).expect_err("a forged document").reason.to_string();
+    second::refuses(&[(reason.as_str(), &document)]);
+    reason
 }
 
 fn coprime(change: impl FnOnce(&mut CoprimeClaim)) -> String {
@@ -232,4 +237,5 @@ fn an_arc_that_is_left_open_holds_and_is_told() {
     claim.arcs = vec![ArcClaim::Open { to: &claim.from + fraction(1, 1) }];
     let checked = check_open_document(&document).expect("nothing is claimed");
     assert!(checked.not_covered.iter().any(|words| words.contains("`open`")), "{:?}", checked.not_covered);
+    second::accepts(&[&document], &["when a sum vanishes"]);
 }

@@ -90,8 +90,10 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod search_join;
 mod search_torsion;
 mod second_checker;
+mod shards;
 mod side_force;
 mod sweep;
 mod sweep_firing;
@@ -128,6 +130,7 @@ mod support {
     pub mod plain_search;
     pub mod plane_star;
     pub mod program;
+    pub mod second;
     pub mod side;
     pub mod stiffness;
     pub mod tables;

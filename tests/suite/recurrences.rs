@@ -15,6 +15,7 @@ use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
 use crate::support::pages;
+use crate::support::second;
 use crate::support::verdicts::{self, judged, theorem};
 
 fn written(form: &str) -> Engine {
@@ -63,6 +64,7 @@ fn verified(engine: &Engine) -> Document {
     let read: Document = serde_json::from_str(&json).expect("a document");
     assert_eq!(read, document);
     assert_eq!(check_document(&read).unwrap_or_else(|fault| panic!("{fault}")).theorems, 4);
+    second::accepts(&[&document], &[]);
     document
 }
 
@@ -276,6 +278,7 @@ fn fault(change: impl FnOnce(&mut Document)) -> String {
     let mut document = verified(&written(OPPOSITE));
     change(&mut document);
     let Fault { place, reason } = check_document(&document).expect_err("a cheat");
+    second::refuses(&[(place.as_str(), &document)]);
     assert!(place.starts_with("recurrences"), "{place}: {reason}");
     format!("{place}: {reason}")
 }
@@ -292,6 +295,7 @@ fn a_statement_left_out_twice_or_beside_a_theorem_is_refused() {
     let mut both = verified(&twin);
     both.recurrences = verified(&written(OPPOSITE)).recurrences;
     assert_eq!(check_document(&both).expect_err("a cheat").place, "theorems");
+    second::refuses(&[("beside a theorem", &both)]);
 }
 
 #[test]
@@ -367,7 +371,9 @@ fn an_order_that_may_be_zero_cannot_be_left_out_of_a_long_pattern() {
     let refused = |change: &dyn Fn(&mut crankstar::proof::FactorClaim)| {
         let mut document = genuine.clone();
         change(&mut document.recurrences[0].even[0].factors[0]);
-        check_document(&document).expect_err("a cheat").reason.to_string()
+        let reason = check_document(&document).expect_err("a cheat").reason.to_string();
+        second::refuses(&[(reason.as_str(), &document)]);
+        reason
     };
     let left_out = refused(&|factor| factor.judged.retain(|verdict| verdict.order != 766));
     assert!(left_out.contains("in the place of order 766"), "{left_out}");

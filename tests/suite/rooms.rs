@@ -9,7 +9,7 @@ use crate::support::imports;
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
 const STOREYS: [&[&str]; 15] = [
     &["proof", "motion", "beam", "text"],
-    &["exact", "table"],
+    &["exact", "shard", "table"],
     &["engine"],
     &["file"],
     &["order", "numbers", "gas"],

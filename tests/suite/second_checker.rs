@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use crankstar::file;
 use serde_json::{Value, json};
@@ -11,22 +10,11 @@ use serde_json::{Value, json};
 use crate::support::dice::Dice;
 use crate::support::every_form;
 use crate::support::program::{call, scratch};
+use crate::support::second::second_checker;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Random engines and families; the second checker is slow, and all documents together take it some seconds.
 const RANDOM: u64 = 30;
-
-/// What the second checker prints, and its exit code; none where there is no Python.
-fn second_checker(files: &[PathBuf]) -> Option<(String, i32)> {
-    let script = Path::new(ROOT).join("formal/verify.py");
-    let Ok(output) = Command::new("python3").arg(script).args(files).env("PYTHONIOENCODING", "utf-8").output() else {
-        eprintln!("SKIPPED: there is no python3, so formal/verify.py is not run");
-        return None;
-    };
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(errors.is_empty(), "{errors}");
-    Some((String::from_utf8(output.stdout).expect("UTF-8"), output.status.code().expect("an exit code")))
-}
 
 #[track_caller]
 fn verified(files: &[PathBuf]) {

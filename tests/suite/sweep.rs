@@ -7,6 +7,7 @@ use crankstar::family::{self, Component, component_zeros};
 use crankstar::file::{self, Key, Layout, Template};
 use crankstar::loads;
 use crankstar::numbers::Form;
+use crankstar::order;
 use crankstar::proof::{Quantity, Sense};
 use crankstar::remedy::{ComparableEngine, two_planes};
 use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Range, Sweep, SweptEngine, Zeros};
@@ -15,7 +16,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::support::dice;
+use crate::support::{dice, every_form};
 const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
 const V8: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
 const MASSES: &str = "[mechanism]\ncrank_radius = \"45 mm\"\nrod_ratio = 0.25\nreciprocating_mass = \"0.6 kg\"\nrotating_mass = \"0.2 kg\"\n";
@@ -88,7 +89,9 @@ fn ranges_that_are_none_are_refused_in_words() {
             assert!(error.contains(word), "{text}: {error}");
         }
     }
-    assert_eq!(Range::parse(&format!("1..{MOST_POINTS}:1")).expect("just enough").count(), MOST_POINTS);
+    assert_eq!(Range::parse("1..1000000000:1").expect("just enough").count(), 1_000_000_000);
+    let told = run(V6, &[&format!("speed=0..{MOST_POINTS}:1")], &[1]).expect_err("too many for a page");
+    assert!(told.contains("100001 points") && told.contains("--format csv"), "{told}");
 }
 
 #[test]
@@ -470,4 +473,99 @@ fn the_command_writes_its_folder_and_ends_with_1_where_it_is_refused() {
         assert_eq!(output.status.code(), Some(1), "{arguments:?}");
         assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: "));
     }
+}
+
+#[test]
+fn masses_that_turn_are_decided_in_words_as_by_the_exact_sums_in_engines_of_every_form() {
+    let mut dice = dice::Dice::new(4711);
+    let (mut judged, mut zeros) = (0, 0);
+    for _ in 0..150 {
+        let text = every_form::known(&mut dice);
+        let Ok(layout) = file::parse("r.toml", &text) else { continue };
+        let Ok(point) = sweep::judge(&layout, None, &[1, 2], &Geometry::default()) else { continue };
+        if order::turning_masses(&layout).is_empty() {
+            continue;
+        }
+        for swept in &point.orders {
+            for (quantity, own) in [(Quantity::Force, swept.force), (Quantity::Moment, swept.moment)] {
+                let [direct, reverse] = [Sense::Direct, Sense::Reverse]
+                    .map(|sense| order::all_masses(&layout, quantity, swept.order, sense));
+                let path = order::Path::of(&direct, &reverse);
+                let right = [
+                    (own.direct, direct.vanishes()),
+                    (own.reverse, reverse.vanishes()),
+                    (own.along, path.nothing_along),
+                    (own.across, path.nothing_across),
+                    (own.smallest, path.is_line),
+                ];
+                for (part, vanishes) in right {
+                    assert_eq!(part.vanishes, vanishes, "{text}\n{quantity:?} {}", swept.order);
+                    zeros += usize::from(vanishes);
+                }
+                judged += 1;
+            }
+        }
+    }
+    assert!(judged > 100 && zeros > 50, "only {judged} orders with {zeros} zeros were tried");
+}
+
+#[test]
+fn what_is_zero_at_a_point_stands_among_the_zeros() {
+    let mut dice = dice::Dice::new(815);
+    let mut zeros = 0;
+    for round in 0..24 {
+        let count = 1 + dice.below(4);
+        let throws: Vec<String> = (0..count).map(|_| (30 * dice.below(12)).to_string()).collect();
+        let masses =
+            ["", "[mechanism]\nreciprocating_mass = 2\nrotating_mass = 1\n[crankshaft]\nbalance_factor = 0.5\n"];
+        let text = format!(
+            "[vee]\nbank_angle = 90\nthrows = [{}]\npin_split = {}\n{}",
+            throws.join(", "),
+            30 * dice.below(4),
+            masses[round % 2]
+        );
+        let sweep = match run(&text, &["vee.bank_angle=0..180:15"], &[1, 2, 3]) {
+            Ok(sweep) => sweep,
+            // Counterweights of split pins are not sized so.
+            Err(_) => continue,
+        };
+        let sets = sweep.zeros.as_ref().expect("an angle");
+        for set in sets.iter().filter(|set| set.exists) {
+            for point in &sweep.points {
+                let order = point.orders.iter().find(|order| order.order == set.order).expect("the order");
+                let part = if set.quantity == Quantity::Force { order.force } else { order.moment };
+                let is_zero = match set.of {
+                    Zeros::Direct => part.direct,
+                    Zeros::Reverse => part.reverse,
+                    Zeros::Largest => part.largest,
+                    Zeros::Along => part.along,
+                    Zeros::Across => part.across,
+                }
+                .vanishes;
+                let is_listed = set.everywhere || set.at.contains(&point.values[0]);
+                assert_eq!(is_zero, is_listed, "{text}\n{set:?} at {}", point.values[0]);
+                zeros += usize::from(is_zero);
+            }
+        }
+    }
+    assert!(zeros > 100, "{zeros}");
+}
+
+#[test]
+fn whole_numbers_are_swept() {
+    let sweep = good("[radial]\ncylinders = 5\n", &["radial.cylinders=3..9:2"], &[1, 2]);
+    assert_eq!(sweep.points.len(), 4);
+    // Order 2 of a radial with more than three cylinders has no reverse vector, and of three no direct one.
+    let reverse: Vec<bool> = sweep.points.iter().map(|point| point.orders[1].force.reverse.vanishes).collect();
+    let direct: Vec<bool> = sweep.points.iter().map(|point| point.orders[1].force.direct.vanishes).collect();
+    let independent = |count: u32, times: i64| {
+        let turn = |at: u32| std::f64::consts::TAU * f64::from(at) / f64::from(count);
+        let sum = |wave: fn(f64) -> f64| (0..count).map(|at| wave(times as f64 * turn(at))).sum::<f64>();
+        sum(f64::cos).hypot(sum(f64::sin)) < 1e-9
+    };
+    // One crankpin: β = 0, and the star of order k is that of e^{i(k∓1)α}.
+    assert_eq!(direct, [3, 5, 7, 9].map(|count| independent(count, 1)));
+    assert_eq!(reverse, [3, 5, 7, 9].map(|count| independent(count, 3)));
+    assert!(!reverse[0], "a radial three shakes in order 2");
+    assert_eq!(sweep.curve.len(), 4, "there is no engine between");
 }

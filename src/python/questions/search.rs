@@ -40,7 +40,7 @@ pub(in crate::python) fn search(
         }
     };
     let threads = threads.map_or(Options::default().threads, usize::from);
-    let front = search::search(problem, &Options { threads, resume, progress: &progress });
+    let front = search::search(problem, &Options { threads, resume, progress: &progress, ..Options::default() });
     let front = front.map_err(|error| {
         let raised = interrupt.into_inner().unwrap_or_else(PoisonError::into_inner);
         match (error, raised) {

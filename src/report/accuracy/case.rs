@@ -31,13 +31,39 @@ impl AccuracyCase {
     /// # Errors
     /// What the layout lacks for numbers.
     pub fn of(engine: &Engine, quantities: &[Quantity], timing: accuracy::Timing) -> Result<Self, loads::Missing> {
-        let studies = quantities.iter().map(|quantity| accuracy::study(engine, *quantity, timing));
+        Self::step_by_step(engine, quantities, timing, &|| ())
+    }
+
+    /// How many steps [`Self::step_by_step`] tells of.
+    pub fn steps(quantities: &[Quantity]) -> usize {
+        quantities.len() + FURTHER
+    }
+
+    /// The same, with a call after each load, then after the bearings, the torque with gas and the bearings with gas.
+    ///
+    /// # Errors
+    /// What the layout lacks for numbers.
+    pub fn step_by_step(
+        engine: &Engine,
+        quantities: &[Quantity],
+        timing: accuracy::Timing,
+        done: &dyn Fn(),
+    ) -> Result<Self, loads::Missing> {
+        let told = |found| {
+            done();
+            found
+        };
+        let studies = quantities.iter().map(|quantity| told(accuracy::study(engine, *quantity, timing)));
         let mut rods = engine.rods().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
         let studies = studies.collect::<Result<_, _>>()?;
         let bearings = accuracy::bearings(engine, timing)?;
-        let (engine_torque, gas_bearings) = (engine_torque::rows(engine, timing), gas_bearings::rows(engine, timing));
+        done();
+        let engine_torque = engine_torque::rows(engine, timing);
+        done();
+        let gas_bearings = gas_bearings::rows(engine, timing);
+        done();
         Ok(AccuracyCase { ratio, studies, bearings, engine_torque, gas_bearings })
     }
 
@@ -51,6 +77,9 @@ impl AccuracyCase {
         }
     }
 }
+
+/// Steps after the loads themselves.
+const FURTHER: usize = 3;
 
 /// As many loads as every case has.
 pub(super) fn loads_of(cases: &[AccuracyCase]) -> usize {

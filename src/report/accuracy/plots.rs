@@ -1,5 +1,7 @@
 //! How are the methods drawn? Error against time, and what is left of the peak over the highest order kept.
 
+use std::time::Duration;
+
 use super::super::figure::Ink;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::{AccuracyCase, methods, words};
@@ -8,17 +10,17 @@ use crate::engine::Engine;
 use crate::page::{Picture, Text, phrase};
 use crate::proof::Quantity;
 
-/// Errors smaller than this stand at the lower edge of a plot.
+/// Errors smaller than this are drawn as this.
 const LEAST: f64 = 1e-18;
 
-/// Error against time on logarithmic axes, the Pareto front as stairs.
+/// Digits against time, the Pareto front as stairs, the program's own choice marked.
 pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture {
     let title = words::heading(case, study);
-    let x = Axis::log("Time of one evaluation in s");
-    let mut plot = Plot::new(title.plain(), x, Axis::log("Error or guaranteed bound, part of the peak"));
+    let x = Axis::log("Time of one evaluation in µs");
+    let mut plot = Plot::new(title.plain(), x, Axis::linear("Digits of the peak"));
     let at = |row: &Row| {
-        let time = row.time.map_or(f64::NAN, |time| time.as_secs_f64());
-        (time, methods::shown_error(study, row).max(LEAST))
+        let time = row.time.map_or(f64::NAN, microseconds);
+        (time, digits(methods::shown_error(study, row)))
     };
     let front: Vec<(f64, f64)> = methods::front(study).into_iter().map(|place| at(&study.rows[place])).collect();
     plot.curves
@@ -33,8 +35,12 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
         };
         plot.marks.push(PointMark { ink, filled, ..PointMark::dot(at(row), label).of(series) });
     }
+    if let Some(own) = study.own {
+        let at = (microseconds(own.time), digits(own.bound));
+        plot.marks.push(PointMark::ring(at, "").of("the program's own choice, from the engine itself"));
+    }
     let caption = phrase!(
-        "{}: each mark is a method, faster to the left and more accurate below. Of the closed form and the orders the measured error is shown, of intervals the guaranteed bound.",
+        "{}: each mark is a method, faster to the left and with more digits above. Digits are those of the measured error for the closed form and the orders, of the guaranteed bound for intervals, fractions and the program's own choice.",
         title
     );
     let name = format!("{}-{number}", words::file_name(study.quantity));
@@ -72,6 +78,15 @@ pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)])
     let caption =
         phrase!("{}, over the highest order kept: curves are guaranteed bounds, dots measured errors.", title);
     Some(Picture { name: format!("engine-{number}-{}", words::file_name(quantity)), caption, figure: plot.figure() })
+}
+
+/// Decimal digits that an error, a part of the peak, leaves.
+fn digits(error: f64) -> f64 {
+    -error.max(LEAST).log10()
+}
+
+fn microseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e6
 }
 
 /// What the tables show of an error, so that a drawing does not tell machines apart either.

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, ToPrimitive};
 
 use crate::table::Values;
 
@@ -19,6 +19,9 @@ const MOST_PLACES: u32 = 12;
 /// assert_eq!(exact_number(&BigRational::new(1.into(), 3.into())), "1/3");
 /// ```
 pub fn exact_number(value: &BigRational) -> String {
+    if let Some(text) = in_words(value) {
+        return text;
+    }
     let mut rest = value.denom().clone();
     let mut places = 0_u32;
     let ten = BigInt::from(10);
@@ -31,8 +34,30 @@ pub fn exact_number(value: &BigRational) -> String {
         places += 1;
     }
     let scaled = (value * BigRational::from_integer(ten.pow(places))).to_integer();
-    let sign = if scaled.is_negative() { "-" } else { "" };
-    let text = format!("{:0>width$}", scaled.abs(), width = places as usize + 1);
+    with_point(scaled.is_negative(), scaled.abs(), places)
+}
+
+/// The same of a number that fits into machine words, of which a sweep has millions.
+fn in_words(value: &BigRational) -> Option<String> {
+    let (numerator, denominator) = (value.numer().to_i64()?, value.denom().to_u64()?);
+    let twos = denominator.trailing_zeros();
+    let (mut rest, mut fives) = (denominator >> twos, 0_u32);
+    while rest.is_multiple_of(5) {
+        rest /= 5;
+        fives += 1;
+    }
+    let places = twos.max(fives);
+    if rest > 1 || places > MOST_PLACES + 1 {
+        return Some(if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") });
+    }
+    let scaled = i128::from(numerator) * (10_i128.pow(places) / i128::from(denominator));
+    Some(with_point(scaled < 0, scaled.unsigned_abs(), places))
+}
+
+/// A number of so many digits behind the point.
+fn with_point(is_negative: bool, size: impl std::fmt::Display, places: u32) -> String {
+    let sign = if is_negative { "-" } else { "" };
+    let text = format!("{size:0>width$}", width = places as usize + 1);
     match text.split_at(text.len() - places as usize) {
         (whole, "") => format!("{sign}{whole}"),
         (whole, part) => format!("{sign}{whole}.{part}"),

@@ -157,9 +157,10 @@ fn intervals(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
     let full = BigRational::from_integer(360.into());
     let columns = ALL.into_iter().map(|([pattern, pattern_exact], about, interval)| {
         let degrees = |point: &SweptEngine| point.evenness.as_ref().map(|evenness| interval(evenness) * &full);
-        let values = decimals(sweep.points.iter().map(|point| degrees(point).as_ref().map(float)));
+        let all: Vec<Option<BigRational>> = sweep.points.iter().map(degrees).collect();
+        let values = decimals(all.iter().map(|degrees| degrees.as_ref().map(float)));
         table.push(Column::new(pattern, Unit::DEGREE, about, values));
-        Column::new(pattern_exact, Unit::DEGREE, EXACT, exact(sweep.points.iter().map(degrees)))
+        Column::new(pattern_exact, Unit::DEGREE, EXACT, exact(all))
     });
     columns.collect()
 }

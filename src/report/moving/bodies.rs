@@ -5,8 +5,8 @@ use num_traits::ToPrimitive;
 
 use super::super::typeset;
 use super::open_angle::OpenAngle;
-use super::scene::Body;
-use crate::engine::{Cylinder, Engine};
+use super::scene::{Body, Knuckle};
+use crate::engine::{Cylinder, Engine, Link, Mechanism};
 
 /// Rod ratio that rods are drawn with where none is given: 2/7.
 const USUAL_RATIO: (i64, i64) = (2, 7);
@@ -53,13 +53,24 @@ pub(super) fn bodies(engine: &Engine, open: Option<&OpenAngle>) -> Vec<Body> {
 fn alike(one: &Body, other: &Body) -> bool {
     let motion =
         |body: &Body| [body.throw, body.throw_turns, body.bank, body.bank_turns, body.radius, body.rod, body.aside];
-    motion(one) == motion(other)
+    motion(one) == motion(other) && one.knuckle == other.knuckle
 }
 
 fn body(cylinder: &Cylinder, index: usize, open: Option<&OpenAngle>) -> Body {
     let [throw_turns, bank_turns] = open.map_or([0.0; 2], |open| open.enters_cylinder(index));
-    let rod = &cylinder.crank_radius / drawn_ratio(cylinder);
-    let offset = cylinder.rod().map(|rod| rod.offset.clone()).unwrap_or_default();
+    let radius = &cylinder.crank_radius;
+    let (rod, aside, knuckle) = match &cylinder.mechanism {
+        Some(Mechanism::SliderCrank(rod)) => {
+            let length = radius / drawn(&rod.ratio);
+            let aside = &length * &rod.offset;
+            (length, aside, None)
+        }
+        Some(Mechanism::Link(link)) => {
+            let (length, knuckle) = link_on_its_knuckle(link, radius);
+            (length, BigRational::default(), Some(knuckle))
+        }
+        None => (radius / ratio(USUAL_RATIO), BigRational::default(), None),
+    };
     Body {
         name: cylinder.name.clone(),
         label: None,
@@ -68,17 +79,28 @@ fn body(cylinder: &Cylinder, index: usize, open: Option<&OpenAngle>) -> Body {
         throw_turns,
         bank: decimal(&cylinder.bank.degrees()),
         bank_turns,
-        radius: decimal(&cylinder.crank_radius),
-        aside: decimal(&(&rod * &offset)),
+        radius: decimal(radius),
+        aside: decimal(&aside),
         rod: decimal(&rod),
+        knuckle,
     }
 }
 
-fn drawn_ratio(cylinder: &Cylinder) -> BigRational {
-    match cylinder.rod() {
-        Some(rod) => rod.ratio.clone().max(ratio(LEAST_RATIO)),
-        None => ratio(USUAL_RATIO),
-    }
+/// The ratio that a rod is drawn with.
+fn drawn(given: &BigRational) -> BigRational {
+    given.clone().max(ratio(LEAST_RATIO))
+}
+
+/// Length of a link, and the pin that it stands on.
+fn link_on_its_knuckle(link: &Link, radius: &BigRational) -> (BigRational, Knuckle) {
+    let master = radius / drawn(&link.master);
+    let knuckle = Knuckle {
+        angle: decimal(&link.angle.degrees()),
+        ahead: decimal(&link.knuckle_angle().degrees()),
+        radius: decimal(&(&master * &link.knuckle)),
+        master: decimal(&master),
+    };
+    (radius / drawn(&link.ratio), knuckle)
 }
 
 /// With an offset the numbers c_k of odd orders are not real.
@@ -86,8 +108,9 @@ const OFFSET: &str = "With an offset the coefficient c_k of an odd order turns i
 
 /// What is not drawn as the file has it.
 pub(super) fn notes(engine: &Engine) -> Vec<String> {
-    let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none());
-    let short = engine.rods().any(|rod| rod.ratio < ratio(LEAST_RATIO));
+    let unknown = engine.cylinders().iter().any(|cylinder| cylinder.mechanism.is_none());
+    let links = engine.cylinders().iter().filter_map(Cylinder::link).map(|link| &link.ratio);
+    let short = engine.rods().map(|rod| &rod.ratio).chain(links).any(|given| *given < ratio(LEAST_RATIO));
     let named = |of: (i64, i64)| typeset::number(&ratio(of));
     let (usual, least) = (named(USUAL_RATIO), named(LEAST_RATIO));
     let unknown = unknown

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 pub use fragment::{MOVING_SCRIPT, MOVING_STYLE, moving_fragment};
 pub use open_scenes::open_scenes;
-pub use scene::{Body, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
+pub use scene::{Body, Knuckle, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
 
 use super::convention::{differs, said};
 use super::residual;

@@ -44,10 +44,25 @@ pub struct Body {
     pub bank_turns: f64,
     /// Crank radius, in multiples of that of the engine.
     pub radius: f64,
-    /// Length of its rod as it is drawn, in the same unit.
+    /// Length of its rod, or of its link, as it is drawn, in the same unit.
     pub rod: f64,
+    /// The pin of a master rod that a link stands on; none of a rod on the crankpin.
+    pub knuckle: Option<Knuckle>,
     /// Distance e of its axis from the shaft, on the side of ψ = 90°, in the same unit.
     pub aside: f64,
+}
+
+/// A knuckle pin, on the master rod of the same crankpin.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Knuckle {
+    /// Δ: by how much the axis of the link's cylinder stands ahead of that of the master's.
+    pub angle: f64,
+    /// γ: where it stands, seen from the crankpin, from the master rod on.
+    pub ahead: f64,
+    /// Its distance from the crankpin, in crank radii of the engine.
+    pub radius: f64,
+    /// Length of the master rod, in the same unit.
+    pub master: f64,
 }
 
 /// One order, or one of the sums that it is made of.

@@ -1,9 +1,11 @@
-//! How are the best crank stars shown? A table with a row a star, and pictures of the first of them.
+//! How are the best crank stars shown? A table with a row a star, the front as a picture, and pictures of the first stars.
 
+mod front;
 mod page;
 mod pictures;
 mod table;
 mod torsion;
 
+pub use front::search_layouts;
 pub use page::{search_answer, search_page};
 pub use torsion::search_torsion;

@@ -1,5 +1,6 @@
 //! What stands on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
 
+use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
 use crate::engine::Cycle;
@@ -39,6 +40,7 @@ pub fn search_page(front: &Front) -> Document {
     if !front.stars.is_empty() {
         page.push(stars(front));
         page.push(Block::List(legend(front)));
+        page.blocks.extend(front_picture(front).map(|picture| Block::Pictures(vec![picture])));
         page.push(Block::Heading(1, "Pictures of the first stars".into()));
     }
     for (index, star) in front.stars.iter().take(MOST_DRAWN).enumerate() {

@@ -1,0 +1,168 @@
+//! How is a long table computed in pieces: kept, shared among machines, merged, with the time that is left?
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use crankstar::report::data;
+use crankstar::shard::{Merged, Question, Shard, Store, in_order};
+use crankstar::sweep::Stream;
+use crankstar::table::{self, Format, Table};
+
+use super::failure::Failure;
+use super::layouts::shown;
+use super::tables::Wanted;
+use super::{progress, write};
+
+/// Which pieces are computed, and where they are kept.
+#[derive(clap::Args)]
+pub struct Pieces {
+    /// Compute the i-th of N equal parts of the table of points, and keep it in the file of --output; called again, go on
+    #[arg(long, value_name = "i/N", conflicts_with_all = ["merge", "resume"])]
+    shard: Option<String>,
+    /// Compute nothing: put the files of all shards together, into the table that one run would give, or into one file NAME.shard
+    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with = "resume")]
+    merge: Vec<PathBuf>,
+    /// Keep every finished piece of the table of points in this file, and go on from it; interrupt at will
+    #[arg(long, value_name = "FILE")]
+    resume: Option<PathBuf>,
+}
+
+/// How files of pieces are named.
+const ENDING: &str = "shard";
+
+/// What a piece is on its way to the table.
+enum Made {
+    Rows(String),
+    Table(Table),
+}
+
+impl Pieces {
+    /// The shard that is asked for.
+    pub fn shard(&self) -> Result<Option<Shard>, Failure> {
+        self.shard.as_deref().map(|text| Shard::parse(text).map_err(Failure::misuse)).transpose()
+    }
+
+    /// The file that several are merged into, where that is one of pieces again.
+    pub fn merged_into_one<'a>(&self, output: Option<&'a Path>) -> Option<&'a Path> {
+        let is_one = |path: &&Path| path.extension().is_some_and(|ending| ending == ENDING);
+        output.filter(|_| !self.merge.is_empty()).filter(is_one)
+    }
+
+    /// Sees to it that nothing is said of pieces, where there are none.
+    pub fn are_for_tables(&self) -> Result<(), Failure> {
+        match (self.merge.is_empty(), &self.resume) {
+            (true, None) => Ok(()),
+            (false, _) | (_, Some(_)) => Err(Failure::misuse(
+                "pieces are those of the table of points; add --format csv or parquet, and no --output or that of one file",
+            )),
+        }
+    }
+
+    /// Puts several files into one.
+    pub fn merge(&self, question: &Question, output: &Path) -> Result<(), Failure> {
+        let merged = Merged::open(&self.merge, question).map_err(Failure::new)?;
+        merged.keep(output, question).map_err(Failure::new)?;
+        let count = merged.pieces().count();
+        write::to_stdout(&format!("Written: {}, {count} of {} pieces\n", shown(output), question.pieces))
+    }
+
+    /// Computes the pieces of a shard that its file lacks.
+    pub fn keep(&self, stream: &Stream, question: &Question, shard: Shard, output: &Path) -> Result<(), Failure> {
+        keep(stream, question, shard, output)?;
+        write::to_stdout(&format!("Written: {}\n", shown(output)))
+    }
+
+    /// Writes the whole table: from the files that are merged, from the file that is gone on with, or as it is computed.
+    pub fn write(&self, stream: &Stream, question: &Question, wanted: &Wanted) -> Result<(), Failure> {
+        let kept = match &self.resume {
+            Some(path) => {
+                keep(stream, question, Shard::WHOLE, path)?;
+                std::slice::from_ref(path)
+            }
+            None => self.merge.as_slice(),
+        };
+        let like = data::sweep_points(&stream.first().map_err(Failure::new)?);
+        let all: Vec<usize> = (0..question.pieces).collect();
+        if !kept.is_empty() {
+            let merged = Merged::open(kept, question).and_then(Merged::whole).map_err(Failure::new)?;
+            return wanted.stream(like.clone(), |file| {
+                let read = |piece| {
+                    let rows = text(merged.read(piece).map_err(Failure::new)?)?;
+                    Ok(match wanted.format() {
+                        Format::Csv => Made::Rows(rows),
+                        Format::Parquet | Format::Xlsx => Made::Table(of_rows(&like, &rows)?),
+                    })
+                };
+                in_order(&all, &read, &mut |_, made| add(file, made))
+            });
+        }
+        let bar = bar(&all, 0);
+        let outcome = wanted.stream(like.clone(), |file| {
+            let make = |piece| {
+                let table = points(stream, &like, piece)?;
+                Ok(match wanted.format() {
+                    Format::Csv => Made::Rows(table::rows(&table)),
+                    Format::Parquet | Format::Xlsx => Made::Table(table),
+                })
+            };
+            in_order(&all, &make, &mut |_, made| {
+                add(file, made)?;
+                bar.inc(1);
+                Ok(())
+            })
+        });
+        bar.finish_and_clear();
+        outcome
+    }
+}
+
+fn add<W: std::io::Write + Send>(file: &mut table::Stream<W>, made: Made) -> Result<(), Failure> {
+    match made {
+        Made::Rows(rows) => file.add_rows(&rows).map_err(Failure::new),
+        Made::Table(table) => file.add(&table).map_err(Failure::new),
+    }
+}
+
+fn text(bytes: Vec<u8>) -> Result<String, Failure> {
+    String::from_utf8(bytes).map_err(|_| Failure::new("a piece is no text"))
+}
+
+fn of_rows(like: &Table, rows: &str) -> Result<Table, Failure> {
+    table::from_rows(like, rows).ok_or_else(|| Failure::new("a piece holds no rows of this table"))
+}
+
+/// The rows of one piece.
+fn points(stream: &Stream, like: &Table, piece: usize) -> Result<Table, Failure> {
+    let table = data::sweep_points(&stream.piece(piece).map_err(Failure::new)?);
+    match like.has_the_columns_of(&table) {
+        true => Ok(table),
+        false => Err(Failure::new("not all points of this sweep have the same columns; sweep less at once")),
+    }
+}
+
+/// Computes the pieces of a shard that its file lacks, and keeps each.
+fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path) -> Result<(), Failure> {
+    let mut store = Store::open(path, question, shard).map_err(Failure::new)?;
+    let there: BTreeSet<usize> = store.pieces();
+    let list: Vec<usize> = (0..question.pieces).filter(|piece| shard.takes(*piece) && !there.contains(piece)).collect();
+    let like = data::sweep_points(&stream.first().map_err(Failure::new)?);
+    let bar = bar(&list, there.len());
+    let make = |piece| points(stream, &like, piece).map(|table| table::rows(&table));
+    let kept = in_order(&list, &make, &mut |piece, rows| {
+        store.put(piece, rows.as_bytes()).map_err(Failure::new)?;
+        bar.inc(1);
+        Ok(())
+    });
+    bar.finish_and_clear();
+    kept?;
+    store.finish().map_err(Failure::new)
+}
+
+/// A bar for these pieces, of which so many others were done before.
+fn bar(list: &[usize], before: usize) -> indicatif::ProgressBar {
+    let bar = progress::bar("pieces");
+    bar.set_length((list.len() + before) as u64);
+    bar.set_position(before as u64);
+    bar.reset_eta();
+    bar
+}

@@ -1,0 +1,72 @@
+//! How does the front look? The moment of one order against that of the next, a dot for each star of the front.
+
+use crate::page::plot::{Axis, Curve, Plot, PointMark};
+use crate::page::{File, Picture, phrase};
+use crate::proof::Sense;
+use crate::search::{FoundStar, Front};
+
+/// What is told where only the two moments shown are compared.
+const STAIRS: &str = "Above the stairs, to the right, every star is beaten.";
+/// What is told where more is compared.
+const OTHERS: &str = "A star that others here seem to beat is better than they are in something that is not drawn.";
+
+/// The first two orders that can differ; none where just one star or one order is there to be shown.
+pub(super) fn front_picture(front: &Front) -> Option<Picture> {
+    let shown = two_moments(front)?;
+    let orders = shown.map(|place| front.stars[0].moments[place].order);
+    let axis = |place: usize| {
+        let moment = &front.stars[0].moments[place];
+        Axis::amplitude(match moment.sense {
+            None => format!("Moment of order {} in m r ω² c a", moment.order),
+            Some(Sense::Direct) => format!("Direct vector of order {} in m r ω² c a", moment.order),
+            Some(Sense::Reverse) => format!("Reverse vector of order {} in m r ω² c a", moment.order),
+        })
+    };
+    let mut plot = Plot::new(format!("Orders {} and {}", orders[0], orders[1]), axis(shown[0]), axis(shown[1]));
+    let at = |star: &FoundStar| (length(star, shown[0]), length(star, shown[1]));
+    let compared = front.problem.orders.iter().filter(|&&order| !vanishes_everywhere(front, order)).count();
+    let only_these = compared == 2 && !front.problem.neighbours;
+    if only_these {
+        plot.curves.push(Curve::new(0, "", front.stars.iter().map(at).collect()).stepped());
+    }
+    for (index, star) in front.stars.iter().enumerate() {
+        let label =
+            if star.classes == 1 { (index + 1).to_string() } else { format!("{} ({}×)", index + 1, star.classes) };
+        plot.marks.push(PointMark::dot(at(star), label));
+    }
+    let caption = phrase!(
+        "The front: a dot for each star of the table with its number, and in brackets how many equal stars there are. {}",
+        if only_these { STAIRS } else { OTHERS }
+    );
+    Some(Picture { name: "front".into(), caption, figure: plot.figure() })
+}
+
+/// Places of the moments of two different orders, each of which some star leaves.
+fn two_moments(front: &Front) -> Option<[usize; 2]> {
+    let moments = &front.stars.first().filter(|_| front.stars.len() > 1)?.moments;
+    let is_left = |place: &usize| front.stars.iter().any(|star| !star.moments[*place].sum.vanishes());
+    let mut places = (0..moments.len()).filter(is_left);
+    let first = places.next()?;
+    let second = places.find(|place| moments[*place].order != moments[first].order)?;
+    Some([first, second])
+}
+
+fn vanishes_everywhere(front: &Front, order: u32) -> bool {
+    let of_order = |star: &FoundStar| star.moments.iter().filter(|m| m.order == order).all(|m| m.sum.vanishes());
+    front.stars.iter().all(of_order)
+}
+
+/// A length as it is drawn: 0 where that is proved.
+fn length(star: &FoundStar, place: usize) -> f64 {
+    let moment = &star.moments[place];
+    if moment.sum.vanishes() { 0.0 } else { moment.decimal }
+}
+
+/// Each star of the front as a layout file, which every other command reads: `star-1.toml` and on, as the table counts them.
+pub fn search_layouts(front: &Front) -> Vec<File> {
+    let file = |(index, star): (usize, &FoundStar)| File {
+        name: format!("star-{}.toml", index + 1),
+        text: star.layout_file(&front.problem),
+    };
+    front.stars.iter().enumerate().map(file).collect()
+}
