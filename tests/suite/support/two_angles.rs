@@ -76,7 +76,7 @@ fn throws(list: &[(&str, u32)]) -> String {
 }
 
 /// Three classes of parts: at δ = 180° all of them vanish, the outer ones alone, and outer ones of one length meet a middle one that is
-/// shorter than both, as long, and longer.
+/// shorter than both, as long, and longer; at δ = 0 outer ones of different length meet a middle one as long as both.
 pub fn quadratics() -> Vec<String> {
     let outer = [("0", 1), ("delta", 1), ("2phi", 2), ("2phi + delta", 2)];
     let with = |others: &[(&str, u32)]| throws(&[&outer, others].concat());
@@ -88,6 +88,7 @@ pub fn quadratics() -> Vec<String> {
         mirrored(1),
         mirrored(2),
         mirrored(3),
+        throws(&[("0", 1), ("phi", 2), ("phi + delta", 1), ("2phi + 3delta", 2)]),
     ]
 }
 
@@ -106,10 +107,15 @@ pub fn documents() -> Vec<OpenDocument> {
             throws(&[("0", 1), ("delta", 1), ("phi", 1), ("phi + delta", 1)]),
         ])
         .collect();
-    let texts = texts.into_iter().chain(quadratics()).chain((0..2).map(|_| split_broad_arrow(&mut dice)));
-    let document = |text: String| {
-        let family = family(&text);
-        report::open_document(&family, &family::classify(&family, &[1, 2]).expect("orders"))
-    };
-    texts.map(document).collect()
+    texts.iter().map(|text| document(text, &[1, 2])).collect()
+}
+
+/// Documents on engines whose parts make three classes.
+pub fn quadratic_documents() -> Vec<OpenDocument> {
+    quadratics().iter().map(|text| document(text, &[1])).collect()
+}
+
+fn document(text: &str, orders: &[u32]) -> OpenDocument {
+    let family = family(text);
+    report::open_document(&family, &family::classify(&family, orders).expect("orders"))
 }
