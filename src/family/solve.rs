@@ -14,7 +14,7 @@ use num_traits::{One, Signed, Zero};
 use super::Part;
 use super::circle::{self, Circle, Coprime, Solved};
 use super::left::ratio;
-use super::plane::{self, Classes, Product, Triangle};
+use super::plane::{self, Classes, Product, Quadratic, Triangle};
 use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -52,7 +52,9 @@ pub enum When {
     Classes(Box<Classes>),
     /// Exactly where one of two sums vanishes, in two unknowns, whose product it is.
     Product(Box<Product>),
-    /// This many parts of more than two classes in two unknowns, or an unknown that enters too many times.
+    /// Exactly where three classes of parts, in two unknowns, cancel, where their circle is [complete](Circle::is_complete).
+    Quadratic(Box<Quadratic>),
+    /// This many parts in two unknowns of more than three classes, or of three that cancel along a curve or are not equally far apart, or an unknown that enters too many times.
     NotSolved(usize),
 }
 
@@ -88,6 +90,8 @@ pub enum Never {
     Triangle(Box<Triangle>),
     /// Two classes of parts in two unknowns, which are nowhere equally long.
     Classes(Box<Classes>),
+    /// Three classes of parts in two unknowns, which nowhere cancel.
+    Quadratic(Box<Quadratic>),
     /// A product of two sums in two unknowns, neither of which vanishes.
     Product(Box<Product>),
 }

@@ -118,9 +118,8 @@ impl OpenSum {
                 let parts: Vec<&Part> = self.left().collect();
                 circle::arcs_of(&parts).as_ref().map_or(Zeros::NotSolved, of_circle)
             }
-            When::Irrational { .. } | When::Triangle(_) | When::Classes(_) | When::Product(_) | When::NotSolved(_) => {
-                Zeros::NotSolved
-            }
+            When::Irrational { .. } | When::Triangle(_) | When::Classes(_) | When::Quadratic(_) => Zeros::NotSolved,
+            When::Product(_) | When::NotSolved(_) => Zeros::NotSolved,
         }
     }
 

@@ -39,7 +39,7 @@ pub(super) fn check_classes(claim: &ClassesClaim, left: &[Part<'_>], audit: &Aud
         None => Err("where the classes are equally long is not said".into()),
         Some(_) if is_constant => Err("there is no circle where the squares differ by a constant".into()),
         Some(circle) => {
-            check_circle(claim, circle, coefficients, audit)?;
+            check_circle([&claim.phi, &claim.delta], circle, coefficients, audit)?;
             check_meetings(claim, circle, &classes, audit)
         }
     }
@@ -112,14 +112,14 @@ impl<'a> Classes<'a> {
     }
 }
 
-/// Checks the arcs against `|A|² − |B|²`, of which the coefficients that are not zero are known, from m = 0 on.
-fn check_circle(
-    claim: &ClassesClaim,
+/// Checks the arcs against a real polynomial in u, of which the coefficients that are not zero are known, from m = 0 on.
+pub(super) fn check_circle(
+    u: [&BigRational; 2],
     circle: &CircleClaim,
     coefficients: Vec<(i64, Collected)>,
     audit: &Audit,
 ) -> Result<(), Reason> {
-    if (&circle.phi, &circle.delta) != (&claim.phi, &claim.delta) {
+    if [&circle.phi, &circle.delta] != u {
         return Err("the circle is not that of u".into());
     }
     let degree = coefficients.last().map_or(0, |(m, _)| *m);

@@ -33,6 +33,8 @@ mod open;
 mod open_check;
 mod plane;
 mod product_check;
+mod quadratic;
+mod quadratic_check;
 mod reading;
 mod recurrence;
 mod refusal;
@@ -71,6 +73,7 @@ pub use open::{
 };
 pub use open_check::check_open_document;
 pub use plane::{ClassesClaim, MeetingClaim, ProductClaim, TriangleClaim, TriangleShape};
+pub use quadratic::{QuadraticClaim, RootClaim, RootsClaim};
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
 pub use recurrence::{ClassClaim, FactorClaim, FirstOrderClaim, RayClaim, RecurrenceClaim, SumVerdict, Zeros};
 pub use refusal::Refusal;

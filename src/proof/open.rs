@@ -10,6 +10,7 @@ use super::circle::{CircleClaim, CoprimeClaim};
 use super::engine::{Masses, Quantity, Sense};
 use super::fraction;
 use super::plane::{ClassesClaim, ProductClaim, TriangleClaim};
+use super::quadratic::QuadraticClaim;
 use super::reading::Format;
 use super::verdict::Vector;
 
@@ -154,6 +155,8 @@ pub enum WhenClaim {
     Triangle(Box<TriangleClaim>),
     /// Where two classes of parts in two unknowns are equally long and opposite.
     Classes(Box<ClassesClaim>),
+    /// Where three classes of parts in two unknowns cancel.
+    Quadratic(Box<QuadraticClaim>),
     /// Where one of two sums vanishes whose product it is.
     Product(Box<ProductClaim>),
     /// Two parts of equal length that cancel at an angle for which no rational turn is claimed.

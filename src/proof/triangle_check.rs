@@ -72,7 +72,7 @@ fn squared_area(sums: [&Collected; 3], audit: &Audit) -> Result<Collected, Reaso
     Ok(collect(terms, audit)?)
 }
 
-fn check_sign(number: &Collected, is_positive: bool, bits: u32, audit: &Audit) -> Result<(), Reason> {
+pub(super) fn check_sign(number: &Collected, is_positive: bool, bits: u32, audit: &Audit) -> Result<(), Reason> {
     if !(FEWEST_BITS..=MOST_BITS).contains(&bits) {
         return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
     }
@@ -80,6 +80,6 @@ fn check_sign(number: &Collected, is_positive: bool, bits: u32, audit: &Audit) -
     let enclosed = enclose(number, &scale, &audit.circle(bits), audit)?.re;
     match enclosed.excludes_zero() && enclosed.middle.is_positive() == is_positive {
         true => Ok(()),
-        false => Err("the squared area does not have this sign, or so many bits leave it open".into()),
+        false => Err("the number does not have this sign, or so many bits leave it open".into()),
     }
 }

@@ -12,6 +12,7 @@ use super::collected::{Collected, collect, collected, difference_of_squares};
 use super::coprime_check::check_coprime;
 use super::open::{AlternativeClaim, PartClaim, WhenClaim};
 use super::product_check::check_product;
+use super::quadratic_check::check_quadratic;
 use super::triangle_check::check_triangle;
 
 /// A part with its terms collected.
@@ -68,6 +69,7 @@ pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> 
         WhenClaim::Circle(claim) => check_circle(claim, left, audit),
         WhenClaim::Triangle(claim) => check_triangle(claim, left, audit),
         WhenClaim::Classes(claim) => check_classes(claim, left, audit),
+        WhenClaim::Quadratic(claim) => check_quadratic(claim, left, audit),
         WhenClaim::Product(claim) => check_product(claim, left, audit),
         WhenClaim::Cosine { middle, phi, delta, turn, cosine, multiples } => {
             let condition = CosineCondition { phi, delta, turn, cosine };

@@ -82,6 +82,7 @@ mod output_folder;
 mod plane_cheats;
 mod plots;
 mod printed_lines;
+mod quadratic_cheats;
 mod random_engines;
 mod recurrences;
 mod remedy;

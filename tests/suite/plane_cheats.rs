@@ -9,12 +9,12 @@ use num_rational::BigRational;
 use crate::support::second;
 use crate::support::two_angles::documents;
 
-fn half() -> BigRational {
+pub fn half() -> BigRational {
     BigRational::new(1.into(), 2.into())
 }
 
 /// Evidence with one more opposed pair: of no sum for which it was right without.
-fn forged(certificate: &Certificate) -> Certificate {
+pub fn forged(certificate: &Certificate) -> Certificate {
     let mut polygons = match certificate {
         Certificate::Polygons { polygons } => polygons.clone(),
         Certificate::Residue(_) | Certificate::Splitting { .. } => Vec::new(),
@@ -24,7 +24,7 @@ fn forged(certificate: &Certificate) -> Certificate {
 }
 
 /// A change, and whether there was something to change.
-type Cheat<C> = (&'static str, fn(&mut C) -> bool);
+pub type Cheat<C> = (&'static str, fn(&mut C) -> bool);
 
 const CLASSES: [Cheat<ClassesClaim>; 17] = [
     ("another u", |claim| {
@@ -195,7 +195,12 @@ const PRODUCTS: [Cheat<ProductClaim>; 8] = [
 ];
 
 fn change_bits(claim: &mut TriangleClaim, to: u32) -> bool {
-    match &mut claim.shape {
+    change_bits_of(&mut claim.shape, to)
+}
+
+/// Whether it has bits.
+pub fn change_bits_of(shape: &mut TriangleShape, to: u32) -> bool {
+    match shape {
         TriangleShape::Never { bits } | TriangleShape::Two { bits } => {
             *bits = to;
             true
@@ -211,13 +216,25 @@ fn places(document: &OpenDocument, is_it: impl Fn(&WhenClaim) -> bool) -> Vec<[u
     sums.filter(|(_, sum)| is_it(&sum.when)).map(|(place, _)| place).collect()
 }
 
-/// Tries a change on a few claims of a kind; how many were there to be changed.
-fn tried(
+/// Tries a change on a few claims of a kind, with both checkers; how many were there to be changed.
+pub fn tried(
     documents: &[OpenDocument],
     name: &str,
     is_it: impl Fn(&WhenClaim) -> bool,
     change: impl Fn(&mut WhenClaim) -> bool,
 ) -> usize {
+    let cheats = refused(documents, name, is_it, change);
+    second::refuses(&cheats);
+    cheats.len()
+}
+
+/// A few documents with a changed claim of a kind, after the first checker has refused each.
+pub fn refused<'a>(
+    documents: &[OpenDocument],
+    name: &'a str,
+    is_it: impl Fn(&WhenClaim) -> bool,
+    change: impl Fn(&mut WhenClaim) -> bool,
+) -> Vec<(&'a str, OpenDocument)> {
     let mut cheats = Vec::new();
     'all: for document in documents {
         for [i, j] in places(document, &is_it) {
@@ -234,8 +251,7 @@ fn tried(
             cheats.push((name, forged));
         }
     }
-    second::refuses(&cheats);
-    cheats.len()
+    cheats
 }
 
 /// The document with one verdict, and that of the other sense.

@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use crankstar::family::{self, Alternative, Classes, Corner, Meeting, When};
+use crankstar::family::{self, Alternative, Circle, Classes, Corner, Meeting, Quadratic, Root, Roots, When};
 use crankstar::proof::check_open_document;
 use crankstar::report;
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
 use crate::support::plane_star::{Star, float};
-use crate::support::two_angles::{broad_arrow, family, regular_vee, vee};
+use crate::support::two_angles::{broad_arrow, family, quadratics, regular_vee, split_broad_arrow, vee};
 
 /// How far a number of turns is from another, modulo a turn.
 fn apart(turns: f64, other: f64) -> f64 {
@@ -42,6 +42,37 @@ fn meetings(classes: &Classes) -> Vec<(f64, Option<f64>)> {
     let irrational =
         classes.irrational().map(|([low, high], degrees)| ((float(low) + float(high)) / 2.0, Some(degrees / 360.0)));
     rational.chain(irrational).collect()
+}
+
+/// The points `[u, v]` of three classes, v none where all of a line vanishes.
+fn roots(found: &Quadratic) -> Vec<(f64, Option<f64>)> {
+    let turns = |root: &Root| match root {
+        Root::Exact(turn, _) => float(turn.turns()),
+        Root::Near(degrees) => degrees / 360.0,
+    };
+    let rational = found.rational().flat_map(|(at, roots)| {
+        let v = match roots {
+            Roots::All(_) => vec![None],
+            Roots::None(_) => Vec::new(),
+            Roots::One { at, .. } => vec![Some(turns(at))],
+            Roots::Mirror { at, .. } => at.iter().map(|root| Some(turns(root))).collect(),
+        };
+        v.into_iter().map(move |v| (float(at), v))
+    });
+    let irrational =
+        found.irrational().map(|([low, high], degrees)| ((float(low) + float(high)) / 2.0, Some(degrees / 360.0)));
+    rational.chain(irrational).collect()
+}
+
+/// How far u and v are from points that are told; none beside an open arc.
+fn from_points(points: &[(f64, Option<f64>)], circle: Option<&Circle>, [u, v]: [f64; 2]) -> Option<f64> {
+    let each = points.iter().map(|(x, y)| y.map_or(0.0, |y| apart(v, y)).max(apart(u, *x)));
+    let distance = each.fold(f64::INFINITY, f64::min);
+    let is_open = circle.into_iter().flat_map(Circle::open).any(|[low, high]| {
+        let middle = (float(low) + float(high)) / 2.0;
+        apart(u, middle) < (float(high) - float(low)) / 2.0 + 1e-3
+    });
+    (distance <= 1e-3 || !is_open).then_some(distance)
 }
 
 fn of_alternative(alternative: &Alternative, at: [f64; 2]) -> f64 {
@@ -81,17 +112,12 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
         })),
         When::Classes(classes) if classes.is_curve() => 0.0,
         When::Classes(classes) => {
-            let (u, v) = (times(&classes.u, at), times(&classes.v, at));
-            let told = meetings(classes);
-            let found = told.iter().map(|(x, y)| y.map_or(0.0, |y| apart(v, y)).max(apart(u, *x)));
-            let is_open = classes.circle.iter().flat_map(|circle| circle.open()).any(|[low, high]| {
-                let middle = (float(low) + float(high)) / 2.0;
-                apart(u, middle) < (float(high) - float(low)) / 2.0 + 1e-3
-            });
-            match least(&mut { found }) {
-                distance if distance > 1e-3 && is_open => return None,
-                distance => distance,
-            }
+            let place = [times(&classes.u, at), times(&classes.v, at)];
+            return from_points(&meetings(classes), classes.circle.as_ref(), place);
+        }
+        When::Quadratic(found) => {
+            let place = [times(&found.u, at), times(&found.v, at)];
+            return from_points(&roots(found), found.circle.as_ref(), place);
         }
         When::Product(product) => {
             let [one, other] = [&product.group, &product.firsts].map(|factor| from_told(factor, at));
@@ -120,8 +146,30 @@ struct Told {
     curves: usize,
     triangles: usize,
     products: usize,
+    quadratics: usize,
+    /// What stands at rational u: all v, none, one; of classes of one length none, one, two.
+    roots: [usize; 6],
     open: usize,
     not_solved: usize,
+}
+
+/// Whether the sum vanishes at the points, and on the lines, that are told.
+fn check_points(
+    star: &Star,
+    points: &[(f64, Option<f64>)],
+    at: impl Fn(f64, f64) -> [f64; 2],
+    told: &mut Told,
+    place: &str,
+) {
+    for (u, v) in points {
+        let all = [v.unwrap_or(0.123), v.unwrap_or(0.789)];
+        if v.is_some() {
+            told.points += 1
+        } else {
+            told.lines += 1
+        }
+        assert!(all.iter().all(|v| star.length(at(*u, *v)) < 1e-8), "{place}: u = {u}, v = {v:?}");
+    }
 }
 
 /// Whether the sum vanishes wherever it is told to.
@@ -177,16 +225,22 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
                     assert!(length(low) < 1e-9, "{place}: no curve");
                 }
             }
-            for (u, v) in meetings(classes) {
-                let all = [v.unwrap_or(0.123), v.unwrap_or(0.789)];
-                if v.is_some() {
-                    told.points += 1
-                } else {
-                    told.lines += 1
-                }
-                assert!(all.iter().all(|v| star.length(at(u, *v)) < 1e-8), "{place}: u = {u}, v = {v:?}");
-            }
+            check_points(star, &meetings(classes), at, told, place);
             told.open += usize::from(classes.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
+        }
+        When::Quadratic(found) => {
+            told.quadratics += 1;
+            let at = |u: f64, v: f64| solved([&found.u, &found.v], [u, v]);
+            check_points(star, &roots(found), at, told, place);
+            told.open += usize::from(found.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
+            for (_, roots) in found.rational() {
+                told.roots[match roots {
+                    Roots::All(_) => 0,
+                    Roots::None(_) => 1,
+                    Roots::One { .. } => 2,
+                    Roots::Mirror { at, .. } => 3 + at.len(),
+                }] += 1;
+            }
         }
         When::Never(_) => told.never += 1,
         When::NotSolved(_) => told.not_solved += 1,
@@ -239,4 +293,26 @@ fn w_engines_with_pins_split_in_one_sense_vanish_exactly_where_it_is_told() {
     }
     assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
     assert!(told.points > 150 && told.never > 30, "{told:?}");
+}
+
+#[test]
+fn w_engines_with_pins_split_in_both_senses_vanish_exactly_where_it_is_told() {
+    let (mut dice, mut told) = (Dice::new(9), Told::default());
+    for _ in 0..20 {
+        search(&split_broad_arrow(&mut dice), &[1, 2], &mut told);
+    }
+    assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
+    assert!(told.quadratics > 50 && told.points > 150 && told.never > 20, "{told:?}");
+}
+
+#[test]
+fn three_classes_vanish_at_all_turns_or_none_or_some_where_their_lengths_say_so() {
+    let mut told = Told::default();
+    for text in quadratics() {
+        search(&text, &[1], &mut told);
+    }
+    // Beside the zero of h four times over where all three classes vanish, arcs stay open.
+    assert_eq!([told.not_solved, told.open], [0, 2], "{told:?}");
+    let [all, none, one, mirrors @ ..] = told.roots;
+    assert!(all > 0 && none > 0 && one > 0 && mirrors.iter().all(|count| *count > 0), "{told:?}");
 }

@@ -159,7 +159,7 @@ impl Classes {
 
 impl Circle {
     /// The zeros that are rational turns, as they follow each other on the arcs.
-    fn rational_in_order(&self) -> impl Iterator<Item = &BigRational> {
+    pub(super) fn rational_in_order(&self) -> impl Iterator<Item = &BigRational> {
         self.arcs.iter().filter_map(|arc| match &arc.kind {
             Kind::Rational { at, .. } => Some(at),
             Kind::Free | Kind::Monotone | Kind::Crossing { .. } | Kind::Open => None,

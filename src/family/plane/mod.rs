@@ -1,16 +1,21 @@
 //! For which φ and δ does a sum vanish in which both enter on their own? A triangle, or two classes of parts.
 //!
 //! Where all parts stand on one line of multiples the sum has one unknown ([`super::circle`]). Three parts else make a triangle; some sums
-//! are products; parts on two parallel lines make two classes, as those of every V engine do (theory, section 17). More classes that are
-//! no product are not solved.
+//! are products; parts on two parallel lines make two classes, as those of every V engine do (theory, section 17). Three classes that are
+//! equally far apart, as those of a W engine, make a quadratic; if they cancel along a curve, and else, it is not solved.
 
 mod classes;
+mod laurent;
 mod product;
+mod quadratic;
+mod roots;
 mod split;
 mod triangle;
 
 pub use classes::{Classes, Meeting};
 pub use product::Product;
+pub use quadratic::Quadratic;
+pub use roots::{Root, Roots};
 pub use triangle::{Corner, Shape, Triangle};
 
 use super::{Part, When};
@@ -19,6 +24,6 @@ use super::{Part, When};
 pub(super) fn when(parts: &[&Part]) -> Option<When> {
     match parts {
         [first, second, third] => triangle::when([first, second, third]),
-        more => product::when(more).or_else(|| classes::when(more)),
+        more => product::when(more).or_else(|| classes::when(more)).or_else(|| quadratic::when(more)),
     }
 }

@@ -38,6 +38,7 @@ pub(super) fn when(parts: &[&Part]) -> Option<When> {
         | When::Irrational { .. }
         | When::Triangle(_)
         | When::Classes(_)
+        | When::Quadratic(_)
         | When::Product(_)
         | When::NotSolved(_) => false,
     };

@@ -1,6 +1,6 @@
-//! Into which two classes do the parts fall, so that one angle turns the parts in each, and another the classes?
+//! Into which two classes, or three, do the parts fall, so that one angle turns the parts in each, and another the classes?
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -73,4 +73,63 @@ fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split> {
     };
     let [first, second] = placed.map(|class| class.iter().map(whole).collect::<Option<Vec<_>>>());
     Some(Split { u: direction.map(|times| times * &unit), v: apart(other, start), classes: [first?, second?] })
+}
+
+/// Two angles, `[phi, delta]` times φ and δ, and the parts of three classes.
+pub(super) struct Three {
+    /// What turns the parts of one class against each other.
+    pub u: [BigRational; 2],
+    /// What turns the first part of the second class against that of the first.
+    pub v: [BigRational; 2],
+    /// How many times u turns a part against the first of the first class, turned by v once in the second class, and twice in the
+    /// third; with its place.
+    pub classes: [Vec<(i64, usize)>; 3],
+}
+
+/// u may enter so many times in one of three classes.
+const HIGHEST_OF_THREE: i64 = 256;
+
+/// Splits parts in rising order into three classes on lines that are equally far apart.
+pub(super) fn three(parts: &[&Part]) -> Option<Three> {
+    directions(parts).find_map(|direction| three_along(parts, direction))
+}
+
+fn three_along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Three> {
+    let start = *parts.first()?;
+    let mut lines: BTreeMap<BigRational, Vec<usize>> = BTreeMap::new();
+    for (place, part) in parts.iter().enumerate() {
+        let [phi, delta] = apart(part, start);
+        lines.entry(phi * &direction[1] - delta * &direction[0]).or_default().push(place);
+    }
+    let offsets: Vec<&BigRational> = lines.keys().collect();
+    let [low, middle, high] = offsets.as_slice() else { return None };
+    if *middle - *low != *high - *middle {
+        return None;
+    }
+    let lines: Vec<Vec<usize>> = lines.into_values().collect();
+    let [first, second, third] = <[Vec<usize>; 3]>::try_from(lines).ok()?;
+    let of = |places: &[usize]| places.first().map(|place| parts[*place]);
+    let v = apart(of(&second)?, of(&first)?);
+    let axis = usize::from(direction[0].is_zero());
+    let from = of(&first)?;
+    let times = |place: usize, turns: i64| {
+        let turned = &v[axis] * BigRational::from_integer(turns.into());
+        (&apart(parts[place], from)[axis] - turned) / &direction[axis]
+    };
+    let placed = [(first, 0), (second, 1), (third, 2)]
+        .map(|(places, turns)| places.into_iter().map(|place| (times(place, turns), place)).collect::<Vec<_>>());
+    let all = placed.iter().flatten().map(|(times, _)| times);
+    let (divisor, multiple) = all.fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
+        (divisor.gcd(times.numer()), multiple.lcm(times.denom()))
+    });
+    if divisor.is_zero() {
+        return None;
+    }
+    let unit = BigRational::new(divisor, multiple);
+    let range = -HIGHEST_OF_THREE..=HIGHEST_OF_THREE;
+    let whole = |(times, place): &(BigRational, usize)| {
+        Some(((times / &unit).to_integer().to_i64().filter(|times| range.contains(times))?, *place))
+    };
+    let [first, second, third] = placed.map(|class| class.iter().map(whole).collect::<Option<Vec<_>>>());
+    Some(Three { u: direction.map(|times| times * &unit), v, classes: [first?, second?, third?] })
 }

@@ -23,7 +23,7 @@ pub struct Triangle {
     pub corners: Vec<Corner>,
 }
 
-/// The sign of the squared area, with evidence.
+/// The sign of the squared area, or of another number that tells how many solutions there are, with evidence.
 #[derive(Clone, Debug)]
 pub enum Shape {
     /// None: one side is longer than the others together. Enclosed with so many bits.
@@ -72,6 +72,11 @@ fn shape(sums: [&PhasorSum; 3]) -> Option<Shape> {
     let [a, b, c] = sums.map(PhasorSum::squared_modulus);
     let mixed = a.times(&b).plus(&b.times(&c)).plus(&c.times(&a)).scaled(&BigRational::from_integer(2.into()));
     let area = mixed.minus(&a.times(&a).plus(&b.times(&b)).plus(&c.times(&c)));
+    sign(area)
+}
+
+/// The sign of a real sum.
+pub(super) fn sign(area: PhasorSum) -> Option<Shape> {
     let area = PhasorSum::new(area.collected());
     if area.vanishes() {
         return Some(Shape::Flat(area.certificate()));

@@ -3,12 +3,13 @@
 use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
 use crate::family::{
-    Arc, Circle, Classes, Corner, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Shape, Triangle, When,
+    Arc, Circle, Classes, Corner, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root, Roots,
+    Shape, Triangle, When,
 };
 use crate::proof::{
     AlternativeClaim, ArcClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim, Exact, Format, LinearClaim,
-    Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, Quantity, SumClaim,
-    TriangleClaim, TriangleShape, WhenClaim,
+    Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim,
+    Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -90,6 +91,9 @@ fn when(when: &When) -> WhenClaim {
         When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
         When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
         When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(classes(found))),
+        When::Never(Never::Quadratic(found)) | When::Quadratic(found) => {
+            WhenClaim::Quadratic(Box::new(quadratic(found)))
+        }
         When::Never(Never::Product(found)) | When::Product(found) => WhenClaim::Product(Box::new(ProductClaim {
             groups: found.groups.clone(),
             certificates: found.certificates.clone(),
@@ -143,12 +147,15 @@ fn triangle(triangle: &Triangle) -> TriangleClaim {
         Corner::Exact(exact) => Some(alternative(exact)),
         Corner::Near(_) => None,
     });
-    let shape = match &triangle.shape {
+    TriangleClaim { shape: shape(&triangle.shape), alternatives: exact.collect() }
+}
+
+fn shape(shape: &Shape) -> TriangleShape {
+    match shape {
         Shape::Never(bits) => TriangleShape::Never { bits: *bits },
         Shape::Flat(certificate) => TriangleShape::Flat { certificate: certificate.clone() },
         Shape::Two(bits) => TriangleShape::Two { bits: *bits },
-    };
-    TriangleClaim { shape, alternatives: exact.collect() }
+    }
 }
 
 fn classes(classes: &Classes) -> ClassesClaim {
@@ -167,5 +174,35 @@ fn classes(classes: &Classes) -> ClassesClaim {
         squares: classes.squares.clone(),
         circle: classes.circle.as_ref().map(circle),
         meetings: classes.meetings.iter().map(meeting).collect(),
+    }
+}
+
+fn quadratic(found: &Quadratic) -> QuadraticClaim {
+    let root = |root: &Root| match root {
+        Root::Exact(turn, certificate) => {
+            Some(RootClaim { turn: turn.turns().clone(), certificate: (**certificate).clone() })
+        }
+        Root::Near(_) => None,
+    };
+    let roots = |roots: &Roots| match roots {
+        Roots::All(certificates) => RootsClaim::All { certificates: certificates.clone() },
+        Roots::None(certificates) => RootsClaim::None { certificates: certificates.clone() },
+        Roots::One { lengths, at } => RootsClaim::One { lengths: lengths.clone(), at: root(at).into_iter().collect() },
+        Roots::Mirror { lengths, first, shape: found, at } => RootsClaim::Mirror {
+            lengths: lengths.clone(),
+            first: first.clone(),
+            shape: shape(found),
+            at: at.iter().filter_map(root).collect(),
+        },
+    };
+    let ([phi, delta], [second, third]) = (found.u.clone(), found.classes.clone());
+    QuadraticClaim {
+        phi,
+        delta,
+        second,
+        third,
+        coefficients: found.coefficients.clone(),
+        circle: found.circle.as_ref().map(circle),
+        roots: found.roots.iter().map(roots).collect(),
     }
 }

@@ -4,6 +4,7 @@ mod circle_words;
 mod document;
 mod picture;
 mod plane_words;
+mod quadratic_words;
 mod tables;
 mod words;
 
@@ -149,7 +150,8 @@ pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             When::Cosine(found) => words::cosine(found),
             When::Circle(circle) if circle.is_complete() => circle_words::zeros(circle)?,
             When::Circle(_) | When::Always | When::Never(_) | When::Where(_) | When::Irrational { .. } => return None,
-            When::Triangle(_) | When::Classes(_) | When::Product(_) | When::NotSolved(_) => return None,
+            When::Triangle(_) | When::Classes(_) | When::Quadratic(_) => return None,
+            When::Product(_) | When::NotSolved(_) => return None,
         };
         let words = match (verdict.quantity, verdict.sense) {
             (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",

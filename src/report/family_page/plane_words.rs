@@ -6,7 +6,7 @@ use super::super::typeset;
 use super::circle_words;
 use super::words::{self, together, unknowns};
 use crate::exact::Turn;
-use crate::family::{Classes, Corner, Meeting, Product, Triangle, When};
+use crate::family::{Circle, Classes, Corner, Meeting, Product, Triangle, When};
 use crate::page::number::Bearing;
 use crate::page::{Text, phrase};
 
@@ -70,22 +70,27 @@ pub(super) fn why(classes: &Classes) -> Text {
                 u.clone(),
                 circle.arcs.len()
             );
-            let told = match (zeros(classes), circle.is_complete()) {
-                (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
-                (None, true) => "So it vanishes for no angles.".into(),
-                (Some(zeros), false) => {
-                    phrase!("So, but for the arcs that are left open, the sum vanishes exactly where {}.", zeros)
-                }
-                (None, false) => "So it vanishes nowhere but perhaps on the arcs that are left open.".into(),
-            };
-            let only = circle.irrational().map(|near| {
-                let [from, to] = circle_words::between(circle, near);
-                phrase!("Between {} and {} there is one such {}, which is no rational turn.", from, to, u.clone())
-            });
-            Text::joined([difference, told].into_iter().chain(only).chain(circle_words::open(circle).map(ended)), " ")
+            Text::joined([difference, so(circle, zeros(classes), &u)], " ")
         }
     };
     Text::joined([lead, equal], " ")
+}
+
+/// What follows from a circle for the zeros that are known.
+pub(super) fn so(circle: &Circle, zeros: Option<Text>, u: &str) -> Text {
+    let told = match (zeros, circle.is_complete()) {
+        (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
+        (None, true) => "So it vanishes for no angles.".into(),
+        (Some(zeros), false) => {
+            phrase!("So, but for the arcs that are left open, the sum vanishes exactly where {}.", zeros)
+        }
+        (None, false) => "So it vanishes nowhere but perhaps on the arcs that are left open.".into(),
+    };
+    let only = circle.irrational().map(|near| {
+        let [from, to] = circle_words::between(circle, near);
+        phrase!("Between {} and {} there is one such {}, which is no rational turn.", from, to, u.to_owned())
+    });
+    Text::joined([told].into_iter().chain(only).chain(circle_words::open(circle).map(ended)), " ")
 }
 
 /// As a sentence of its own.
@@ -157,6 +162,6 @@ fn names(classes: &Classes) -> [String; 2] {
     [&classes.u, &classes.v].map(|[phi, delta]: &[BigRational; 2]| unknowns(phi, delta))
 }
 
-fn near(name: &str, degrees: f64) -> Text {
+pub(super) fn near(name: &str, degrees: f64) -> Text {
     Text::label(format!("{name} ≈ {}°", typeset::decimal(degrees)))
 }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::super::{argument, residual, typeset};
-use super::{circle_words, plane_words};
+use super::{circle_words, plane_words, quadratic_words};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{
@@ -75,6 +75,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
         When::Circle(circle) => Some(circle_words::condition(circle)),
         When::Triangle(triangle) => Some(plane_words::triangle_condition(triangle)),
         When::Classes(classes) => Some(plane_words::condition(classes)),
+        When::Quadratic(found) => Some(quadratic_words::condition(found)),
         When::Product(product) => Some(plane_words::product_condition(product)),
         When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
@@ -186,6 +187,7 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Circle(circle)) | When::Circle(circle) => circle_words::why(circle),
         When::Never(Never::Triangle(triangle)) | When::Triangle(triangle) => plane_words::triangle_why(triangle),
         When::Never(Never::Classes(classes)) | When::Classes(classes) => plane_words::why(classes),
+        When::Never(Never::Quadratic(found)) | When::Quadratic(found) => quadratic_words::why(found),
         When::Never(Never::Product(product)) | When::Product(product) => plane_words::product_why(product),
         When::Where(angles) => {
             let words = match angles.alternatives.len() {

@@ -62,12 +62,34 @@ pub fn broad_arrow(dice: &mut Dice) -> String {
     engine(dice, &["-phi", "0", "phi"], &["", " + delta"])
 }
 
+/// A W engine, every pin of which may be split in either sense.
+pub fn split_broad_arrow(dice: &mut Dice) -> String {
+    engine(dice, &["-phi", "0", "phi"], &["", " + delta", " - delta"])
+}
+
 /// In the direct force of order 1 each cylinder has the phase of its throw.
 fn throws(list: &[(&str, u32)]) -> String {
     let cylinder = |(throw, mass): &(&str, u32)| {
         format!("[[cylinder]]\nthrow = '{throw}'\nbank = 0\nposition = 0\nreciprocating_mass = {mass}\n")
     };
     list.iter().map(cylinder).collect()
+}
+
+/// Three classes of parts: at δ = 180° all of them vanish, the outer ones alone, and outer ones of one length meet a middle one that is
+/// shorter than both, as long, and longer; at δ = 0 outer ones of different length meet a middle one as long as both.
+pub fn quadratics() -> Vec<String> {
+    let outer = [("0", 1), ("delta", 1), ("2phi", 2), ("2phi + delta", 2)];
+    let with = |others: &[(&str, u32)]| throws(&[&outer, others].concat());
+    let mirrored =
+        |mass| throws(&[("0", 2), ("delta", 1), ("phi", mass), ("2phi", 1), ("2phi + delta", 2), ("2phi + 2delta", 2)]);
+    vec![
+        throws(&[("0", 1), ("delta", 1), ("2phi", 5), ("2phi + delta", 5), ("phi", 1), ("phi + 3delta", 1)]),
+        with(&[("phi", 1), ("phi + 3delta", 2)]),
+        mirrored(1),
+        mirrored(2),
+        mirrored(3),
+        throws(&[("0", 1), ("phi", 2), ("phi + delta", 1), ("2phi + 3delta", 2)]),
+    ]
 }
 
 /// Documents on engines whose answers are of every kind.
@@ -85,9 +107,15 @@ pub fn documents() -> Vec<OpenDocument> {
             throws(&[("0", 1), ("delta", 1), ("phi", 1), ("phi + delta", 1)]),
         ])
         .collect();
-    let document = |text: &String| {
-        let family = family(text);
-        report::open_document(&family, &family::classify(&family, &[1, 2]).expect("orders"))
-    };
-    texts.iter().map(document).collect()
+    texts.iter().map(|text| document(text, &[1, 2])).collect()
+}
+
+/// Documents on engines whose parts make three classes.
+pub fn quadratic_documents() -> Vec<OpenDocument> {
+    quadratics().iter().map(|text| document(text, &[1])).collect()
+}
+
+fn document(text: &str, orders: &[u32]) -> OpenDocument {
+    let family = family(text);
+    report::open_document(&family, &family::classify(&family, orders).expect("orders"))
 }

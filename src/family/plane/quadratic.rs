@@ -1,0 +1,96 @@
+//! When do three classes of parts cancel, `A(y) + B(y) x + C(y) x²` with `x = e^{iv}` and `y = e^{iu}`? Where a real polynomial in y vanishes.
+//!
+//! Theory, section 17: with `D = |A|² − |C|²` and `E = conj(A) B − C conj(B)` every zero has `D + E x = 0`, so that `D² = |E|²`.
+
+use num_rational::BigRational;
+
+use super::super::Part;
+use super::super::circle::{self, Circle, Polynomial};
+use super::super::solve::{Never, When};
+use super::laurent::{Laurent, conjugate_times, less, value};
+use super::roots::{Roots, near, roots};
+use super::split::{Three, three};
+use crate::exact::PhasorSum;
+use crate::proof::Certificate;
+
+/// The classes A, B and C, and where they cancel.
+#[derive(Clone, Debug)]
+pub struct Quadratic {
+    /// How many times φ and δ enter u, which turns the parts of one class.
+    pub u: [BigRational; 2],
+    /// How many times φ and δ enter v, which turns B against A, and C against B.
+    pub v: [BigRational; 2],
+    /// The places of the parts of B and of C among those that are left.
+    pub classes: [Vec<usize>; 2],
+    /// Evidence for every coefficient of `D² − |E|²`, from the constant one on.
+    pub coefficients: Vec<Certificate>,
+    /// Where `D² − |E|²` vanishes; none where it is constant.
+    pub circle: Option<Circle>,
+    /// For which v the sum vanishes at each rational u of the circle, in their order.
+    pub roots: Vec<Roots>,
+    /// For which v, in degrees, it does at each irrational u, in their order: one, for D = 0 makes a double zero.
+    pub degrees: Vec<f64>,
+}
+
+/// When the classes cancel; `None` where the parts do not make three equally far apart, or where `D² = |E|²` throughout.
+pub(super) fn when(parts: &[&Part]) -> Option<When> {
+    let found = solve(parts)?;
+    Some(if found.is_never() {
+        When::Never(Never::Quadratic(Box::new(found)))
+    } else {
+        When::Quadratic(Box::new(found))
+    })
+}
+
+fn solve(parts: &[&Part]) -> Option<Quadratic> {
+    let Three { u, v, classes } = three(parts)?;
+    let polynomials = classes.each_ref().map(|class| -> Laurent {
+        class.iter().map(|(times, place)| (*times, PhasorSum::new(parts[*place].sum.collected()))).collect()
+    });
+    let [difference, twist] = eliminants(&polynomials);
+    let whole = less(conjugate_times(&difference, &difference), &conjugate_times(&twist, &twist));
+    let half: Vec<(i64, PhasorSum)> = whole.into_iter().filter(|(power, _)| *power >= 0).collect();
+    let coefficients: Vec<Certificate> = half.iter().map(|(_, sum)| sum.certificate()).collect();
+    let left = half.into_iter().zip(&coefficients).filter(|(_, certificate)| !certificate.claims_zero());
+    let left: Vec<(i64, PhasorSum)> = left.map(|(coefficient, _)| coefficient).collect();
+    let degree = left.last()?.0;
+    let circle = (degree > 0).then(|| {
+        let mirrored = left.iter().rev().filter(|(power, _)| *power > 0);
+        let mirrored = mirrored.map(|(power, sum)| (degree - power, sum.conjugate()));
+        let whole = mirrored.chain(left.iter().map(|(power, sum)| (degree + power, sum.clone())));
+        let (exponents, sums) = whole.unzip();
+        let [phi, delta] = u.clone();
+        circle::arcs_of_polynomial(Polynomial { phi, delta, exponents, sums })
+    });
+    let at = |turn: &BigRational| polynomials.each_ref().map(|polynomial| value(polynomial, turn));
+    let rational = circle.iter().flat_map(Circle::rational_in_order);
+    let roots = rational.map(|turn| roots(&at(turn))).collect::<Option<Vec<_>>>()?;
+    let middle = |[low, high]: [&BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
+    let degrees = circle.iter().flat_map(Circle::irrational).map(|ends| near(&at(&middle(ends)))).collect();
+    let [_, second, third] = classes.map(|class| class.into_iter().map(|(_, place)| place).collect());
+    Some(Quadratic { u, v, classes: [second, third], coefficients, circle, roots, degrees })
+}
+
+/// D and E.
+fn eliminants([first, second, third]: &[Laurent; 3]) -> [Laurent; 2] {
+    let difference = less(conjugate_times(first, first), &conjugate_times(third, third));
+    let twist = less(conjugate_times(first, second), &conjugate_times(second, third));
+    [difference, twist]
+}
+
+impl Quadratic {
+    fn is_never(&self) -> bool {
+        let Some(circle) = &self.circle else { return true };
+        circle.is_complete() && circle.irrational().next().is_none() && self.roots.iter().all(Roots::is_none)
+    }
+
+    /// The rational turns of u at which the classes may cancel, each with its v.
+    pub fn rational(&self) -> impl Iterator<Item = (&BigRational, &Roots)> {
+        self.circle.iter().flat_map(Circle::rational_in_order).zip(&self.roots)
+    }
+
+    /// Between which turns each irrational u is, narrowly, with its v in degrees.
+    pub fn irrational(&self) -> impl Iterator<Item = ([&BigRational; 2], f64)> {
+        self.circle.iter().flat_map(Circle::irrational).zip(self.degrees.iter().copied())
+    }
+}

@@ -1,0 +1,87 @@
+//! What is said of a sum in two unknowns as three classes of parts, a quadratic?
+
+use num_rational::BigRational;
+use serde::{Deserialize, Serialize};
+
+use super::certificate::Certificate;
+use super::circle::CircleClaim;
+use super::fraction;
+use super::plane::TriangleShape;
+
+/// With `u = phi·φ + delta·δ` and `y = e^{iu}` the sum is `A(y) + B(y) x + C(y) x²` up to a factor on the circle, `x = e^{iv}`, v how the
+/// first part of B is turned against that of A, on its own. Where it vanishes so does `(|A|² − |C|²)² − |conj(A) B − C conj(B)|²`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct QuadraticClaim {
+    /// How many times φ enters u.
+    #[serde(with = "fraction")]
+    pub phi: BigRational,
+    /// How many times δ enters u.
+    #[serde(with = "fraction")]
+    pub delta: BigRational,
+    /// The places, among the parts that do not vanish, of those in B, rising.
+    pub second: Vec<usize>,
+    /// The places of those in C, rising.
+    pub third: Vec<usize>,
+    /// For every m from 0 on that products of the parts lead to: evidence that the coefficient of `y^m` is zero, or that it is not; one is
+    /// not. Only that of m = 0 is not: nowhere.
+    pub coefficients: Vec<Certificate>,
+    /// Where a coefficient of m > 0 is not zero: where the polynomial vanishes.
+    pub circle: Option<CircleClaim>,
+    /// One for each `rational` arc of the circle, in their order. (At a `crossing` there is one x: A and C are not equally long there, for
+    /// the polynomial would have a double zero.)
+    pub roots: Vec<RootsClaim>,
+}
+
+/// For which x on the circle the sum vanishes at a rational turn of u at which the polynomial does.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them")]
+pub enum RootsClaim {
+    /// For all: A, B and C vanish.
+    All {
+        /// The evidence.
+        certificates: Box<[Certificate; 3]>,
+    },
+    /// For none: A and C vanish, B does not.
+    None {
+        /// Evidence on A, B and C.
+        certificates: Box<[Certificate; 3]>,
+    },
+    /// For one.
+    One {
+        /// Evidence that A and C are not equally long.
+        lengths: Certificate,
+        /// The x, if it is claimed to be a rational turn.
+        at: Vec<RootClaim>,
+    },
+    /// For none, one or two, as the sign of `4|A|² − |B|²` says.
+    Mirror {
+        /// Evidence that A and C are equally long.
+        lengths: Certificate,
+        /// Evidence that A does not vanish.
+        first: Certificate,
+        /// The sign.
+        shape: TriangleShape,
+        /// Those x that are claimed to be rational turns.
+        at: Vec<RootClaim>,
+    },
+}
+
+/// A rational turn of x.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RootClaim {
+    /// The turn.
+    #[serde(with = "fraction")]
+    pub turn: BigRational,
+    /// Evidence that the sum vanishes there.
+    pub certificate: Certificate,
+}
+
+impl QuadraticClaim {
+    /// Whether no arc is open.
+    pub(super) fn is_complete(&self) -> bool {
+        self.circle.as_ref().is_none_or(CircleClaim::is_complete)
+    }
+}

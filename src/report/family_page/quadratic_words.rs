@@ -1,0 +1,73 @@
+//! How is it put for which φ and δ three classes of parts cancel?
+
+use super::super::typeset;
+use super::circle_words;
+use super::plane_words::{near, so};
+use super::words::unknowns;
+use crate::exact::Turn;
+use crate::family::{Quadratic, Root, Roots};
+use crate::page::{Text, phrase};
+
+/// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`.
+pub(super) fn condition(found: &Quadratic) -> Text {
+    let open = found.circle.iter().flat_map(circle_words::open);
+    let told: Vec<Text> = zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
+    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+}
+
+/// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
+fn zeros(found: &Quadratic) -> Option<Text> {
+    let [u, v] = names(found);
+    let rational = found.rational().flat_map(|(at, roots)| {
+        let at = Text::label(format!("{u} ≡ {}", typeset::angle(&Turn::new(at.clone()))));
+        let with = |root: &Root| {
+            let v = match root {
+                Root::Exact(turn, _) => Text::label(format!("{v} ≡ {}", typeset::angle(turn))),
+                Root::Near(degrees) => near(&v, *degrees),
+            };
+            Text::joined([at.clone(), v], " and ")
+        };
+        match roots {
+            Roots::All(_) => vec![at.clone()],
+            Roots::None(_) => Vec::new(),
+            Roots::One { at, .. } => vec![with(at)],
+            Roots::Mirror { at, .. } => at.iter().map(with).collect(),
+        }
+    });
+    let irrational = found
+        .irrational()
+        .map(|(ends, degrees)| Text::joined([near(&u, circle_words::middle(ends)), near(&v, degrees)], " and "));
+    let told: Vec<Text> = rational.chain(irrational).collect();
+    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn why(found: &Quadratic) -> Text {
+    let [u, v] = names(found);
+    let lead = phrase!(
+        "The parts make three classes: {} turns the parts of each, {} turns the second class against the first, and the third as much against \
+         the second.",
+        u.clone(),
+        v.clone()
+    );
+    let Some(circle) = &found.circle else {
+        let never = "A real polynomial that vanishes where they cancel (theory, section 17) is constant and not zero (proved), so they never \
+                     cancel.";
+        return Text::joined([lead, never.into()], " ");
+    };
+    let arcs = phrase!(
+        "Where they cancel, a real polynomial of degree {} in the turn by {} vanishes (theory, section 17); the circle is cut into {} arcs, and \
+         each shows how often it does there (proved). For each such angle there is one {} if first and third class differ in length, and none, \
+         one or two if they do not.",
+        (circle.polynomial.degree() / 2).to_string(),
+        u.clone(),
+        circle.arcs.len(),
+        v
+    );
+    Text::joined([lead, arcs, so(circle, zeros(found), &u)], " ")
+}
+
+/// u and v.
+fn names(found: &Quadratic) -> [String; 2] {
+    [&found.u, &found.v].map(|[phi, delta]| unknowns(phi, delta))
+}

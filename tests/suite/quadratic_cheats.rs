@@ -1,0 +1,240 @@
+//! Is every way to cheat the checker with three classes of parts caught?
+
+use crankstar::proof::{
+    ArcClaim, Certificate, OpenDocument, QuadraticClaim, RootClaim, RootsClaim, TriangleShape, WhenClaim,
+    check_open_document,
+};
+use num_rational::BigRational;
+
+use crate::plane_cheats::{Cheat, change_bits_of, forged, half, refused, tried};
+use crate::support::second;
+use crate::support::two_angles::quadratic_documents;
+
+/// The first entry of `roots` that a change fits.
+fn first(claim: &mut QuadraticClaim, change: impl Fn(&mut RootsClaim) -> bool) -> bool {
+    claim.roots.iter_mut().any(change)
+}
+
+fn turns(roots: &mut RootsClaim) -> &mut [RootClaim] {
+    match roots {
+        RootsClaim::One { at, .. } | RootsClaim::Mirror { at, .. } => at,
+        RootsClaim::All { .. } | RootsClaim::None { .. } => &mut [],
+    }
+}
+
+const CLASSES: [Cheat<QuadraticClaim>; 15] = [
+    ("another u", |claim| {
+        claim.phi += half();
+        if let Some(circle) = &mut claim.circle {
+            circle.phi = claim.phi.clone();
+        }
+        true
+    }),
+    ("u taken backwards", |claim| {
+        (claim.phi, claim.delta) = (-&claim.phi, -&claim.delta);
+        if let Some(circle) = &mut claim.circle {
+            (circle.phi, circle.delta) = (claim.phi.clone(), claim.delta.clone());
+        }
+        true
+    }),
+    ("the circle of another u", |claim| claim.circle.as_mut().map(|circle| circle.delta += half()).is_some()),
+    ("middle and outer class exchanged", |claim| {
+        std::mem::swap(&mut claim.second, &mut claim.third);
+        true
+    }),
+    ("a class without one of its parts", |claim| claim.second.pop().is_some()),
+    ("an outer class without its parts", |claim| {
+        claim.third.clear();
+        true
+    }),
+    ("a part in two classes", |claim| {
+        claim.third = [claim.second.clone(), claim.third.clone()].concat();
+        claim.third.sort_unstable();
+        true
+    }),
+    ("a part twice", |claim| {
+        claim.third.extend(claim.third.last().copied());
+        true
+    }),
+    ("a part that is not there", |claim| {
+        claim.third.push(99);
+        true
+    }),
+    ("a coefficient without evidence", |claim| claim.coefficients.pop().is_some()),
+    ("forged evidence of a coefficient", |claim| {
+        claim.coefficients.iter_mut().for_each(|certificate| *certificate = forged(certificate));
+        true
+    }),
+    ("every coefficient zero", |claim| {
+        claim.coefficients.iter_mut().for_each(|certificate| {
+            *certificate = Certificate::Polygons { polygons: Vec::new() };
+        });
+        (claim.circle, claim.roots) = (None, Vec::new());
+        true
+    }),
+    ("no circle", |claim| claim.circle.take().is_some()),
+    ("no circle and no roots", |claim| {
+        claim.roots.clear();
+        claim.circle.take().is_some()
+    }),
+    ("a zero that is left out", |claim| {
+        let arcs = claim.circle.iter_mut().flat_map(|circle| &mut circle.arcs);
+        let mut found = false;
+        for arc in arcs {
+            if let ArcClaim::Rational { to, .. } | ArcClaim::Crossing { to } = arc {
+                *arc = ArcClaim::Free { to: to.clone() };
+                found = true;
+            }
+        }
+        claim.roots.clear();
+        found
+    }),
+];
+
+const ROOTS: [Cheat<QuadraticClaim>; 14] = [
+    ("roots that are left out", |claim| claim.roots.pop().is_some()),
+    ("roots too many", |claim| {
+        let lengths = claim.coefficients[0].clone();
+        claim.roots.push(RootsClaim::One { lengths, at: Vec::new() });
+        true
+    }),
+    ("another turn", |claim| {
+        first(claim, |roots| {
+            let root = turns(roots).first_mut();
+            root.map(|root| root.turn += BigRational::new(1.into(), 7.into())).is_some()
+        })
+    }),
+    ("forged evidence of a turn", |claim| {
+        first(claim, |roots| {
+            turns(roots).first_mut().map(|root| root.certificate = forged(&root.certificate)).is_some()
+        })
+    }),
+    ("a turn twice", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::One { at, .. } | RootsClaim::Mirror { at, .. } if !at.is_empty() => {
+                at.push(at[0].clone());
+                true
+            }
+            RootsClaim::One { .. } | RootsClaim::Mirror { .. } | RootsClaim::All { .. } | RootsClaim::None { .. } => {
+                false
+            }
+        })
+    }),
+    ("all as none", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::All { certificates } => {
+                *roots = RootsClaim::None { certificates: certificates.clone() };
+                true
+            }
+            RootsClaim::None { .. } | RootsClaim::One { .. } | RootsClaim::Mirror { .. } => false,
+        })
+    }),
+    ("none as all", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::None { certificates } => {
+                *roots = RootsClaim::All { certificates: certificates.clone() };
+                true
+            }
+            RootsClaim::All { .. } | RootsClaim::One { .. } | RootsClaim::Mirror { .. } => false,
+        })
+    }),
+    ("none where outer ones are left", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::One { lengths, .. } => {
+                let zero = Certificate::Polygons { polygons: Vec::new() };
+                *roots = RootsClaim::None { certificates: Box::new([zero.clone(), lengths.clone(), zero]) };
+                true
+            }
+            RootsClaim::All { .. } | RootsClaim::None { .. } | RootsClaim::Mirror { .. } => false,
+        })
+    }),
+    ("two of unequal length as a mirror", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::One { lengths, .. } => {
+                let (lengths, first) = (forged(lengths), lengths.clone());
+                *roots =
+                    RootsClaim::Mirror { lengths, first, shape: TriangleShape::Never { bits: 128 }, at: Vec::new() };
+                true
+            }
+            RootsClaim::All { .. } | RootsClaim::None { .. } | RootsClaim::Mirror { .. } => false,
+        })
+    }),
+    ("a mirror as one", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::Mirror { lengths, .. } => {
+                *roots = RootsClaim::One { lengths: lengths.clone(), at: Vec::new() };
+                true
+            }
+            RootsClaim::All { .. } | RootsClaim::None { .. } | RootsClaim::One { .. } => false,
+        })
+    }),
+    ("nothing as a mirror", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::All { certificates } | RootsClaim::None { certificates } => {
+                let lengths = Certificate::Polygons { polygons: Vec::new() };
+                let (first, shape) = (certificates[0].clone(), TriangleShape::Flat { certificate: lengths.clone() });
+                *roots = RootsClaim::Mirror { lengths, first, shape, at: Vec::new() };
+                true
+            }
+            RootsClaim::One { .. } | RootsClaim::Mirror { .. } => false,
+        })
+    }),
+    ("two as none", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::Mirror { shape, at, .. } => match shape {
+                TriangleShape::Two { bits } => {
+                    (*shape, *at) = (TriangleShape::Never { bits: *bits }, Vec::new());
+                    true
+                }
+                TriangleShape::Never { .. } | TriangleShape::Flat { .. } => false,
+            },
+            RootsClaim::All { .. } | RootsClaim::None { .. } | RootsClaim::One { .. } => false,
+        })
+    }),
+    ("none as two", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::Mirror { shape, .. } => match shape {
+                TriangleShape::Never { bits } => {
+                    *shape = TriangleShape::Two { bits: *bits };
+                    true
+                }
+                TriangleShape::Two { .. } | TriangleShape::Flat { .. } => false,
+            },
+            RootsClaim::All { .. } | RootsClaim::None { .. } | RootsClaim::One { .. } => false,
+        })
+    }),
+    ("too few bits", |claim| {
+        first(claim, |roots| match roots {
+            RootsClaim::Mirror { shape, .. } => change_bits_of(shape, 8),
+            RootsClaim::All { .. } | RootsClaim::None { .. } | RootsClaim::One { .. } => false,
+        })
+    }),
+];
+
+#[test]
+fn every_cheat_with_three_classes_is_caught() {
+    let documents = quadratic_documents();
+    for document in &documents {
+        let json = serde_json::to_string(document).expect("JSON");
+        let read: OpenDocument = serde_json::from_str(&json).expect("it reads");
+        assert_eq!(&read, document);
+        check_open_document(&read).expect("it holds");
+    }
+    // The second checker takes these claims for not checked, and so does not see a change in them.
+    second::accepts(&documents, &[]);
+    let is_quadratic = |when: &WhenClaim| matches!(when, WhenClaim::Quadratic(_));
+    for (name, cheat) in CLASSES.into_iter().chain(ROOTS) {
+        let change = |when: &mut WhenClaim| match when {
+            WhenClaim::Quadratic(claim) => cheat(claim),
+            _ => false,
+        };
+        assert!(!refused(&documents, name, is_quadratic, change).is_empty(), "never tried: {name}");
+    }
+    for other in [WhenClaim::Always, WhenClaim::Never] {
+        let change = |when: &mut WhenClaim| {
+            *when = other.clone();
+            true
+        };
+        assert!(tried(&documents, "another kind", is_quadratic, change) > 0);
+    }
+}
