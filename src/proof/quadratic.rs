@@ -36,7 +36,7 @@ pub struct QuadraticClaim {
 /// For which x on the circle the sum vanishes at a rational turn of u at which the polynomial does.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them")]
+#[allow(clippy::large_enum_variant, reason = "there are few of them")]
 pub enum RootsClaim {
     /// For all: A, B and C vanish.
     All {

@@ -13,7 +13,7 @@ use crate::proof::Certificate;
 
 /// The zeros on the circle, where `(|A|² − |C|²)² = |conj(A) B − C conj(B)|²`.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them")]
+#[allow(clippy::large_enum_variant, reason = "there are few of them")]
 pub enum Roots {
     /// All: A = B = C = 0, with evidence.
     All(Box<[Certificate; 3]>),
