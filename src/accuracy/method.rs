@@ -18,7 +18,7 @@ use crate::order::{TurningMass, turning_masses};
 use crate::proof::Quantity;
 
 /// A way to find a peak load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
     /// The orders up to this one, summed in doubles and searched for the peak.
     Orders(u32),
@@ -32,7 +32,7 @@ pub enum Method {
     Fractions,
 }
 
-/// Orders that are kept.
+/// Orders that are kept; one that adds nothing to the one before it is no method of its own.
 const ORDERS: [u32; 8] = [2, 4, 6, 8, 12, 16, 24, 32];
 /// Orders whose vectors are summed into the bound of what is cut off; those above are bounded together.
 const SUMMED: u32 = 60;
@@ -133,7 +133,7 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     };
     let (enclosure, time) = measured(timing, peak);
     let search = Search::new(engine, quantity);
-    let searched = DIGITS.map(|digits| (digits, measured(timing, || search.run(ten_to_minus(digits), MOST_SPANS))));
+    let searched = searches(&search, timing);
     // What any method guarantees holds for the yardstick, so that none is compared with a worse one than itself.
     let guaranteed = searched.iter().filter_map(|(_, (found, _))| ends(found)).chain(orders.enclosure());
     let nothing = || Missing::Motion("the peak cannot be enclosed: a crank comes too near the end of its reach".into());
@@ -143,7 +143,7 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     }
     let yardstick = Yardstick::new(&enclosure);
     let mut rows = Vec::new();
-    for order in ORDERS {
+    for order in orders.worth_keeping(&ORDERS) {
         let waveform = orders.up_to(order);
         let (value, time) = measured(timing, || orders.peak(&waveform));
         let bound = Some(orders.bound(order) / yardstick.size);
@@ -190,6 +190,20 @@ impl Study {
     pub fn is_below_reference(&self, row: &Row) -> bool {
         row.error <= self.doubt
     }
+}
+
+/// A search for each number of digits, up to the first that ends at [`MOST_SPANS`]: one for more digits would look at the same spans.
+fn searches(search: &Search, timing: Timing) -> Vec<(u32, (Found, Option<Duration>))> {
+    let mut searched: Vec<(u32, (Found, Option<Duration>))> = Vec::new();
+    for digits in DIGITS {
+        let (found, time) = measured(timing, || search.run(ten_to_minus(digits), MOST_SPANS));
+        let is_the_last = found.looked_at >= MOST_SPANS;
+        searched.push((digits, (found, time)));
+        if is_the_last {
+            break;
+        }
+    }
+    searched
 }
 
 /// The peak that a search leaves.

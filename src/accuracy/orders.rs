@@ -62,6 +62,19 @@ impl Orders {
         }
     }
 
+    /// The first of these orders, and each that adds something to the one before it.
+    pub fn worth_keeping(&self, orders: &[u32]) -> Vec<u32> {
+        let mut kept: Vec<u32> = Vec::new();
+        for order in orders {
+            let adds =
+                |before: &u32| self.waveform.harmonics().iter().any(|more| (before + 1..=*order).contains(&more.order));
+            if kept.last().is_none_or(adds) {
+                kept.push(*order);
+            }
+        }
+        kept
+    }
+
     pub fn up_to(&self, order: u32) -> Waveform {
         let kept = self.waveform.harmonics().iter().filter(|harmonic: &&Harmonic| harmonic.order <= order);
         Waveform::new(kept.copied())

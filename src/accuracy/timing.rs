@@ -9,7 +9,7 @@ const REPEATS: usize = 7;
 const BATCH: Duration = Duration::from_micros(500);
 
 /// A longer evaluation is timed once.
-const LONGEST: Duration = Duration::from_millis(100);
+const LONGEST: Duration = Duration::from_millis(20);
 
 /// Whether evaluations are timed, which takes several of each and a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,7 +12,7 @@ fn studies(cases: &[AccuracyCase]) -> impl Iterator<Item = (usize, &AccuracyCase
 }
 
 /// The bearing loads of each case that has main bearings.
-fn of_bearings(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[BearingRow])> {
+pub(super) fn of_bearings(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &[BearingRow])> {
     cases.iter().filter_map(|case| Some((case.label(), case.bearings.as_deref()?)))
 }
 

@@ -1,6 +1,7 @@
 //! What stands on a page of errors alone, of several engines at several rod ratios? The same on every machine.
 
-use super::{AccuracyCase, case, plots, tables, words};
+use super::page::of_bearings;
+use super::{AccuracyCase, bearings, case, plots, tables, words};
 use crate::accuracy::Study;
 use crate::engine::Engine;
 use crate::page::{Block, Document, Text, phrase};
@@ -8,7 +9,11 @@ use crate::page::{Block, Document, Text, phrase};
 /// The page.
 pub fn accuracy_errors_page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Document {
     let mut page = Document::new("README", "What accuracy costs");
-    let answer = engines.iter().flat_map(|(engine, cases)| words::orders_needed(engine, cases));
+    let answer = engines.iter().flat_map(|(engine, cases)| {
+        words::orders_needed(engine, cases)
+            .into_iter()
+            .chain(bearings::orders_needed(engine, &of_bearings(cases).collect::<Vec<_>>()))
+    });
     page.push(Block::Answer(answer.collect()));
     for (number, (engine, cases)) in engines.iter().enumerate() {
         page.push(Block::Heading(1, engine.title().into()));
@@ -19,6 +24,7 @@ pub fn accuracy_errors_page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Document
             }
         }
         page.blocks.extend(tables::errors(cases));
+        page.blocks.extend(bearings::errors(&of_bearings(cases).collect::<Vec<_>>()));
     }
     page.push(Block::Heading(1, "How the methods work".into()));
     page.push(Block::List(words::METHODS.into_iter().chain([words::NO_TIMES]).map(Text::from).collect()));

@@ -1,5 +1,7 @@
 //! Which tables compare the methods? All of one load with their times, or the errors alone over several rod ratios.
 
+use std::collections::BTreeSet;
+
 use super::methods;
 use super::{AccuracyCase, case, words};
 use crate::accuracy::{Method, Row, Study};
@@ -85,11 +87,16 @@ fn by_ratio(
 ) -> Table {
     let columns = cases.iter().map(AccuracyCase::label);
     let mut table = Table::new([Text::from("Method")].into_iter().chain(columns));
-    let first = studies.first().map_or(&[][..], |study| &study.rows);
-    for (index, row) in first.iter().enumerate().filter(|(_, row)| kept(row)) {
-        let cells =
-            studies.iter().map(|study| study.rows.get(index).map_or_else(Text::default, |row| cell(study, row)));
-        table.push([methods::name(row.method)].into_iter().chain(cells).collect());
+    for method in methods_of(studies, kept) {
+        let row = |study: &&Study| study.rows.iter().find(|row| row.method == method).map(|row| cell(study, row));
+        let cells = studies.iter().map(|study| row(study).unwrap_or_else(|| "left out".into()));
+        table.push([methods::name(method)].into_iter().chain(cells).collect());
     }
     table
+}
+
+/// All methods that one of the studies has, by kind.
+fn methods_of(studies: &[&Study], kept: &dyn Fn(&Row) -> bool) -> BTreeSet<Method> {
+    let rows = studies.iter().flat_map(|study| &study.rows);
+    rows.filter(|row| kept(row)).map(|row| row.method).collect()
 }

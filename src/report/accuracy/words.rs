@@ -12,13 +12,13 @@ use crate::proof::Quantity;
 /// How the methods work, and what the columns mean.
 pub(super) const METHODS: [&str; 5] = [
     "Each method looks for the same peak; errors are parts of it.",
-    "**Orders** are summed in doubles. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound.",
+    "**Orders** are summed in doubles; an order that adds nothing is left out. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound.",
     "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 or 32 bits.",
-    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are sure; they are stopped at 4000 spans, and where they miss their aim their bound says by how much.",
+    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are sure; they are stopped at 4000 spans; where they miss their aim their bound says by how much, and more digits are not tried.",
     "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by whatever else is guaranteed, they are the reference of the others; an error that is smaller than their own is said to be below it.",
 ];
 
-pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand.";
+pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand; what takes longer than 20 ms is timed once.";
 
 pub(super) const NO_TIMES: &str =
     "Below the last place of doubles errors differ between machines; there only a bound is shown.";
