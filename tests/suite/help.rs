@@ -101,7 +101,7 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
         "docs/classroom.md",
         "docs/commands.md",
         "docs/data.md",
-        "docs/speed.md",
+        "reports/speed/README.md",
         "docs/theory.md",
     ] {
         let page = text(file);

@@ -156,6 +156,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "forms",
                 "grigoryev",
                 "optimise",
+                "speed",
                 "stability",
                 "thesis",
                 "trust",

@@ -89,7 +89,7 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 14] = [
+const BESIDE: [(&str, &str, &str); 15] = [
     (
         "atlas/README.md",
         "Atlas",
@@ -111,6 +111,7 @@ const BESIDE: [(&str, &str, &str); 14] = [
     ("thesis/README.md", "Thesis", "{}: a chapter of a thesis, reproduced."),
     ("accuracy/README.md", "Accuracy", "{}: what accuracy costs."),
     ("trust/README.md", "Trust", "{}: 100,000 random engines beside an independent method."),
+    ("speed/README.md", "Speed", "{}: times on one machine, beside other programs, with the commands that took them."),
     ("stability/README.md", "Stability", "{}: hard cases, to fifty digits."),
     (
         "v-angles/README.md",
