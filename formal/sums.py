@@ -64,6 +64,10 @@ kind to at certificates
 kind shape alternatives
 kind bits
 kind phi delta second squares circle meetings
+kind phi delta second third coefficients circle roots
+kind lengths at
+kind lengths first shape at
+turn certificate
 kind certificates
 kind first turn certificate
 kind first
@@ -90,12 +94,12 @@ per_order fixed weight
 modulus residues
 """.strip().splitlines()]
 OPTIONAL = {key for _, more in SHAPES for key in more}
-WHOLE = "orders order speed sides bits sign prime first second modulus residues middle period angle_deg below conductor root u v groups".split()  # without quotes
+WHOLE = "orders order speed sides bits sign prime first second third modulus residues middle period angle_deg below conductor root u v groups".split()  # without quotes
 TRUTH = "vanishes all_orders order_one".split()
 WORDS = "title name of symbol".split()  # which may look like numbers
 # When a sum over open angles is zero, and how many parts of it are then not zero.
 WHENS = {"always": [0], "never": [1], "unequal-lengths": [2], "equal-lengths": [2], "where": [2, 3], "cosine": [3],
-         "coprime": range(2, 1_000_000), "circle": range(2, 1_000_000), "triangle": [3], "classes": range(2, 1_000_000),
+         "coprime": range(2, 1_000_000), "circle": range(2, 1_000_000), "triangle": [3], "classes": range(2, 1_000_000), "quadratic": range(3, 1_000_000),
          "product": range(4, 1_000_000), "not-solved": range(3, 1_000_000)}
 PLACE = []  # where the checker is, for its answer
 CHECKED = [0]  # certificates so far
@@ -305,11 +309,11 @@ def check_when(when, left, notes):
     elif when.kind in ("coprime", "circle"):
         exponents = multiples(when, [minus(turned, left[0][0]) for turned, _ in left])
         demand(exponents == sorted(set(exponents)), "the unknown enters no rising whole times")
-        demand(gcd(*exponents) == 1, "the exponents have a common divisor, or are too large")
+        demand(gcd(*exponents) == 1, "the exponents have a common divisor")
         polynomial = list(zip(exponents, (total for _, total in left)))
         coprime(when, polynomial) if when.kind == "coprime" else circle(when, polynomial, notes)
-    elif when.kind in ("triangle", "product", "classes"):
-        {"triangle": triangle, "product": product, "classes": classes}[when.kind](when, left, notes)
+    elif when.kind in ("triangle", "product", "classes", "quadratic"):
+        {"triangle": triangle, "product": product, "classes": classes, "quadratic": quadratic}[when.kind](when, left, notes)
 
 
 def alternative(one, left):
@@ -328,8 +332,7 @@ def multiples(claim, turned):
     demand(phi > 0 or phi == 0 < delta, "the unknown has no direction")
     found = [a / phi if phi else b / delta for a, b in turned]
     demand([[phi * n, delta * n] for n in found] == turned, "a part turns otherwise than the unknown")
-    demand(all(n.denominator == 1 and 0 <= n for n in found), "the unknown enters no rising whole times")
-    demand(all(n <= 4096 for n in found), "the exponents have a common divisor, or are too large")
+    demand(all(n.denominator == 1 and abs(n) <= 4096 for n in found), "the unknown enters no whole times, or too many")
     return [int(n) for n in found]
 
 
@@ -339,19 +342,24 @@ def triangle(claim, left, notes):
     (a, b), (c, d) = (minus(turned, left[0][0]) for turned, _ in left[1:])
     demand(a * d != b * c, "the parts are not turned against each other by two angles on their own")
     squares = [collect(times(conjugate(total), total)) for _, total in left]
-    area = collect(term for a in squares for b in squares for term in times(a, b, -1 if a is b else 1))
-    kind = claim["shape"].kind
-    demand(kind in ("never", "flat", "two"), "the triangle is of no such shape")
-    if kind == "flat":
-        certify(area, claim["shape"].certificate, True)
-    else:
-        size, _, doubt = enclose(area, common_denominator([area]), bits_of(claim["shape"]))
-        demand((size if kind == "two" else -size) > doubt, "the squared area does not have this sign, or the bits leave it open")
-    most = ["never", "flat", "two"].index(kind)
+    area = [term for a in squares for b in squares for term in times(a, b, -1 if a is b else 1)]
+    most = sign_of(claim["shape"], area)
     demand(len(claim.alternatives) <= most, f"{len(claim.alternatives)} triangles are named, and there are {most}")
     turns = [alternative(one, left) for one in each("alternatives", claim.alternatives)]
     demand(len(turns) < 2 or turns[0] != turns[1], "the two triangles are the same")
     CHECKED[0] += 1
+
+
+def sign_of(shape, number):
+    """The sign of a real sum: how many solutions it leaves."""
+    demand(shape.kind in ("never", "flat", "two"), "it is of no such shape")
+    if shape.kind == "flat":
+        certify(number, shape.certificate, True)
+    else:
+        number = collect(number)
+        size, _, doubt = enclose(number, common_denominator([number]), bits_of(shape))
+        demand((size if shape.kind == "two" else -size) > doubt, "the number does not have this sign, or the bits leave it open")
+    return ["never", "flat", "two"].index(shape.kind)
 
 
 def product(claim, left, notes):
@@ -368,43 +376,93 @@ def product(claim, left, notes):
     check_when(claim.firsts, [left[group[0]] for group in groups], notes)
 
 
-def classes(claim, left, notes):
-    """A(y) + e^(iv) B(y) with v on its own: zero where both are equally long, for one v, and for every v where both are zero. There
-    |A|² − |B|², which is real, has a double zero, so that it is no crossing."""
-    second = claim.second
-    demand(second == sorted(set(second)) and all(0 <= place < len(left) for place in second), "the second class is no rising list of parts")
-    both = [[part for place, part in enumerate(left) if (place in second) is is_second] for is_second in (False, True)]
-    demand(all(both), "a class is empty")
-    a, b = minus(both[1][0][0], both[0][0][0])
-    demand(a * claim.delta != b * claim.phi, "the classes are not turned against each other by an angle on its own")
-    both = [list(zip(multiples(claim, [minus(turned, of[0][0]) for turned, _ in of]), (total for _, total in of))) for of in both]
-    squares = {}
-    for of, sign in zip(both, (1, -1)):
-        for low, one in of:
-            for high, other in of:
-                if high >= low:
-                    squares.setdefault(high - low, []).extend(times(conjugate(one), other, sign))
-    due = sorted((m, collect(terms)) for m, terms in squares.items())
-    there = {m: total for (m, total), certificate in each("squares", claim.squares, due) if not certify(total, certificate)}
+def split(claim, left, others):
+    """The parts in classes: the places in `others`, and before them those that are left. The first part of the second class is turned
+    against that of the first by an angle v on its own, class n as a whole by n·v, and its parts by whole multiples of u: {multiple: sum}."""
+    for places in others:
+        demand(places == sorted(set(places)) and all(0 <= place < len(left) for place in places), "a class is no rising list of parts")
+    others = [[place for place in range(len(left)) if not any(place in one for one in others)]] + others
+    demand(all(others) and sum(map(len, others)) == len(left), "a class is empty, or a part is in two")
+    start = left[others[0][0]][0]
+    v = minus(left[others[1][0]][0], start)
+    demand(v[0] * claim.delta != v[1] * claim.phi, "the classes are not turned against each other by an angle on its own")
+    turned = [[minus(left[place][0], [x + n * y for x, y in zip(start, v)]) for place in places] for n, places in enumerate(others)]
+    return [dict(zip(multiples(claim, angles), (left[place][1] for place in places))) for angles, places in zip(turned, others)]
+
+
+def laurent(products):
+    """Σ ± conj(A) B of polynomials in y = e^(iu): {power: sum}."""
+    found = {}
+    for one, other, sign in products:
+        for low, a in one.items():
+            for high, b in other.items():
+                found.setdefault(high - low, []).extend(times(conjugate(a), b, sign))
+    return {power: collect(terms) for power, terms in found.items()}
+
+
+def at(polynomial, turn, more=0):
+    """Its terms where u is the turn, turned by more."""
+    return [(t + n * turn + more, w) for n, total in polynomial.items() for t, w in total.items()]
+
+
+def real_zeros(claim, name, powers, notes):
+    """Where a real polynomial  Σ P_m y^m,  P_−m = conj(P_m), is zero: judges the P_m, and has the circle checked, which is there unless
+    the polynomial is constant. Returns whether any P_m is not zero, and the zeros that are rational turns."""
+    due = sorted((m, total) for m, total in powers.items() if m >= 0)
+    there = {m: total for (m, total), certificate in each(name, claim[name], due) if not certify(total, certificate)}
     if not any(there):
-        return demand(claim.circle is None and claim.meetings == [], "the squares differ by a constant, so there is no circle")
-    demand(claim.circle is not None, "where the classes are equally long is not said")
+        demand(claim.circle is None, "the polynomial is constant, so there is no circle")
+        return bool(there), []
+    demand(claim.circle is not None, "where the polynomial is zero is not said")
     demand((claim.circle.phi, claim.circle.delta) == (claim.phi, claim.delta), "the circle is not that of u")
     degree = max(there)
     whole = {degree - m: conjugate(total) for m, total in there.items()}
     whole.update({degree + m: total for m, total in there.items()})
     circle(claim.circle, sorted(whole.items()), notes)
-    at = lambda of, turn, more=0: [(t + n * turn + more, w) for n, total in of for t, w in total.items()]
-    rational = [arc["at"] for arc in claim.circle.arcs if arc.kind == "rational"]
-    for turn, meeting in each("meetings", claim.meetings, rational):
+    return True, [arc["at"] for arc in claim.circle.arcs if arc.kind == "rational"]
+
+
+def classes(claim, left, notes):
+    """A(y) + B(y) x with y = e^(iu), x = e^(iv): zero where both are equally long, for one x, and for every x where both are zero. There
+    |A|² − |B|², which is real, has a double zero, so that it is no crossing."""
+    A, B = split(claim, left, [claim.second])
+    demand(min(A) == min(B) == 0, "u enters a part a negative number of times")
+    _, turns = real_zeros(claim, "squares", laurent([(A, A, 1), (B, B, -1)]), notes)
+    for turn, meeting in each("meetings", claim.meetings, turns):
         demand(meeting.kind in ("all", "rational", "once"), "a meeting is of no such kind")
         if meeting.kind == "all":
-            for of, certificate in each("certificates", meeting.certificates, both):
+            for of, certificate in each("certificates", meeting.certificates, [A, B]):
                 certify(at(of, turn), certificate, True)
         else:
-            certify(at(both[0], turn), meeting["first"], False)
+            certify(at(A, turn), meeting["first"], False)
             if meeting.kind == "rational":
-                certify(at(both[0], turn) + at(both[1], turn, meeting.turn), meeting.certificate, True)
+                certify(at(A, turn) + at(B, turn, meeting.turn), meeting.certificate, True)
+
+
+def quadratic(claim, left, notes):
+    """f = A(y) + B(y) x + C(y) x². With D = |A|² − |C|² and E = conj(A) B − conj(B) C it is conj(A) f − C x² conj(f) = D + E x, so that
+    f = 0 needs D² = |E|². There, if D ≠ 0, x = −D/E alone leaves |A||f| = |C||f|, so f = 0; at a simple zero D is not 0. If D = E = 0 and
+    A ≠ 0, f/x turned is real, 2|A| cos ξ ± |B|."""
+    A, B, C = split(claim, left, [claim.second, claim.third])
+    D, E = laurent([(A, A, 1), (C, C, -1)]), laurent([(A, B, 1), (B, C, -1)])
+    is_there, turns = real_zeros(claim, "coefficients", laurent([(D, D, 1), (E, E, -1)]), notes)
+    demand(is_there, "every coefficient is zero, so that nothing follows from them")
+    for turn, roots in each("roots", claim.roots, turns):
+        a, b, c = (collect(at(of, turn)) for of in (A, B, C))
+        demand(roots.kind in ("all", "none", "one", "mirror"), "roots are of no such kind")
+        if roots.kind in ("all", "none"):
+            for (of, is_zero), certificate in each("certificates", roots.certificates, [(a, True), (b, roots.kind == "all"), (c, True)]):
+                certify(of, certificate, is_zero)
+            continue
+        certify(unequal(a, c), roots.lengths, roots.kind == "mirror")
+        most = 1
+        if roots.kind == "mirror":
+            certify(a, roots["first"], False)
+            most = sign_of(roots["shape"], unequal({t: 2 * w for t, w in a.items()}, b))
+        found = [root.turn % 1 for root in roots["at"]]
+        demand(len(found) <= most and len(set(found)) == len(found), f"{len(found)} turns are named where there are {most}, or one twice")
+        for x, root in zip(found, roots["at"]):
+            certify([(t + n * x, w) for n, of in enumerate((a, b, c)) for t, w in of.items()], root.certificate, True)
 
 
 def coprime(when, polynomial):
