@@ -1,0 +1,314 @@
+"""The second checker, verify.py: families, engines with open angles and lengths (src/proof/README.md)."""
+from fractions import Fraction
+from math import gcd
+
+from arcs import circle
+from enclosures import bits_of, common_denominator, enclose
+from verify import CHECKED, SENSES, certify, check_asked, collect, conjugate, demand, each, equal, keys, phase, primes_of, read, terms_of, times, unequal
+
+# When a sum over open angles is zero, and how many parts of it are then not zero.
+MANY = 1_000_000
+WHENS = {"always": [0], "never": [1], "unequal-lengths": [2], "equal-lengths": [2], "where": [2, 3], "cosine": [3], "coprime": range(2, MANY),
+         "circle": range(2, MANY), "triangle": [3], "classes": range(2, MANY), "quadratic": range(3, MANY), "product": range(4, MANY),
+         "not-solved": range(3, MANY)}
+
+keys("""format title masses orders quantities reference_plane cylinders open_verdicts;
+        name throw bank position reciprocating_mass crank_radius; quantity order sense sums; symbol parts when; phi delta terms certificate;
+        kind; kind certificate; kind alternatives equal_lengths; conditions certificate; phi delta turn;
+        kind middle phi delta turn cosine multiples; kind phi delta conductor prime root scale u v; kind shape alternatives; kind bits;
+        kind phi delta bits mirrored from arcs | divided; without coprime powers equalities; phi delta conductor prime root scale u v;
+        phi delta bits mirrored from arcs; kind to; kind to at certificates;
+        kind phi delta second squares circle meetings; kind certificates; kind first turn certificate; kind first;
+        kind phi delta second third coefficients circle roots; kind lengths at; kind lengths first shape at; turn certificate;
+        kind groups certificates group firsts""")
+
+# ---- 1. The sum taken apart by what is open --------------------------------------------------------------------------------
+
+
+def check(tree, notes):
+    document = read(tree)
+    check_asked(document, ["force", "moment"])
+    names = {c.name for c in document.cylinders}
+    demand(document.masses == "reciprocating" and names and len(names) == len(document.cylinders), "two cylinders have the same name")
+    for c in each("cylinders", document.cylinders):
+        demand(set(c.throw) | set(c.bank) <= {"1", "phi", "delta"}, "an angle holds another unknown than phi and delta")
+        for linear in (c.throw, c.bank, c.position, document.reference_plane):
+            demand(all(number for symbol, number in linear.items() if symbol != "1"), "a symbol is taken 0 times")
+    due = [(quantity, k, sense) for k in document.orders for quantity in document.quantities for sense in SENSES[quantity]]
+    for (quantity, k, sense), entry in each("open_verdicts", document.open_verdicts, due):
+        equal(entry, quantity=quantity, order=k, sense=sense)
+        expected = open_sums(document, quantity, k, sense)
+        demand({one.symbol for one in entry.sums} == set(expected), "the sums are not those of the lengths")
+        demand(len(entry.sums) == len(expected), "the sum of a length stands twice")
+        for one in each("sums", entry.sums):
+            check_open(one, expected[one.symbol], notes)
+
+
+def open_sums(document, quantity, k, sense):
+    """{length: {(multiple of φ, of δ): terms}}, with the lengths that some cylinder has a weight for; None is for known ones."""
+    terms, plane = [], document.reference_plane
+    for c in document.cylinders:
+        known, phi, delta = (phase(c.throw.get(one, 0), c.bank.get(one, 0), k, sense) for one in ("1", "phi", "delta"))
+        arm = {one: c.position.get(one, 0) - plane.get(one, 0) for one in {**c.position, **plane}} if quantity == "moment" else {"1": 1}
+        weights = {one: c.reciprocating_mass * c.crank_radius * length for one, length in arm.items()}
+        terms.append(((phi, delta), Fraction(known) % 1, weights))
+    found = {}
+    for length in {one for _, _, weights in terms for one, weight in weights.items() if weight}:
+        parts = found[None if length == "1" else length] = {}
+        for turned, angle, weights in terms:
+            parts.setdefault(turned, []).append((angle, weights.get(length, 0)))
+    return found
+
+
+def check_open(entry, expected, notes):
+    """When a sum over open angles is zero follows from its parts that are not: Σ e^i(phi·φ + delta·δ) S."""
+    parts = [((part.phi, part.delta), terms_of(part.terms)) for part in entry.parts]
+    demand(dict(parts) == expected and len(parts) == len(expected), "the parts are not those of the cylinders")
+    left = [(turned, collect(terms)) for (turned, terms), part in zip(parts, entry.parts) if not certify(terms, part.certificate)]
+    check_when(entry.when, left, notes)
+
+
+# ---- 2. When a sum is zero that open angles turn ---------------------------------------------------------------------------
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def check_when(when, left, notes):
+    """`left` are the parts that are not zero: pairs of the multiples of (φ, δ) that turn a part, and its sum {angle: weight}."""
+    demand(when.kind in WHENS, f"it is told as {when.kind!r}")
+    demand(len(left) in WHENS[when.kind], f"{len(left)} parts do not vanish, which contradicts {when.kind}")
+    if when.kind in ("unequal-lengths", "equal-lengths"):
+        certify(unequal(left[0][1], left[1][1]), when.certificate, when.kind == "equal-lengths")
+    elif when.kind == "where":
+        # Two parts cancel at one turn against each other; three of equal length where they stand 120° apart, either way round.
+        for part, certificate in each("equal_lengths", when.equal_lengths, left[1:] if len(left) == 3 else []):
+            certify(unequal(left[0][1], part[1]), certificate, True)
+        turns = [alternative(one, left) for _, one in each("alternatives", when.alternatives, left[1:])]
+        demand(len(turns) == 1 or all(a != b for a, b in zip(*turns)), "the two alternatives are the same")
+    elif when.kind == "cosine":
+        # S (1 + 2q cos x) with q = −1/(2 cosine) vanishes exactly where cos x is the cosine.
+        demand(0 < abs(when.cosine) < 1 and when.middle in (0, 1, 2), "the cosine, or the part in the middle, is out of range")
+        turned, middle = left[when.middle]
+        others = left[:when.middle] + left[when.middle + 1:]
+        for ((other, part), sign), certificate in each("multiples", when.multiples, list(zip(others, (1, -1)))):
+            demand(minus(other, turned) == [sign * when.phi, sign * when.delta], "the parts do not turn against the middle one so")
+            away = [(t, w / (2 * when.cosine)) for t, w in middle.items()]
+            certify([(t - sign * when.turn, w) for t, w in part.items()] + away, certificate, True)
+    elif when.kind in ("coprime", "circle"):
+        exponents = multiples(when, [minus(turned, left[0][0]) for turned, _ in left])
+        demand(exponents == sorted(set(exponents)), "the unknown enters no rising whole times")
+        demand(gcd(*exponents) == 1, "the exponents have a common divisor")
+        polynomial = list(zip(exponents, (total for _, total in left)))
+        if when.kind == "coprime":
+            coprime(when, polynomial)
+        else:
+            circle(when, divided(when, polynomial) if when.divided else polynomial, notes)
+    elif when.kind in ("triangle", "product", "classes", "quadratic"):
+        {"triangle": triangle, "product": product, "classes": classes, "quadratic": quadratic}[when.kind](when, left, notes)
+
+
+def alternative(one, left):
+    """The parts after the first, turned as the conditions say, cancel the first; returns the turns."""
+    due = [tuple(minus(turned, left[0][0])) for turned, _ in left[1:]]
+    demand([(c.phi, c.delta) for c in one.conditions] == due, "it is about other parts")
+    turns = [c.turn % 1 for c in one.conditions]
+    moved = [(t + turn, w) for (_, part), turn in zip(left[1:], turns) for t, w in part.items()]
+    certify([*left[0][1].items(), *moved], one.certificate, True)
+    return turns
+
+
+def multiples(claim, turned):
+    """How many times each angle (a·φ + b·δ) is the unknown u = phi·φ + delta·δ."""
+    phi, delta = claim.phi, claim.delta
+    demand(phi > 0 or phi == 0 < delta, "the unknown has no direction")
+    found = [a / phi if phi else b / delta for a, b in turned]
+    demand([[phi * n, delta * n] for n in found] == turned, "a part turns otherwise than the unknown")
+    demand(all(n.denominator == 1 and abs(n) <= 4096 for n in found), "the unknown enters no whole times, or too many")
+    return [int(n) for n in found]
+
+
+def triangle(claim, left, notes):
+    """Three vectors that turn freely close a triangle: 2(ab + bc + ca) − a² − b² − c², 16 times its squared area by Heron, decides
+    whether there is none, one that is flat, or two. a, b, c are the squared sides."""
+    (a, b), (c, d) = (minus(turned, left[0][0]) for turned, _ in left[1:])
+    demand(a * d != b * c, "the parts are not turned against each other by two angles on their own")
+    squares = [collect(times(conjugate(total), total)) for _, total in left]
+    area = [term for a in squares for b in squares for term in times(a, b, -1 if a is b else 1)]
+    most = sign_of(claim["shape"], area)
+    demand(len(claim.alternatives) <= most, f"{len(claim.alternatives)} triangles are named, and there are {most}")
+    turns = [alternative(one, left) for one in each("alternatives", claim.alternatives)]
+    demand(len(turns) < 2 or turns[0] != turns[1], "the two triangles are the same")
+    CHECKED[0] += 1
+
+
+def sign_of(shape, number):
+    """The sign of a real sum: how many solutions it leaves."""
+    demand(shape.kind in ("never", "flat", "two"), "it is of no such shape")
+    if shape.kind == "flat":
+        certify(number, shape.certificate, True)
+    else:
+        number = collect(number)
+        size, _, doubt = enclose(number, common_denominator([number]), bits_of(shape))
+        demand((size if shape.kind == "two" else -size) > doubt, "the number does not have this sign, or the bits leave it open")
+    return ["never", "flat", "two"].index(shape.kind)
+
+
+def product(claim, left, notes):
+    """Where S_gj S_00 = S_g0 S_0j, and each group turns within itself as the first, the sum times S_00 is the product of both factors."""
+    groups = claim.groups
+    demand(sorted(place for group in groups for place in group) == list(range(len(left))), "the groups do not hold each part once")
+    demand(len(groups) >= 2 and len(groups[0]) >= 2 and {len(group) for group in groups} == {len(groups[0])}, "the groups are not alike")
+    first, start = groups[0], left[groups[0][0]]
+    due = [(left[group[0]], left[place], left[like]) for group in groups[1:] for place, like in list(zip(group, first))[1:]]
+    for (base, part, like), certificate in each("certificates", claim.certificates, due):
+        demand(minus(part[0], base[0]) == minus(like[0], start[0]), "a group is not turned within itself as the first")
+        certify(times(part[1], start[1]) + times(base[1], like[1], -1), certificate, True)
+    check_when(claim.group, [left[place] for place in first], notes)
+    check_when(claim.firsts, [left[group[0]] for group in groups], notes)
+
+
+def split(claim, left, others):
+    """The parts in classes: the places in `others`, and before them those that are left. The first part of the second class is turned
+    against that of the first by an angle v on its own, class n as a whole by n·v, and its parts by whole multiples of u: {multiple: sum}."""
+    for places in others:
+        demand(places == sorted(set(places)) and all(0 <= place < len(left) for place in places), "a class is no rising list of parts")
+    others = [[place for place in range(len(left)) if not any(place in one for one in others)]] + others
+    demand(all(others) and sum(map(len, others)) == len(left), "a class is empty, or a part is in two")
+    start = left[others[0][0]][0]
+    v = minus(left[others[1][0]][0], start)
+    demand(v[0] * claim.delta != v[1] * claim.phi, "the classes are not turned against each other by an angle on its own")
+    turned = [[minus(left[place][0], [x + n * y for x, y in zip(start, v)]) for place in places] for n, places in enumerate(others)]
+    return [dict(zip(multiples(claim, angles), (left[place][1] for place in places))) for angles, places in zip(turned, others)]
+
+
+def laurent(products):
+    """Σ ± conj(A) B of polynomials in y = e^(iu): {power: sum}."""
+    found = {}
+    for one, other, sign in products:
+        for low, a in one.items():
+            for high, b in other.items():
+                found.setdefault(high - low, []).extend(times(conjugate(a), b, sign))
+    return {power: collect(terms) for power, terms in found.items()}
+
+
+def at(polynomial, turn, more=0):
+    """Its terms where u is the turn, turned by more."""
+    return [(t + n * turn + more, w) for n, total in polynomial.items() for t, w in total.items()]
+
+
+def real_zeros(claim, name, powers, notes):
+    """Where a real polynomial  Σ P_m y^m,  P_−m = conj(P_m), is zero: judges the P_m, and has the circle checked, which is there unless
+    the polynomial is constant. Returns whether any P_m is not zero, and the zeros that are rational turns."""
+    due = sorted((m, total) for m, total in powers.items() if m >= 0)
+    there = {m: total for (m, total), certificate in each(name, claim[name], due) if not certify(total, certificate)}
+    if not any(there):
+        demand(claim.circle is None, "the polynomial is constant, so there is no circle")
+        return bool(there), []
+    demand(claim.circle is not None, "where the polynomial is zero is not said")
+    demand((claim.circle.phi, claim.circle.delta) == (claim.phi, claim.delta), "the circle is not that of u")
+    demand(claim.circle.divided is None, "here a crossing has to be a simple zero of the polynomial itself")
+    degree = max(there)
+    whole = {degree - m: conjugate(total) for m, total in there.items()}
+    whole.update({degree + m: total for m, total in there.items()})
+    circle(claim.circle, sorted(whole.items()), notes)
+    return True, [arc["at"] for arc in claim.circle.arcs if arc.kind == "rational"]
+
+
+def classes(claim, left, notes):
+    """A(y) + B(y) x with y = e^(iu), x = e^(iv): zero where both are equally long, for one x, and for every x where both are zero. There
+    |A|² − |B|², which is real, has a double zero, so that it is no crossing."""
+    A, B = split(claim, left, [claim.second])
+    demand(min(A) == min(B) == 0, "u enters a part a negative number of times")
+    _, turns = real_zeros(claim, "squares", laurent([(A, A, 1), (B, B, -1)]), notes)
+    for turn, meeting in each("meetings", claim.meetings, turns):
+        demand(meeting.kind in ("all", "rational", "once"), "a meeting is of no such kind")
+        if meeting.kind == "all":
+            for of, certificate in each("certificates", meeting.certificates, [A, B]):
+                certify(at(of, turn), certificate, True)
+        else:
+            certify(at(A, turn), meeting["first"], False)
+            if meeting.kind == "rational":
+                certify(at(A, turn) + at(B, turn, meeting.turn), meeting.certificate, True)
+
+
+def quadratic(claim, left, notes):
+    """f = A(y) + B(y) x + C(y) x². With D = |A|² − |C|² and E = conj(A) B − conj(B) C it is conj(A) f − C x² conj(f) = D + E x, so that
+    f = 0 needs D² = |E|². There, if D ≠ 0, x = −D/E alone leaves |A||f| = |C||f|, so f = 0; at a simple zero D is not 0. If D = E = 0 and
+    A ≠ 0, f/x turned is real, 2|A| cos ξ ± |B|."""
+    A, B, C = split(claim, left, [claim.second, claim.third])
+    D, E = laurent([(A, A, 1), (C, C, -1)]), laurent([(A, B, 1), (B, C, -1)])
+    is_there, turns = real_zeros(claim, "coefficients", laurent([(D, D, 1), (E, E, -1)]), notes)
+    demand(is_there, "every coefficient is zero, so that nothing follows from them")
+    for turn, roots in each("roots", claim.roots, turns):
+        a, b, c = (collect(at(of, turn)) for of in (A, B, C))
+        demand(roots.kind in ("all", "none", "one", "mirror"), "roots are of no such kind")
+        if roots.kind in ("all", "none"):
+            for (of, is_zero), certificate in each("certificates", roots.certificates, [(a, True), (b, roots.kind == "all"), (c, True)]):
+                certify(of, certificate, is_zero)
+            continue
+        certify(unequal(a, c), roots.lengths, roots.kind == "mirror")
+        most = 1
+        if roots.kind == "mirror":
+            certify(a, roots["first"], False)
+            most = sign_of(roots["shape"], unequal({t: 2 * w for t, w in a.items()}, b))
+        found = [root.turn % 1 for root in roots["at"]]
+        demand(len(found) <= most and len(set(found)) == len(found), f"{len(found)} turns are named where there are {most}, or one twice")
+        for x, root in zip(found, roots["at"]):
+            certify([(t + n * x, w) for n, of in enumerate((a, b, c)) for t, w in of.items()], root.certificate, True)
+
+
+def coprime(when, polynomial):
+    """The sum is P = Σ S x^n with x = e^(iu). On the circle P = 0 gives P* = x^d conj(P) = 0: then their resultant is zero,
+    and so is its image modulo a prime. But there P keeps its leading coefficient, and U P + V P* = 1 leaves no common factor."""
+    N, p, g, scale = when.conductor, when.prime, when.root, when.scale
+    demand(1 <= N <= 1_000_000 and p <= 2**32 and primes_of(p) == [p], "conductor or prime is out of range")
+    demand(scale.denominator == 1 and scale >= 1, "the scale is whole and positive")
+    demand(0 <= g < p and pow(g, N, p) == 1 and all(pow(g, N // q, p) != 1 for q in primes_of(N)), "the root has another order than the conductor")
+    straight, mirrored = [0] * (polynomial[-1][0] + 1), [0] * (polynomial[-1][0] + 1)
+    for n, total in polynomial:
+        demand(all((t * N).denominator == 1 == (w * scale).denominator for t, w in total.items()), "an angle or weight is not whole")
+        straight[n] = sum(int(w * scale) * pow(g, int(t * N), p) for t, w in total.items()) % p
+        mirrored[-1 - n] = sum(int(w * scale) * pow(g, int(-t * N) % N, p) for t, w in total.items()) % p
+    demand(straight[-1] != 0, "the leading coefficient is 0 modulo the prime")
+    demand(all(type(one) is list and len(one) <= len(straight) and all(type(x) is int for x in one) for one in (when.u, when.v)), "u or v is too long")
+    demand(all(0 <= x < p for x in when.u + when.v), "a coefficient is not below the prime")
+    whole = [0] * (2 * len(straight))
+    for factor, of in ((when.u, straight), (when.v, mirrored)):
+        for i, a in enumerate(factor):
+            for j, b in enumerate(of):
+                whole[i + j] = (whole[i + j] + a * b) % p
+    demand(whole == [1] + [0] * (len(whole) - 1), "U P + V P* is not 1 modulo the prime")
+    CHECKED[0] += 1
+
+
+def divided(when, polynomial):
+    """The sum is Q F_1 F_2² F_3³ …, coefficient by coefficient, and Q is never zero: so it is zero where F_1 F_2 F_3 … is, which is returned.
+    Its constant coefficient is not zero, as that of the sum is not."""
+    claim = when.divided
+    demand((claim.coprime.phi, claim.coprime.delta) == (when.phi, when.delta), "the factor without zeros is not one in u")
+    Q, *F = ([collect(terms_of(one)) for one in factor] for factor in [claim.without, *claim.powers])
+    demand(all(len(total) == len(one) for total, one in zip(sum([Q, *F], []), sum(claim.powers, claim.without))), "terms are not collected")
+    demand(F and all(factor and factor[-1] == {0: 1} for factor in F) and len(F[-1]) > 1, "a factor has another leading coefficient than 1")
+    degree = len(Q) - 1 + sum(n * (len(factor) - 1) for n, factor in enumerate(F, 1))
+    demand(Q and degree == polynomial[-1][0], "the factors do not have the degree of the sum")
+    coprime(claim.coprime, [(n, total) for n, total in enumerate(Q) if total])
+    whole, once = Q, [{0: 1}]
+    for n, factor in enumerate(F, 1):
+        once = multiplied(once, factor)
+        for _ in range(n if len(factor) > 1 else 0):
+            whole = multiplied(whole, factor)
+    due = [(total, dict(polynomial).get(n, {})) for n, total in enumerate(whole)]
+    for (total, of_sum), certificate in each("equalities", claim.equalities, due):
+        certify([*total.items(), *((t, -w) for t, w in of_sum.items())], certificate, True)
+    return [(n, total) for n, total in enumerate(once) if total]
+
+
+def multiplied(one, other):
+    """The product of two polynomials, coefficients from the constant one on."""
+    found = [[] for _ in one[1:] + other]
+    for m, a in enumerate(one):
+        for n, b in enumerate(other):
+            found[m + n] += times(a, b)
+    return [collect(terms) for terms in found]
