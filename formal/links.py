@@ -2,6 +2,7 @@
 from fractions import Fraction
 from math import comb
 
+from motion import check_turns_round
 from verify import ONE, SENSES, NoDocument, demand, of_rod, phase
 
 QUARTER, HALF = Fraction(1, 4), Fraction(1, 2)
@@ -10,7 +11,9 @@ QUARTER, HALF = Fraction(1, 4), Fraction(1, 2)
 def link_of(link):
     eps = link.correction or Fraction(0)
     demand(0 <= link.master < 1 and link.ratio >= 0 and link.knuckle > 0 and apart(eps) < QUARTER, "the link is out of range")
-    return ("link", link.master, link.knuckle, link.angle, link.ratio, eps)
+    rod = ("link", link.master, link.knuckle, link.angle, link.ratio, eps)
+    check_turns_round(rod)
+    return rod
 
 
 def apart(angle):

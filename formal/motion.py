@@ -156,6 +156,7 @@ def of_corrected(k, bits, ratio, knuckle, master, apart, correction, part):
     return (re if part == "real" else im) * factor, Interval.of(0, fine)
 
 
+@lru_cache(maxsize=1000)
 def check_turns_round(link):
     """A link lets the crank turn round."""
     _, master, knuckle, angle, ratio, correction = link

@@ -6,7 +6,7 @@ use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::loads;
 use crankstar::motion::Linkage;
-use crankstar::proof::{Sense, Shape, read_document};
+use crankstar::proof::{RodStatement, Sense, Shape, check_document, read_document};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report;
 use crankstar::verdict::Outcome;
@@ -15,6 +15,7 @@ use num_rational::BigRational;
 
 use crate::support::dice::Dice;
 use crate::support::linked::{Body, Linked, assert_halves, assert_shakes_as_bodies, of_orders, order, read};
+use crate::support::second;
 use crate::support::verdicts::{document, judged};
 
 fn radial(count: u32, [r, l, a]: [&str; 3], more: &str) -> Engine {
@@ -202,6 +203,15 @@ fn documents_of_random_radials_with_master_rods_verify() {
         let engine = read(&text);
         let verdicts = judged(&engine, &[1, 2, 3, 4], false);
         let all = document(&engine, &verdicts, false, None);
+        second::accepts(&[&all], &[]);
+        let mut cheat = all.clone();
+        for cylinder in &mut cheat.cylinders {
+            if let RodStatement::Link(link) = &mut cylinder.rod {
+                link.ratio = BigRational::from_integer(5.into());
+            }
+        }
+        check_document(&cheat).expect_err("links that cannot turn round");
+        second::refuses(&[("links that cannot turn round", cheat)]);
         let cured = remedy(&engine, &Wish { orders: vec![1, 2, 4], ..Wish::default() }).expect("a remedy");
         for bytes in [
             serde_json::to_vec(&all).expect("JSON"),

@@ -1,5 +1,6 @@
 //! Which ways to cheat does the checker see through?
 
+use crate::support::second;
 use crate::support::verdicts::{self, judged};
 use crate::support::written::{ratio, sum, vectors};
 use crankstar::exact::PhasorSum;
@@ -372,12 +373,14 @@ fn claim(quantity: Quantity, order: u32, sense: Option<Sense>, sum: &PhasorSum) 
     }
 }
 
-/// Where the changed document fails, and why.
+/// Where the changed document fails, and why; the second checker refuses it too.
 fn fault(change: impl FnOnce(&mut Document)) -> [String; 2] {
     let mut document = document();
     change(&mut document);
     let Fault { place, reason } = check_document(&document).expect_err("a cheat");
-    [place, reason.to_string()]
+    let reason = reason.to_string();
+    second::refuses(&[(reason.as_str(), &document)]);
+    [place, reason]
 }
 
 /// A true verdict with a true certificate, on another sum than that of the engine.
@@ -512,6 +515,7 @@ fn decimals_of_a_sum_that_cancels_are_right_and_no_others_pass() {
     let engine = file::parse("engine.toml", CANCELLING).expect("reads");
     let honest = verdicts::document(&engine, &judged(&engine, &[1], false), false, None);
     check_document(&honest).expect("it holds");
+    second::accepts(&[&honest], &[]);
     let verdict = &honest.verdicts[FORCE_DIRECT];
     assert_eq!((verdict.modulus, verdict.angle_deg), (1e-78, Some(0.0)));
     for wrong in [1.5e-75, 2e-78, 1.000_000_001e-78] {
@@ -519,6 +523,7 @@ fn decimals_of_a_sum_that_cancels_are_right_and_no_others_pass() {
         cheat.verdicts[FORCE_DIRECT].modulus = wrong;
         let fault = check_document(&cheat).expect_err("a cheat").to_string();
         assert!(fault.contains("`modulus` does not fit the terms"), "{fault}");
+        second::refuses(&[("another length", cheat)]);
     }
 }
 

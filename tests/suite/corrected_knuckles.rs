@@ -21,6 +21,7 @@ use num_rational::BigRational;
 use crate::support::dice::Dice;
 use crate::support::linked::{Body, Linked, assert_halves, assert_shakes_as_bodies, of_orders, order, read};
 use crate::support::pages;
+use crate::support::second;
 use crate::support::verdicts::{document, judged};
 
 fn vee(bank_angle: u32, throws: &str, masters: &str, more: &str) -> Engine {
@@ -200,6 +201,7 @@ fn documents_of_random_corrected_engines_verify() {
         let verdicts = judged(&engine, &[1, 2, 3, 4], false);
         let all = document(&engine, &verdicts, false, None);
         checked(&serde_json::to_vec(&all).expect("JSON"), &text);
+        second::accepts(&[&all], &[]);
         let cured = remedy(&engine, &Wish { orders: vec![1, 2, 3], ..Wish::default() }).expect("a remedy");
         checked(&serde_json::to_vec(&report::remedy_document(&cured)).expect("JSON"), &text);
     }
@@ -363,6 +365,8 @@ fn a_single_sum_before_a_number_that_may_be_zero_takes_an_enclosure() {
     cheat.wholes[0].outcome = WholeOutcome::NotZero;
     let fault = check_document(&cheat).expect_err("a cheat").to_string();
     assert!(fault.contains("enclosure"), "{fault}");
+    second::accepts(&[honest], &[]);
+    second::refuses(&[("not zero, by a theorem", cheat)]);
 }
 
 #[test]
@@ -399,9 +403,11 @@ fn cheats_with_corrected_angles_are_refused() {
         ("not decided where it is", below(1e-30)),
         ("not decided, and large", below(2.0)),
     ];
-    for (what, cheat) in cheats {
-        assert!(check_document(&cheat).is_err(), "{what}");
+    for (what, cheat) in &cheats {
+        assert!(check_document(cheat).is_err(), "{what}");
     }
+    second::accepts(&[honest()], &[]);
+    second::refuses(&cheats);
     let json = serde_json::to_string(&honest()).expect("JSON");
     assert!(json.contains("\"correction\":\"1/120\""), "{json}");
     assert!(read_document(json.replace("\"correction\"", "\"corection\"").as_bytes()).is_err());
@@ -422,6 +428,8 @@ fn numbers_of_links_in_a_remedy_are_named_by_what_tells_them() {
     }
     let json = |document| serde_json::to_vec(document).expect("JSON");
     checked(&json(&document), "the remedy");
+    second::accepts(&[&document], &[]);
+    second::refuses(&[("another number", &cheat)]);
     let cheat = read_document(&json(&cheat));
     assert!(cheat.is_err() || cheat.expect("a document").check().is_err());
 }

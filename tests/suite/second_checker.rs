@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::support::dice::Dice;
 use crate::support::every_form;
 use crate::support::program::{call, scratch};
-use crate::support::second::second_checker;
+use crate::support::second::{self, second_checker};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Random engines and families; the second checker is slow, and all documents together take it some seconds.
@@ -113,6 +113,24 @@ fn every_document_on_random_engines_of_every_form_verifies() {
     assert!(families > random / 2, "{families} families");
     assert!(remedies > random / 4 && loads > 0, "{remedies} remedies, {loads} loads");
     verified(&files);
+}
+
+#[test]
+fn one_file_of_it_that_is_short_decides_about_the_verdicts_on_an_engine() {
+    let folder = scratch("second-checker-alone");
+    // Of the others it takes what tells decimals alone.
+    for file in ["verify.py", "enclosures.py"] {
+        fs::copy(Path::new(ROOT).join("formal").join(file), folder.join(file)).expect("copied");
+    }
+    let mut files = Vec::new();
+    for name in ["I4", "V8-crossplane", "radial-9"] {
+        assert!(write(&folder, name, &["classify", name, "--json"], &mut files), "{name}");
+    }
+    let script = folder.join("verify.py");
+    let Some((told, code)) = second::run(&script, &files) else { return };
+    assert_eq!((code, told.matches(": verified, ").count()), (0, 3), "{told}");
+    let lines = fs::read_to_string(script).expect("text").lines().count();
+    assert!(lines < 380, "{lines} lines are no ten minutes of reading");
 }
 
 fn seed(name: &str) -> Value {
@@ -235,7 +253,7 @@ fn false_verdicts_are_refused() {
     cheats.put(&honest, "/theorems/0/period", json!("6"), "not whole");
     cheats.drop(&honest, "/theorems/0/verdicts", "not one verdict for each order");
     cheats.drop(&honest, "/theorems", "3 theorems where 4 are due");
-    cheats.put(&honest, "/all_orders", json!(false), "4 theorems where 0 are due");
+    cheats.put(&honest, "/all_orders", json!(false), "nothing was asked of every order");
     cheats.change(&honest, "/cylinders/0", |one| one["tilt"] = json!("1"), "tilt, or lacks one");
     cheats.change(&honest, "/cylinders/0", |one| one["position"] = json!("0/1"), "not in lowest terms");
     cheats.change(&honest, "", |all| drop(all.as_object_mut().expect("an object").remove("shapes")), "or lacks one");
@@ -288,7 +306,7 @@ fn false_identities_that_show_a_sum_to_vanish_for_no_angle_are_refused() {
     let when = kind.strip_suffix("/kind").expect("its place");
     let mut cheats = Cheats::default();
     for (key, value, says) in [
-        ("phi", json!("4"), "enters no rising whole times"),
+        ("phi", json!("4"), "enters no whole times"),
         ("phi", json!("-2"), "has no direction"),
         ("delta", json!("1"), "turns otherwise"),
         ("conductor", json!(72), "another order"),
@@ -336,16 +354,18 @@ fn a_composite_modulus_is_accepted_where_the_root_has_its_order_by_every_factor(
 
 #[test]
 fn what_is_not_checked_is_named_and_what_is_no_document_is_told_apart() {
-    let folder = scratch("second-checker-outside");
     let mut family = seed("family.json");
     family["open_verdicts"][0]["sums"][0]["when"] = json!({ "kind": "of-tomorrow", "arcs": [] });
-    let (unknown, nothing, twice) =
-        (folder.join("unknown.json"), folder.join("nothing.json"), folder.join("twice.json"));
-    fs::write(&unknown, family.to_string()).expect("written");
+    second::refuses(&[("a form that it does not know", family)]);
+    let folder = scratch("second-checker-outside");
+    let (sweep, nothing, twice) = (folder.join("sweep.json"), folder.join("nothing.json"), folder.join("twice.json"));
+    let numbers = json!({ "format": "crankstar sweep 2", "points": [1.5], "evidence": [seed("verdicts.json")] });
+    fs::write(&sweep, numbers.to_string()).expect("written");
     fs::write(&nothing, "{\"format\":\"crankstar torque 2\"}").expect("written");
     fs::write(&twice, "{\"format\":\"crankstar family 2\",\"format\":\"crankstar family 2\"}").expect("written");
-    let Some((told, code)) = second_checker(&[unknown]) else { return };
-    assert!(told.contains("not checked: when a sum vanishes, where it is told as 'of-tomorrow'"), "{told}");
+    let Some((told, code)) = second_checker(&[sweep]) else { return };
+    let named = ["all numbers outside of `evidence`", "titles and names"];
+    assert!(named.iter().all(|words| told.contains(&format!("not checked: {words}"))), "{told}");
     assert_eq!(code, 0);
     for file in [nothing, twice, folder.join("is-not-there.json")] {
         let Some((told, code)) = second_checker(&[file]) else { return };

@@ -1,4 +1,4 @@
-//! Which ways to cheat does the checker see through, where an order has several sums or masses that turn?
+//! Which ways to cheat do both checkers see through, where an order has several sums or masses that turn?
 
 use crankstar::motion::SliderCrank;
 use crankstar::proof::{
@@ -8,6 +8,7 @@ use crankstar::proof::{
 use num_rational::BigRational;
 use num_traits::Zero;
 
+use crate::support::second;
 use crate::support::verdicts::{self, judged, theorem};
 use crate::support::whole_documents::{cylinder, document, fill, turning};
 use crate::support::written::ratio;
@@ -48,7 +49,9 @@ fn fault_of(mut document: Document, change: impl FnOnce(&mut Document)) -> Strin
     change(&mut document);
     assert!(document != honest, "nothing was changed");
     let Fault { place, reason } = check_document(&document).expect_err("a cheat");
-    format!("{place}: {reason}")
+    let fault = format!("{place}: {reason}");
+    second::refuses(&[(fault.as_str(), &document)]);
+    fault
 }
 
 #[track_caller]
@@ -57,6 +60,7 @@ fn assert_holds(document: &Document) {
     let json = serde_json::to_vec(document).expect("JSON");
     let read = read_document(&json).unwrap_or_else(|error| panic!("{error}"));
     read.check().expect("it holds when read again");
+    second::accepts(&[document], &[]);
 }
 
 #[track_caller]
@@ -165,6 +169,7 @@ fn a_wrong_outcome_is_refused() {
         WholeOutcome::NotZeroByEnclosure { bits: 128 },
         WholeOutcome::NotDecided { below: 1e-40 },
     ];
+    let mut cheats = Vec::new();
     for document in [unequal(), with_masses(Masses::All), coincidence()] {
         for index in 0..document.wholes.len() {
             for wrong in all {
@@ -176,9 +181,11 @@ fn a_wrong_outcome_is_refused() {
                 cheat.wholes[index].outcome = wrong;
                 let fault = check_document(&cheat).expect_err("a cheat");
                 assert!(fault.place.starts_with(&format!("wholes[{index}]")), "{fault}");
+                cheats.push(("another outcome", cheat));
             }
         }
     }
+    second::refuses(&cheats);
 }
 
 #[test]
@@ -219,7 +226,12 @@ fn bits_out_of_range_or_too_few_are_refused() {
         set(&mut document, 2, Sense::Reverse, WholeOutcome::NotZeroByEnclosure { bits });
         let shape = document.shapes.iter_mut().find(|one| (one.quantity, one.order) == (Quantity::Force, 2)).unwrap();
         (shape.shape, shape.evidence) = (Shape::Elliptical, Some(ShapeEvidence::Bits(bits)));
-        check_document(&document).map(|_| ()).map_err(|fault| fault.to_string())
+        let checked = check_document(&document).map(|_| ()).map_err(|fault| fault.to_string());
+        match &checked {
+            Ok(()) => second::accepts(&[document], &[]),
+            Err(fault) => second::refuses(&[(fault.as_str(), document)]),
+        }
+        checked
     };
     assert_eq!(decided(128, 40), Ok(()));
     assert!(decided(32, 40).is_err_and(|fault| fault.contains("zero is not excluded by an enclosure with 32 bits")));

@@ -11,7 +11,11 @@ use super::program::scratch;
 
 /// What it prints, and its exit code; none where there is no Python.
 pub fn second_checker(files: &[PathBuf]) -> Option<(String, i32)> {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("formal/verify.py");
+    run(&Path::new(env!("CARGO_MANIFEST_DIR")).join("formal/verify.py"), files)
+}
+
+/// The same of a copy of it.
+pub fn run(script: &Path, files: &[PathBuf]) -> Option<(String, i32)> {
     let Ok(output) = Command::new("python3").arg(script).args(files).env("PYTHONIOENCODING", "utf-8").output() else {
         eprintln!("SKIPPED: there is no python3, so formal/verify.py is not run");
         return None;
