@@ -278,7 +278,9 @@ fn false_families_remedies_and_firing_stars_are_refused() {
     cheats.put(&family, "/cylinders/0/bank/phi", json!("-1"), "not those of the cylinders");
     let remedy = seed("remedy.json");
     cheats.drop(&remedy, "/weights", "not those of the engine and the weights");
-    cheats.put(&remedy, "/weights/0/parts/0/terms/0/weight", json!("-1/2"), "not those of the engine and the weights");
+    cheats.put(&remedy, "/weights/0/parts/0/terms/0/weight", json!("-1/2"), "modulus does not fit");
+    cheats.put(&remedy, "/weights/0/parts/0/terms/0/angle", json!("7"), "not collected");
+    cheats.put(&remedy, "/weights/0/position", json!("7"), "not those of the engine and the weights");
     cheats.put(&remedy, "/weights/0/order", json!(3), "not asked for");
     cheats.drop(&remedy, "/sums", "('force', 1, 'direct', ('one',)) is missing");
     cheats.twice(&remedy, "/sums", "stands twice");
