@@ -1,5 +1,7 @@
 //! Which plots show a sweep? Curves over one parameter with the exact zeros marked, or maps over two.
 
+use num_rational::BigRational;
+
 use super::super::figure::{Figure, Ink};
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
@@ -105,6 +107,15 @@ fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<Zer
     for which in [Zeros::Largest, Zeros::Along, Zeros::Across] {
         let own = at(which).iter().filter(|value| which == Zeros::Largest || !all.contains(value));
         marks.extend(own.map(|value| (which, ring(which, float(value), typeset::degrees(value)).of("exact zero"))));
+        let both = of(Zeros::Largest).map_or(&[][..], |set| &set.irrational);
+        let is_both = |ends: &[BigRational; 2]| both.iter().any(|other| other[0] <= ends[1] && ends[0] <= other[1]);
+        let own = of(which).into_iter().flat_map(|set| &set.irrational);
+        let own = own.filter(|ends| which == Zeros::Largest || !is_both(ends));
+        let irrational = own.map(|[low, high]| (float(low) + float(high)) / 2.0);
+        marks.extend(irrational.map(|at| {
+            let label = format!("≈ {}°", typeset::decimal(at));
+            (which, ring(which, at, label).of("zero, irrational"))
+        }));
     }
     for which in [Zeros::Direct, Zeros::Reverse] {
         for value in at(which).iter().filter(|value| !all.contains(value)) {
