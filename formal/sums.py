@@ -57,7 +57,9 @@ kind alternatives equal_lengths
 conditions certificate
 phi delta turn
 kind middle phi delta turn cosine multiples
-kind phi delta bits mirrored from arcs
+kind phi delta bits mirrored from arcs | divided
+without coprime powers equalities
+phi delta conductor prime root scale u v
 phi delta bits mirrored from arcs
 kind to
 kind to at certificates
@@ -307,7 +309,10 @@ def check_when(when, left, notes):
         demand(exponents == sorted(set(exponents)), "the unknown enters no rising whole times")
         demand(gcd(*exponents) == 1, "the exponents have a common divisor, or are too large")
         polynomial = list(zip(exponents, (total for _, total in left)))
-        coprime(when, polynomial) if when.kind == "coprime" else circle(when, polynomial, notes)
+        if when.kind == "coprime":
+            coprime(when, polynomial)
+        else:
+            circle(when, divided(when, polynomial) if when.divided else polynomial, notes)
     elif when.kind in ("triangle", "product", "classes"):
         {"triangle": triangle, "product": product, "classes": classes}[when.kind](when, left, notes)
 
@@ -429,6 +434,35 @@ def coprime(when, polynomial):
                 whole[i + j] = (whole[i + j] + a * b) % p
     demand(whole == [1] + [0] * (len(whole) - 1), "U P + V P* is not 1 modulo the prime")
     CHECKED[0] += 1
+
+
+def divided(when, polynomial):
+    """The sum is Q F_1 F_2² F_3³ …, and Q vanishes nowhere on the circle: so it vanishes there where F_1 F_2 F_3 … does, which is
+    returned. As the constant coefficient of the sum is not zero, that of no F is."""
+    claim = when.divided
+    demand((claim.coprime.phi, claim.coprime.delta) == (when.phi, when.delta), "the factor without zeros is not one in u")
+    without, *powers = ([collect(terms_of(one)) for one in of] for of in [claim.without, *claim.powers])
+    demand(powers and all(power and power[-1] == {0: 1} for power in powers) and len(powers[-1]) > 1, "a factor does not begin with 1")
+    degree = len(without) + sum(n * (len(power) - 1) for n, power in enumerate(powers, 1)) - 1
+    demand(without and degree == polynomial[-1][0], "the factors do not have the degree of the sum")
+    coprime(claim.coprime, list(enumerate(without)))
+    whole, once = without, [{0: 1}]
+    for n, power in enumerate(powers, 1):
+        once = multiplied(once, power)
+        for _ in range(n if len(power) > 1 else 0):
+            whole = multiplied(whole, power)
+    for (of_sum, of_product), certificate in each("equalities", claim.equalities, [(dict(polynomial).get(n, {}), total) for n, total in enumerate(whole)]):
+        certify([*of_sum.items()] + times(of_product, {0: 1}, -1), certificate, True)
+    return [(n, total) for n, total in enumerate(once) if total]
+
+
+def multiplied(one, other):
+    """The product of two polynomials, coefficients from the constant one on."""
+    terms = [[] for _ in range(len(one) + len(other) - 1)]
+    for m, a in enumerate(one):
+        for n, b in enumerate(other):
+            terms[m + n] += times(a, b)
+    return [collect(of) for of in terms]
 
 
 # ---- 4. Arcs of the circle -------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ use crankstar::engine::PHI;
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::family::{self, Circle, When, Zeros};
 use crankstar::file::{self, Layout};
+use crankstar::page::{Format, svg};
 use crankstar::proof::check_open_document;
 use crankstar::report;
 use num_complex::Complex;
@@ -13,6 +14,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
+use crate::support::pages;
 
 const REVERSE: usize = 1;
 
@@ -163,4 +165,50 @@ fn products_with_factors_off_the_circle_and_squares_are_solved_as_a_dense_search
         irrational += found.circle.irrational().count();
     }
     assert!(divided > 20 && irrational > 40, "{divided} divided, {irrational} irrational zeros");
+}
+
+/// (x² − x/2 + 1)(x + 2) and (x² − x/2 + 1)², x = e^{iφ}: zero where cos φ = 1/4.
+const LAYOUTS: [(&str, &str); 2] = [
+    (
+        "cylinder = [{ throw = 0, bank = 0, position = 0, reciprocating_mass = 2 },
+                     { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '3/2' }, { throw = 0, bank = '3/2 phi', position = 0 }]",
+        "a polynomial of degree 3 in the turn by φ. What it has in common with its mirror image, a polynomial of degree 2",
+    ),
+    (
+        "cylinder = [{ throw = 0, bank = 0, position = 0 }, { throw = 180, bank = 'phi/2', position = 0 },
+                     { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '9/4' },
+                     { throw = 180, bank = '3/2 phi', position = 0 }, { throw = 0, bank = '2 phi', position = 0 }]",
+        "a polynomial of degree 4 in the turn by φ. What it has in common with its mirror image, a polynomial of degree 2",
+    ),
+];
+
+#[test]
+fn pages_tell_the_zeros_in_closed_form_and_why_there_are_no_others() {
+    for (text, degrees) in LAYOUTS {
+        let Ok(Layout::Open(family)) = file::parse_layout("test", text) else { panic!("not a family: {text}") };
+        let orders = family::classify(&family, &[1]).expect("orders");
+        let page = report::family_page(&family, &orders, false);
+        let markdown = pages::text(&page, Format::GITHUB);
+        assert!(markdown.contains(degrees), "{markdown}");
+        assert!(markdown.contains("vanishes once, at no rational turn."), "{markdown}");
+        assert!(!markdown.contains("left open") && !markdown.contains("not solved"), "{markdown}");
+        let answer = pages::text(&report::family_answer(&family, &orders), Format::PLAIN);
+        assert!(answer.contains("cos(φ) = 1/4, φ ≈ ±75.52°"), "{answer}");
+    }
+}
+
+#[test]
+fn irrational_zeros_are_rings_or_dots_of_a_plot_named_as_such() {
+    let Ok(Layout::Open(family)) = file::parse_layout("test", LAYOUTS[0].0) else { panic!("not a family") };
+    let orders = family::classify(&family, &[1, 2]).expect("orders");
+    let markdown = pages::text(&report::family_page(&family, &orders, false), Format::GITHUB);
+    assert!(markdown.contains("Marks that the legend calls irrational"), "{markdown}");
+    let drawn = svg(&report::amplitudes(&family, &orders).expect("a drawing"), "");
+    assert!(drawn.contains("one vector zero, irrational"), "{drawn}");
+    // Zeros at rational angles alone: nothing of it.
+    let twin = "vee = { bank_angle = 'phi', throws = [0] }";
+    let Ok(Layout::Open(family)) = file::parse_layout("test", twin) else { panic!("not a family") };
+    let orders = family::classify(&family, &[1, 2]).expect("orders");
+    let markdown = pages::text(&report::family_page(&family, &orders, false), Format::GITHUB);
+    assert!(!markdown.contains("irrational"), "{markdown}");
 }
