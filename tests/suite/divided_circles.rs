@@ -193,7 +193,7 @@ fn pages_tell_the_zeros_in_closed_form_and_why_there_are_no_others() {
         assert!(markdown.contains("vanishes once, at no rational turn."), "{markdown}");
         assert!(!markdown.contains("left open") && !markdown.contains("not solved"), "{markdown}");
         let answer = pages::text(&report::family_answer(&family, &orders), Format::PLAIN);
-        assert!(answer.contains("cos(φ) = 1/4, φ ≈ ±75.52°"), "{answer}");
+        assert!(answer.contains("0 where cos(φ) =") && answer.contains("1/4, φ ≈ ±75.52°"), "{answer}");
     }
 }
 
