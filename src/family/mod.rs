@@ -14,7 +14,7 @@ mod solve;
 mod torque;
 mod zeros;
 
-pub use circle::{Arc, Circle, Closed, Coprime, Kind, Polynomial};
+pub use circle::{Arc, Circle, Closed, Coprime, Factor, Kind, Polynomial};
 pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};
 pub use firing::{EvenFiring, even_firing, even_firing_lines};

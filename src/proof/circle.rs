@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::certificate::Certificate;
 use super::fraction;
+use super::verdict::Vector;
 
 /// With `u = phi·φ + delta·δ` the sum is a polynomial P in `x = e^{iu}`: it and its mirror image `P* = x^d conj(P)` have no common
 /// factor modulo a prime, as `U P + V P* ≡ 1`.
@@ -43,6 +44,9 @@ pub struct CircleClaim {
     /// How many times δ enters u.
     #[serde(with = "fraction")]
     pub delta: BigRational,
+    /// Where the arcs are not about the sum itself: the factor that they are about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub divided: Option<DividedClaim>,
     /// Enclosures with so many bits show what the arcs say.
     pub bits: u32,
     /// Where an arc is `monotone` or a `crossing`: evidence that the sum, turned back by half of its degree, stays on one line.
@@ -52,6 +56,20 @@ pub struct CircleClaim {
     pub from: BigRational,
     /// Each begins where the one before ends; the last ends a turn after the first begins.
     pub arcs: Vec<ArcClaim>,
+}
+
+/// The sum is `Q F_1 F_2² F_3³ …`, Q vanishes nowhere on the circle, and the arcs are about `F_1 F_2 F_3 …`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DividedClaim {
+    /// The coefficients of Q, from the constant one on.
+    pub without: Vec<Vec<Vector>>,
+    /// Evidence that Q vanishes for no angle.
+    pub coprime: CoprimeClaim,
+    /// Those of each F, the leading one 1.
+    pub powers: Vec<Vec<Vec<Vector>>>,
+    /// Evidence that each coefficient of the sum, from the constant one on, less that of the product is zero.
+    pub equalities: Vec<Certificate>,
 }
 
 /// How often the sum vanishes on an arc, its ends among it.

@@ -17,6 +17,7 @@ use super::check::certify;
 use super::circle::{ArcClaim, CircleClaim};
 use super::collected::common_multiple;
 use super::decimals::enclose;
+use super::divided_check::{check_divided, of_coefficients};
 use super::unknown::Unknown;
 use super::when::Part;
 
@@ -25,11 +26,18 @@ const MOST_BITS: u32 = 512;
 
 /// Checks the arcs against the parts.
 pub(super) fn check_circle(claim: &CircleClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
-    check_arcs(claim, &Unknown::of(left, &claim.phi, &claim.delta, audit)?, audit)
+    let unknown = Unknown::of(left, &claim.phi, &claim.delta, audit)?;
+    match &claim.divided {
+        None => check_arcs(claim, &unknown, audit),
+        Some(divided) => {
+            let factor = check_divided(divided, [&claim.phi, &claim.delta], &unknown, audit)?;
+            check_arcs(claim, &of_coefficients(&factor), audit)
+        }
+    }
 }
 
-/// Checks the arcs against a polynomial.
-pub(super) fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
+/// Checks the arcs against a polynomial, whatever it is divided by.
+fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
     if !(FEWEST_BITS..=MOST_BITS).contains(&claim.bits) {
         return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
     }
@@ -51,6 +59,14 @@ pub(super) fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Aud
     match *from == &claim.from + BigRational::one() {
         true => Ok(()),
         false => Err("the arcs do not make one turn".into()),
+    }
+}
+
+/// Checks the arcs against a polynomial itself: a crossing of them is a simple zero of it.
+pub(super) fn check_undivided(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
+    match claim.divided {
+        None => check_arcs(claim, unknown, audit),
+        Some(_) => Err("here the arcs are about the whole sum".into()),
     }
 }
 

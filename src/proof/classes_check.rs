@@ -12,7 +12,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::audit::{Audit, Reason, steps_of};
 use super::check::certify;
 use super::circle::{ArcClaim, CircleClaim};
-use super::circle_check::check_arcs;
+use super::circle_check::check_undivided;
 use super::collected::{Collected, collect};
 use super::plane::{ClassesClaim, MeetingClaim};
 use super::unknown::{HIGHEST_EXPONENT, Unknown, product};
@@ -130,7 +130,7 @@ pub(super) fn check_circle(
         whole.insert(degree + m, sum);
     }
     let unknown = Unknown { exponents: whole.keys().copied().collect(), sums: whole.values().collect() };
-    check_arcs(circle, &unknown, audit)
+    check_undivided(circle, &unknown, audit)
 }
 
 /// One meeting for each rational turn.

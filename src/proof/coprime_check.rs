@@ -22,7 +22,11 @@ const LARGEST_PRIME: u64 = 1 << 32;
 
 /// Checks that the parts cancel for no angle.
 pub(super) fn check_coprime(claim: &CoprimeClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
-    let unknown = Unknown::of(left, &claim.phi, &claim.delta, audit)?;
+    check_identity(claim, &Unknown::of(left, &claim.phi, &claim.delta, audit)?, audit)
+}
+
+/// Checks that a polynomial vanishes nowhere on the circle.
+pub(super) fn check_identity(claim: &CoprimeClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
     if claim.prime > LARGEST_PRIME {
         return Err(format!("the prime is at most {LARGEST_PRIME}").into());
     }
@@ -39,8 +43,8 @@ pub(super) fn check_coprime(claim: &CoprimeClaim, left: &[Part<'_>], audit: &Aud
     if claim.root >= claim.prime || !order_divides(claim.conductor) || too_small {
         return Err(format!("{} does not have the order {} modulo the prime", claim.root, claim.conductor).into());
     }
-    let straight = image(&unknown, claim, 1, audit)?;
-    let mut mirrored = image(&unknown, claim, -1, audit)?;
+    let straight = image(unknown, claim, 1, audit)?;
+    let mut mirrored = image(unknown, claim, -1, audit)?;
     mirrored.reverse();
     if straight.last().is_none_or(|leading| *leading == 0) {
         return Err("the leading coefficient is 0 modulo the prime".into());

@@ -14,7 +14,7 @@ use super::engine::{Quantity, Sense};
 use super::fraction;
 
 /// One term of a sum: `weight · e^{2πi·angle}`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Vector {
     /// Direction, in turns.

@@ -1,6 +1,6 @@
 //! Which values of a layout can be moved, through which exact values, and where on the way does something vanish?
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
@@ -177,7 +177,8 @@ fn slider(
     zeros: &[ZeroSet],
     shown: &dyn Fn(&BigRational) -> String,
 ) -> Slider {
-    let mut marks: BTreeMap<&BigRational, (Vec<String>, bool)> = BTreeMap::new();
+    let mut marks: BTreeMap<BigRational, (Vec<String>, bool)> = BTreeMap::new();
+    let mut rounded_stops: BTreeSet<BigRational> = BTreeSet::new();
     let sets = || zeros.iter().filter(|set| set.exists && !set.everywhere);
     for set in sets() {
         for value in &set.at {
@@ -186,9 +187,21 @@ fn slider(
                     && other.at.contains(value)
             });
             let Some(what) = vanishing(set, whole) else { continue };
-            let (all, any_whole) = marks.entry(value).or_default();
+            let (all, any_whole) = marks.entry(value.clone()).or_default();
             all.push(what);
             *any_whole |= whole;
+        }
+        for ends in &set.irrational {
+            let whole = sets().any(|other| {
+                (other.quantity, other.order, other.of) == (set.quantity, set.order, Zeros::Largest)
+                    && other.irrational.contains(ends)
+            });
+            let Some(what) = vanishing(set, whole) else { continue };
+            let stop = rounded(ends);
+            let (all, any_whole) = marks.entry(stop.clone()).or_default();
+            all.push(format!("{what} (at an irrational angle, rounded here)"));
+            *any_whole |= whole;
+            rounded_stops.insert(stop);
         }
     }
     let mut values = vec![now.clone()];
@@ -197,7 +210,9 @@ fn slider(
         values.push(value.clone());
         value += step;
     }
-    values.extend(marks.keys().map(|value| (*value).clone()));
+    let of_grid: BTreeSet<BigRational> = values.iter().cloned().collect();
+    let is_of_grid = |value: &BigRational| of_grid.contains(value);
+    values.extend(marks.keys().cloned());
     values.sort();
     values.dedup();
     let place = |value: &BigRational| values.binary_search(value).unwrap_or_default();
@@ -211,17 +226,30 @@ fn slider(
     let note = match (zeros.is_empty(), complete, all_rational) {
         (true, ..) => "It changes how large things are; no exact zero depends on it.",
         (false, true, true) => "The marks are exact, and all there are between the ends.",
-        (false, true, false) => "The marks are exact; the others between the ends are at no rational turn.",
+        (false, true, false) => {
+            "The marks are all there are between the ends: exact, or ≈ where the angle is irrational."
+        }
         (false, false, _) => "The marks are exact; there may be others.",
+    };
+    // A stop of the grid, or the value of the file, is what it is, whatever vanishes beside it.
+    let told = |value: &BigRational| match rounded_stops.contains(value) && !is_of_grid(value) {
+        true => format!("≈ {}", shown(value)),
+        false => shown(value),
     };
     Slider {
         key: key.to_owned(),
         label,
         at: place(now),
-        marks: marks.into_iter().map(|(value, (what, whole))| Mark { stop: place(value), what, whole }).collect(),
-        stops: values.iter().map(|value| Stop { value: exact_number(value), shown: shown(value) }).collect(),
+        marks: marks.into_iter().map(|(value, (what, whole))| Mark { stop: place(&value), what, whole }).collect(),
+        stops: values.iter().map(|value| Stop { value: exact_number(value), shown: told(value) }).collect(),
         note: note.to_owned(),
     }
+}
+
+/// The middle of two ends in the unit of a slider, to three places.
+fn rounded([low, high]: &[BigRational; 2]) -> BigRational {
+    let places = integer(1000);
+    ((low + high) / integer(2) * &places).round() / places
 }
 
 /// `order 2: force`, `order 2: direct force`; nothing of a part of what vanishes whole, nor of directions.

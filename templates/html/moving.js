@@ -55,6 +55,7 @@
     const outcome = ({ zero, zeros }) => {
       if (atHome()) return zero ? "zero" : "not_zero";
       if (zeros && (zeros.everywhere || zeros.at.includes(value))) return "zero";
+      if (zeros && zeros.near.includes(value)) return "near";
       return zeros && zeros.complete ? "not_zero" : "undecided";
     };
     const moved = () => (angle ? (value - home) / angle.unit : 0); // in degrees

@@ -30,6 +30,8 @@ mod corrected_knuckles;
 mod crankshaft;
 mod data;
 mod decision_laws;
+mod divided_cheats;
+mod divided_circles;
 mod document_limits;
 mod document_mutations;
 mod documents_verify;

@@ -140,6 +140,29 @@ fn the_list_of_zeros_is_right_at_every_step_of_the_slider_and_at_every_mark() {
     assert!(zeros.iter().sum::<usize>() > 100, "{zeros:?}");
 }
 
+/// Its reverse force of order 1 is (x² − x/2 + 1)(x + 2) with x = e^{iφ}: 0 where cos φ = 1/4.
+const IRRATIONAL: &str = "
+    cylinder = [{ throw = 0, bank = 0, position = 0, reciprocating_mass = 2 },
+                { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '3/2' }, { throw = 0, bank = '3/2 phi', position = 1 }]";
+
+#[test]
+fn the_slider_stops_beside_an_irrational_zero_and_says_that_it_is_rounded() {
+    the_slider_is_right(IRRATIONAL, &[], PHI, 0);
+    let made = open_scenes(&open(IRRATIONAL), &[1]).remove(0);
+    let angle = made.angle.expect("φ is open");
+    let force = &made.orders[0].force;
+    let list = force.senses[1].zeros.as_ref().expect("a list");
+    assert!(list.complete && list.at.is_empty());
+    let degrees: Vec<f64> = list.near.iter().map(|at| *at as f64 / angle.unit as f64).collect();
+    let [first, second] = degrees[..] else { panic!("{degrees:?}") };
+    let zero = 0.25_f64.acos().to_degrees();
+    assert!((first - zero).abs() < 1e-3 && (second - 360.0 + zero).abs() < 1e-3, "{degrees:?}");
+    let marks: Vec<(&str, bool)> = force.marks.iter().map(|mark| (mark.text.as_str(), mark.both)).collect();
+    assert_eq!(marks, [("≈ 75.52°", false), ("≈ 284.5°", false)]);
+    assert!(force.marks.iter().all(|mark| mark.of == ["reverse"] && list.near.contains(&mark.at)));
+    assert!(MOVING_SCRIPT.contains("zeros.near.includes(value)"));
+}
+
 #[test]
 fn where_lengths_are_open_the_moment_is_not_said_to_vanish_nowhere_else() {
     let family = open("vee = { bank_angle = 'phi', throws = [0, 120, 240], spacing = 'a', bank_offset = 'b' }");

@@ -1,8 +1,8 @@
 //! Is every way to cheat either checker with two open angles caught, and is every honest document accepted, also as JSON?
 
 use crankstar::proof::{
-    ArcClaim, Certificate, ClassesClaim, MeetingClaim, OpenDocument, Polygon, ProductClaim, Reason, TriangleClaim,
-    TriangleShape, WhenClaim, check_open_document,
+    ArcClaim, Certificate, ClassesClaim, CoprimeClaim, DividedClaim, MeetingClaim, OpenDocument, Polygon, ProductClaim,
+    Reason, TriangleClaim, TriangleShape, Vector, WhenClaim, check_open_document,
 };
 use num_rational::BigRational;
 
@@ -26,7 +26,25 @@ pub fn forged(certificate: &Certificate) -> Certificate {
 /// A change, and whether there was something to change.
 pub type Cheat<C> = (&'static str, fn(&mut C) -> bool);
 
-const CLASSES: [Cheat<ClassesClaim>; 17] = [
+/// As if the arcs were about a factor.
+pub fn divided() -> DividedClaim {
+    let one =
+        vec![Vector { angle: BigRational::new(0.into(), 1.into()), weight: BigRational::new(1.into(), 1.into()) }];
+    let coprime = CoprimeClaim {
+        phi: half(),
+        delta: half(),
+        conductor: 1,
+        prime: 2,
+        root: 1,
+        scale: 1.into(),
+        u: vec![1],
+        v: Vec::new(),
+    };
+    DividedClaim { without: vec![one.clone()], coprime, powers: vec![vec![one.clone(), one]], equalities: Vec::new() }
+}
+
+const CLASSES: [Cheat<ClassesClaim>; 18] = [
+    ("the circle of a factor", |claim| claim.circle.as_mut().map(|circle| circle.divided = Some(divided())).is_some()),
     ("another u", |claim| {
         claim.phi += half();
         if let Some(circle) = &mut claim.circle {

@@ -6,7 +6,7 @@ use crankstar::proof::{
 };
 use num_rational::BigRational;
 
-use crate::plane_cheats::{Cheat, change_bits_of, forged, half, tried};
+use crate::plane_cheats::{Cheat, change_bits_of, divided, forged, half, tried};
 use crate::support::second;
 use crate::support::two_angles::quadratic_documents;
 
@@ -22,7 +22,8 @@ fn turns(roots: &mut RootsClaim) -> &mut [RootClaim] {
     }
 }
 
-const CLASSES: [Cheat<QuadraticClaim>; 15] = [
+const CLASSES: [Cheat<QuadraticClaim>; 16] = [
+    ("the circle of a factor", |claim| claim.circle.as_mut().map(|circle| circle.divided = Some(divided())).is_some()),
     ("another u", |claim| {
         claim.phi += half();
         if let Some(circle) = &mut claim.circle {

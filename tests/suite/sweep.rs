@@ -569,3 +569,20 @@ fn whole_numbers_are_swept() {
     assert!(!reverse[0], "a radial three shakes in order 2");
     assert_eq!(sweep.curve.len(), 4, "there is no engine between");
 }
+
+#[test]
+fn irrational_zeros_are_listed_with_decimals_and_drawn_as_such() {
+    // The reverse force is (x² − x/2 + 1)(x + 2) with x = e^{iφ}: 0 where cos φ = 1/4.
+    let text = "values = { phi = 60 }\ncylinder = [{ throw = 0, bank = 0, position = 0, reciprocating_mass = 2 },
+        { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '3/2' }, { throw = 0, bank = '3/2 phi', position = 0 }]";
+    let sweep = good(text, &["values.phi=0..360:30"], &[1]);
+    let sets = sweep.zeros.as_ref().expect("an angle");
+    let set = sets.iter().find(|set| set.quantity == Quantity::Force && set.of == Zeros::Reverse).expect("a set");
+    assert!(set.complete && set.at.is_empty() && set.irrational.len() == 2, "{set:?}");
+    let page = report::sweep_page(&sweep);
+    let drawn: Vec<String> =
+        page::write(&page, page::Format::GITHUB, &page::Options::default()).into_iter().map(|file| file.text).collect();
+    let [markdown, svg] = drawn.as_slice() else { panic!("{} files", drawn.len()) };
+    assert!(markdown.contains("≈ 75.52°, ≈ 284.5°"), "{markdown}");
+    assert!(svg.contains("one vector zero, irrational") && svg.contains("≈ 75.52°"), "{svg}");
+}

@@ -198,3 +198,22 @@ fn a_claim_is_answered_as_the_command_answers_it() {
     assert_eq!(claim("first-order force vanishes")["ok"]["kind"], "holds");
     assert!(claim("it runs smoothly")["mistake"]["right"].is_string());
 }
+
+#[test]
+fn an_irrational_zero_is_a_stop_that_is_said_to_be_rounded() {
+    // The reverse force of order 1 is (x² − x/2 + 1)(x + 2) with x = e^{iφ}: 0 where cos φ = 1/4.
+    let text = "values = { phi = 60 }\ncylinder = [{ throw = 0, bank = 0, position = 0, reciprocating_mass = 2 },
+        { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '3/2' }, { throw = 0, bank = '3/2 phi', position = 0 }]";
+    let sliders = good(json!({ "ask": "sliders", "name": "x", "text": text }));
+    let slider = &sliders[0];
+    assert_eq!(slider["key"], "values.phi");
+    let told = |mark: &Value| {
+        let stop = &slider["stops"][mark["stop"].as_u64().expect("a stop") as usize];
+        (stop["value"].clone(), stop["shown"].clone(), mark["what"].to_string())
+    };
+    let words = "order 1: reverse force (at an irrational angle, rounded here)";
+    let marks: Vec<_> = slider["marks"].as_array().expect("marks").iter().map(told).collect();
+    let first = marks.iter().find(|(_, _, what)| what.contains(words)).expect("a mark");
+    assert_eq!((&first.0, &first.1), (&json!("75.522"), &json!("≈ 75.522°")));
+    assert!(slider["note"].as_str().is_some_and(|note| note.contains("≈ where the angle is irrational")), "{slider}");
+}

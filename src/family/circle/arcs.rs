@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::curve::{Curve, Ground, inside, multiples};
+use super::factor::Factor;
 use super::polynomial::Polynomial;
 use super::rational::{self, multiplicity};
 use crate::exact::Turn;
@@ -16,8 +17,10 @@ use crate::proof::Certificate;
 /// A sum over the whole circle.
 #[derive(Clone, Debug)]
 pub struct Circle {
-    /// What vanishes.
+    /// What the arcs are about: the sum, or a factor of it.
     pub polynomial: Polynomial,
+    /// Evidence that the sum vanishes where that factor does; none where the arcs are about the sum.
+    pub factor: Option<Factor>,
     /// Enclosures with so many bits decide.
     pub bits: u32,
     /// Evidence that the sum, centred, stays on one line; none where no arc needs it.
@@ -101,7 +104,7 @@ pub(super) fn cover(polynomial: Polynomial) -> Circle {
         Kind::Free | Kind::Rational { .. } | Kind::Open => false,
     };
     let mirrored = mirrored.filter(|_| found.iter().any(on_line)).unwrap_or_default();
-    Circle { bits, mirrored, from, arcs: joined(found), polynomial }
+    Circle { factor: None, bits, mirrored, from, arcs: joined(found), polynomial }
 }
 
 /// Open arcs that touch as one.

@@ -2,18 +2,23 @@
 //!
 //! All parts that are left turn by whole multiples of one `u = pφ + qδ`, so that the sum is a polynomial in `x = e^{iu}` with
 //! phasor sums as its coefficients. A Bézout identity modulo one prime shows that it has no zero on the circle; else the circle is
-//! cut into arcs, each with its evidence: free, around a rational zero, or crossed once at an irrational one (theory, section 16).
+//! cut into arcs, each with its evidence: free, around a rational zero, or crossed once at an irrational one. A sum that is not its own
+//! mirror image is divided first, as is one with multiple zeros (theory, section 16).
 
 mod answer;
 mod arcs;
 mod closed;
 mod curve;
+mod factor;
+mod field;
+mod images;
 mod never;
 mod polynomial;
 mod rational;
 
 pub use arcs::{Arc, Circle, Kind};
 pub use closed::Closed;
+pub use factor::Factor;
 pub use never::Coprime;
 pub use polynomial::Polynomial;
 
@@ -33,8 +38,22 @@ pub(super) fn solve(parts: &[&Part]) -> Option<Solved> {
     let polynomial = Polynomial::of(parts)?;
     Some(match never::prove(&polynomial) {
         Some(coprime) => Solved::Never(Box::new(coprime)),
-        None => Solved::Circle(Box::new(arcs::cover(polynomial))),
+        None => Solved::Circle(Box::new(whole(polynomial))),
     })
+}
+
+/// The arcs of a sum; where some are open, those of the factor that has all its zeros on the circle, each once.
+fn whole(polynomial: Polynomial) -> Circle {
+    let circle = arcs::cover(polynomial);
+    if circle.is_complete() {
+        return circle;
+    }
+    let Some((factor, polynomial)) = factor::split(&circle.polynomial) else { return circle };
+    let of_factor = arcs::cover(polynomial);
+    match of_factor.open().count() < circle.open().count() {
+        true => Circle { factor: Some(factor), ..of_factor },
+        false => circle,
+    }
 }
 
 /// The arcs of a polynomial that is known.

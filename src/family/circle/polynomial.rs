@@ -66,6 +66,12 @@ impl Polynomial {
         self.sums.iter().flat_map(PhasorSum::terms).map(|term| term.weight.abs()).sum()
     }
 
+    /// The common denominator of all weights.
+    pub(super) fn scale(&self) -> BigInt {
+        let weights = self.sums.iter().flat_map(PhasorSum::terms).map(|term| &term.weight);
+        weights.fold(BigInt::one(), |scale, weight| scale.lcm(weight.denom()))
+    }
+
     /// The common denominator of all angles.
     pub(super) fn conductor(&self) -> BigInt {
         let angles = self.sums.iter().flat_map(PhasorSum::terms).map(|term| &term.angle);

@@ -59,36 +59,36 @@ pub(super) fn zeros(circle: &Circle) -> Option<Text> {
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(circle: &Circle) -> Text {
-    let degree = || circle.polynomial.degree().to_string();
     let (unknown, count) = (unknown(circle), circle.arcs.len());
+    let sum = match &circle.factor {
+        None => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}.",
+            circle.polynomial.degree().to_string(),
+            unknown
+        ),
+        Some(factor) => phrase!(
+            "The sum is a polynomial of degree {} in the turn by {}. What it has in common with its mirror image, a polynomial of degree {} with \
+             each factor taken once, vanishes for the same angles, as what is left of the sum vanishes for none (proved modulo the prime {}).",
+            factor.equalities.len().saturating_sub(1).to_string(),
+            unknown,
+            circle.polynomial.degree().to_string(),
+            factor.coprime.prime.to_string()
+        ),
+    };
     let arcs = match (zeros(circle), circle.is_complete()) {
         (Some(zeros), true) => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs, on each of which it is proved how often it \
-             vanishes: exactly where {}.",
-            degree(),
-            unknown,
+            "The circle is cut into {} arcs, on each of which it is proved how often it vanishes: exactly where {}.",
             count,
             zeros
         ),
-        (None, true) => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs, and it is proved that it vanishes on none.",
-            degree(),
-            unknown,
-            count
-        ),
+        (None, true) => phrase!("The circle is cut into {} arcs, and it is proved that it vanishes on none.", count),
         (Some(zeros), false) => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs; but for those that are left open it vanishes \
-             exactly where {} (proved).",
-            degree(),
-            unknown,
+            "The circle is cut into {} arcs; but for those that are left open it vanishes exactly where {} (proved).",
             count,
             zeros
         ),
         (None, false) => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}. The circle is cut into {} arcs; but for those that are left open it vanishes \
-             on none (proved).",
-            degree(),
-            unknown,
+            "The circle is cut into {} arcs; but for those that are left open it vanishes on none (proved).",
             count
         ),
     };
@@ -100,7 +100,7 @@ pub(super) fn why(circle: &Circle) -> Text {
         let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
         phrase!("From {} to {} it is left open: the count of steps ended.", from, to)
     });
-    Text::joined([arcs].into_iter().chain(only).chain(open), " ")
+    Text::joined([sum, arcs].into_iter().chain(only).chain(open), " ")
 }
 
 /// Why a sum vanishes nowhere, by a prime.

@@ -2,14 +2,15 @@
 
 use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
+use crate::exact::PhasorSum;
 use crate::family::{
-    Arc, Circle, Classes, Corner, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root, Roots,
-    Shape, Triangle, When,
+    Arc, Circle, Classes, Coprime, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part,
+    Quadratic, Root, Roots, Shape, Triangle, When,
 };
 use crate::proof::{
-    AlternativeClaim, ArcClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim, Exact, Format, LinearClaim,
-    Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim,
-    Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape, WhenClaim,
+    AlternativeClaim, ArcClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim, DividedClaim, Exact, Format,
+    LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim,
+    QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -78,16 +79,7 @@ fn when(when: &When) -> WhenClaim {
             cosine: found.cosine.clone(),
             multiples: Box::new(found.multiples.clone()),
         },
-        When::Never(Never::Coprime(found)) => WhenClaim::Coprime(Box::new(CoprimeClaim {
-            phi: found.phi.clone(),
-            delta: found.delta.clone(),
-            conductor: found.conductor,
-            prime: found.prime,
-            root: found.root,
-            scale: found.scale.clone(),
-            u: found.u.clone(),
-            v: found.v.clone(),
-        })),
+        When::Never(Never::Coprime(found)) => WhenClaim::Coprime(Box::new(coprime(found))),
         When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
         When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
         When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(classes(found))),
@@ -119,6 +111,29 @@ fn condition(condition: &crate::family::Condition) -> ConditionClaim {
     ConditionClaim { phi: condition.phi.clone(), delta: condition.delta.clone(), turn: condition.turn.turns().clone() }
 }
 
+fn coprime(found: &Coprime) -> CoprimeClaim {
+    CoprimeClaim {
+        phi: found.phi.clone(),
+        delta: found.delta.clone(),
+        conductor: found.conductor,
+        prime: found.prime,
+        root: found.root,
+        scale: found.scale.clone(),
+        u: found.u.clone(),
+        v: found.v.clone(),
+    }
+}
+
+fn divided(factor: &Factor) -> DividedClaim {
+    let coefficients = |of: &[PhasorSum]| of.iter().map(|sum| vectors(sum.terms())).collect();
+    DividedClaim {
+        without: coefficients(&factor.without),
+        coprime: coprime(&factor.coprime),
+        powers: factor.powers.iter().map(|power| coefficients(power)).collect(),
+        equalities: factor.equalities.clone(),
+    }
+}
+
 fn circle(circle: &Circle) -> CircleClaim {
     let arc = |Arc { to, kind }: &Arc| {
         let to = to.clone();
@@ -135,6 +150,7 @@ fn circle(circle: &Circle) -> CircleClaim {
     CircleClaim {
         phi: circle.polynomial.phi.clone(),
         delta: circle.polynomial.delta.clone(),
+        divided: circle.factor.as_ref().map(divided),
         bits: circle.bits,
         mirrored: circle.mirrored.clone(),
         from: circle.from.clone(),

@@ -9,7 +9,7 @@ use num_traits::{One, ToPrimitive, Zero};
 use super::super::typeset;
 use crate::engine::{DELTA, Family, Linear, PHI};
 use crate::exact::Turn;
-use crate::family::{OpenOrder, OpenVerdict, phase};
+use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
 use crate::page::{Text, phrase};
@@ -62,11 +62,19 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
     };
     let drawn = shown(family, orders);
     let mut words = vec![over.into(), phrase!(MARKS, MOST_DOTS)];
+    let is_rounded = |place: &Place| !place.is_exact();
+    let rounded = |(_, verdicts): &OfOrder| {
+        let (full, single) = zeros(verdicts, unknown);
+        full.iter().any(is_rounded) || single.len() <= MOST_DOTS && single.iter().any(is_rounded)
+    };
+    if drawn.iter().flat_map(|(_, curves)| curves).any(rounded) {
+        words.push(IRRATIONAL.into());
+    }
     for (quantity, said) in [(Quantity::Force, OF_FORCE), (Quantity::Moment, OF_MOMENT)] {
         let of = of_quantity(orders, quantity);
         let is_always = |(_, verdicts): &&OfOrder| verdicts.iter().all(OpenVerdict::always);
         let (always, left): (Vec<&OfOrder>, Vec<&OfOrder>) = of.iter().partition(is_always);
-        let open = |verdict: &OpenVerdict| !verdict.always() && verdict.angles_of(unknown).is_none();
+        let open = |verdict: &OpenVerdict| !is_solved(verdict, unknown);
         let unsolved: Vec<&OfOrder> = of.iter().filter(|(_, verdicts)| verdicts.iter().any(open)).collect();
         let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
         words.extend((!always.is_empty()).then(|| phrase!(said.always, numbers(&always))));
@@ -83,6 +91,8 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
 
 const MARKS: &str = "Rings are its exact zeros in (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the \
                      other turns at constant length (marked for orders with no more than {} of them).";
+
+const IRRATIONAL: &str = "Marks that the legend calls irrational stand at angles that are no rational turn, proved to be zeros and drawn rounded.";
 
 /// What is said of orders that have no curve, or may have zeros without a ring.
 struct Said {
@@ -169,38 +179,111 @@ fn add(plot: &mut Plot, family: &Family, unknown: &str, order: u32, verdicts: &[
     let terms = [Sense::Direct, Sense::Reverse].map(|sense| terms(family, unknown, quantity, order, sense));
     let at = |angle: f64| terms.iter().map(|terms| length(terms, angle)).sum::<f64>() / 2.0;
     let (full, single) = zeros(verdicts, unknown);
-    let degrees = |turn: &Turn| turn.degrees().to_f64().unwrap_or(f64::NAN);
     let grid = (0..=STEPS).map(|step| step as f64 * 360.0 / STEPS as f64);
     let mut points: Vec<(f64, f64)> = grid.map(|angle| (angle, at(angle / 360.0))).collect();
-    points.extend(full.iter().map(|zero| (degrees(zero), 0.0)));
+    points.extend(full.iter().map(|zero| (zero.degrees(), 0.0)));
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let curve = Curve::new(plot.curves.len(), format!("order {order}"), points);
     for zero in &full {
-        let label = typeset::angle(zero);
+        let label = zero.label();
         // One label for the zeros of several orders at one place.
         let known = plot.marks.iter().any(|mark| mark.label == label);
-        let mark = PointMark::ring((degrees(zero), 0.0), if known { String::new() } else { label });
-        plot.marks.push(PointMark { ink: curve.ink, ..mark.of("exact zero") });
+        let mark = PointMark::ring((zero.degrees(), 0.0), if known { String::new() } else { label });
+        let series = if zero.is_exact() { "exact zero" } else { "zero, irrational" };
+        plot.marks.push(PointMark { ink: curve.ink, ..mark.of(series) });
     }
     if single.len() <= MOST_DOTS {
         for zero in &single {
-            let mark = PointMark::dot((degrees(zero), at(degrees(zero) / 360.0)), "");
-            plot.marks.push(PointMark { ink: curve.ink, ..mark.of("one vector exactly zero") });
+            let mark = PointMark::dot((zero.degrees(), at(zero.degrees() / 360.0)), "");
+            let series = if zero.is_exact() { "one vector exactly zero" } else { "one vector zero, irrational" };
+            plot.marks.push(PointMark { ink: curve.ink, ..mark.of(series) });
         }
     }
     plot.curves.push(curve);
 }
 
-/// The angles at which both vectors vanish, and those at which just one does.
-fn zeros(verdicts: &[OpenVerdict; 2], unknown: &str) -> (BTreeSet<Turn>, BTreeSet<Turn>) {
-    let known = |verdict: &OpenVerdict| verdict.angles_of(unknown).unwrap_or_default();
-    let [direct, reverse] = [known(&verdicts[0]), known(&verdicts[1])];
-    match (verdicts[0].always(), verdicts[1].always()) {
-        (true, _) => (reverse, BTreeSet::new()),
-        (_, true) => (direct, BTreeSet::new()),
-        _ => {
-            (direct.intersection(&reverse).cloned().collect(), direct.symmetric_difference(&reverse).cloned().collect())
+/// An angle at which something vanishes.
+enum Place {
+    Exact(Turn),
+    /// In degrees, rounded.
+    Irrational(f64),
+}
+
+impl Place {
+    fn degrees(&self) -> f64 {
+        match self {
+            Place::Exact(turn) => turn.degrees().to_f64().unwrap_or(f64::NAN),
+            Place::Irrational(degrees) => *degrees,
         }
+    }
+
+    fn label(&self) -> String {
+        match self {
+            Place::Exact(turn) => typeset::angle(turn),
+            Place::Irrational(degrees) => format!("≈ {}°", typeset::decimal(*degrees)),
+        }
+    }
+
+    fn is_exact(&self) -> bool {
+        match self {
+            Place::Exact(_) => true,
+            Place::Irrational(_) => false,
+        }
+    }
+}
+
+/// The angles at which both vectors vanish, and those at which just one does.
+fn zeros(verdicts: &[OpenVerdict; 2], unknown: &str) -> (Vec<Place>, Vec<Place>) {
+    let [direct, reverse] = verdicts.each_ref().map(|verdict| within_a_turn(verdict, unknown));
+    match (verdicts[0].always(), verdicts[1].always()) {
+        (true, _) => (places(&reverse, None), Vec::new()),
+        (_, true) => (places(&direct, None), Vec::new()),
+        _ => {
+            let full = direct.exact.intersection(&reverse.exact).map(|at| Place::Exact(Turn::new(at.clone())));
+            let mut single = places(&direct, Some(&reverse));
+            single.extend(places(&reverse, Some(&direct)));
+            (full.collect(), single)
+        }
+    }
+}
+
+/// Where a vector vanishes; those left out where the other one may vanish too.
+fn places(of: &Solutions, other: Option<&Solutions>) -> Vec<Place> {
+    let is_near = |[low, high]: [&BigRational; 2], all: &[[BigRational; 2]]| {
+        all.iter().any(|[from, to]| from <= high && low <= to)
+    };
+    let alone = |at: [&BigRational; 2]| other.is_none_or(|other| !is_near(at, &other.open));
+    let exact = of.exact.iter().filter(|at| other.is_none_or(|other| !other.exact.contains(*at)) && alone([at; 2]));
+    let apart = |ends: &&[BigRational; 2]| {
+        let ends = ends.each_ref();
+        alone(ends) && other.is_none_or(|other| !is_near(ends, &other.irrational))
+    };
+    let middle = |[low, high]: &[BigRational; 2]| {
+        let degrees = (low + high) * BigRational::from_integer(180.into());
+        Place::Irrational(degrees.to_f64().unwrap_or(f64::NAN))
+    };
+    let exact = exact.map(|at| Place::Exact(Turn::new(at.clone())));
+    exact.chain(of.irrational.iter().filter(apart).map(middle)).collect()
+}
+
+/// Where a verdict is known to vanish between 0° and 360°, and where it may.
+fn within_a_turn(verdict: &OpenVerdict, unknown: &str) -> Solutions {
+    let ends = [BigRational::zero(), BigRational::one()];
+    match verdict.zeros(unknown, ends.each_ref()) {
+        Zeros::At(mut found) => {
+            found.exact.retain(|at| !ends.contains(at));
+            found
+        }
+        Zeros::Everywhere | Zeros::NotSolved => Solutions::default(),
+    }
+}
+
+/// Whether all its zeros are known.
+fn is_solved(verdict: &OpenVerdict, unknown: &str) -> bool {
+    match verdict.zeros(unknown, [&BigRational::zero(), &BigRational::one()]) {
+        Zeros::Everywhere => true,
+        Zeros::At(found) => found.open.is_empty(),
+        Zeros::NotSolved => false,
     }
 }
 

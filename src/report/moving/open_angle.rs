@@ -12,13 +12,15 @@ use super::bodies::decimal;
 use super::scene::{Mark, MovingAngle, Zeros};
 use crate::engine::{DELTA, Engine, Family, Linear, PHI};
 use crate::exact::Turn;
-use crate::family::{self, OpenOrder, OpenVerdict};
+use crate::family::{self, OpenOrder, OpenVerdict, Solutions};
 use crate::order::{Masses, Source};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, Judgement, Verdict};
 
 /// Steps of the slider in a degree.
 const STEPS: i64 = 2;
+/// Where a zero is irrational the slider stops at so many places of a degree: rounded, and said so.
+const PLACES: i64 = 1000;
 /// Whole numbers up to here are exact in every script.
 const LARGEST: i64 = 1 << 50;
 /// An angle that enters more often is not moved.
@@ -69,22 +71,38 @@ impl<'a> OpenAngle<'a> {
     /// So many whole numbers a turn that the start, every zero and every step of the slider are whole.
     fn finest(&self) -> Option<i64> {
         let each = self.orders.iter().flat_map(|order| order.force.iter().chain(&order.moment));
-        let zeros = each.filter_map(|verdict| self.values(verdict)).flatten();
-        let all = zeros.chain([self.start.clone()]);
+        let found: Vec<Solutions> = each.filter_map(|verdict| self.solutions(verdict)).collect();
+        let rounded = found.iter().any(|zeros| !zeros.irrational.is_empty());
+        let rounded = rounded.then(|| BigRational::new(1.into(), (360 * PLACES).into()));
+        let exact = found.iter().flat_map(|zeros| zeros.exact.iter().cloned());
+        let all = exact.chain([self.start.clone()]).chain(rounded);
         let unit = all.fold(BigInt::from(360 * STEPS), |unit, value| unit.lcm(value.denom()));
         unit.to_i64().filter(|unit| *unit <= LARGEST)
     }
 
-    fn values(&self, verdict: &OpenVerdict) -> Option<Vec<BigRational>> {
+    /// Where a sum vanishes, the ends of the slider left out; none where that is not solved, or everywhere.
+    fn solutions(&self, verdict: &OpenVerdict) -> Option<Solutions> {
         let [low, high] = range(self.unknown);
-        let is_inside = |value: &BigRational| self.unknown != PHI || (*value != low && *value != high);
-        Some(verdict.values(self.unknown, [&low, &high])?.into_iter().filter(is_inside).collect())
+        match verdict.zeros(self.unknown, [&low, &high]) {
+            family::Zeros::At(mut found) => {
+                found.exact.retain(|value| self.unknown != PHI || (*value != low && *value != high));
+                Some(found)
+            }
+            family::Zeros::Everywhere | family::Zeros::NotSolved => None,
+        }
     }
 
     /// A value in turns as a whole number: exact for the start, the ends and every zero.
     fn whole(&self, turns: &BigRational) -> i64 {
         let whole = turns * BigRational::from_integer(self.per_turn.into());
         whole.to_integer().to_i64().unwrap_or(0)
+    }
+
+    /// The middle of two ends, to the nearest place where the slider stops.
+    fn nearest(&self, [low, high]: &[BigRational; 2]) -> i64 {
+        let twice = (low + high) * BigRational::from_integer(self.per_turn.into());
+        let middle = twice / BigRational::from_integer(2.into());
+        middle.round().to_integer().to_i64().unwrap_or(0)
     }
 
     /// How many times the angle enters the throw and the bank of a cylinder.
@@ -118,12 +136,15 @@ impl<'a> OpenAngle<'a> {
     /// Where the sum of a verdict vanishes.
     pub fn zeros_of(&self, verdict: &Verdict) -> Option<Zeros> {
         let open = self.open_verdict(verdict)?;
-        let values = self.values(open);
+        let found = self.solutions(open);
+        let is_solved = found.as_ref().is_some_and(|found| found.open.is_empty());
+        let found = found.unwrap_or_default();
         let of_lengths_drawn = self.lengths_open && verdict.quantity == Quantity::Moment;
         Some(Zeros {
             everywhere: open.always(),
-            complete: open.always() || values.is_some() && !of_lengths_drawn,
-            at: values.unwrap_or_default().iter().map(|value| self.whole(value)).collect(),
+            complete: open.always() || is_solved && !of_lengths_drawn,
+            at: found.exact.iter().map(|value| self.whole(value)).collect(),
+            near: found.irrational.iter().map(|ends| self.nearest(ends)).collect(),
             words: family_page::summary(open).plain(),
         })
     }
@@ -131,21 +152,25 @@ impl<'a> OpenAngle<'a> {
     /// The values at which a sum of force or moment vanishes that does not everywhere, with what vanishes there.
     pub fn marks(&self, balance: &Balance) -> Vec<Mark> {
         let mut found: BTreeMap<BigRational, Vec<&'static str>> = BTreeMap::new();
+        // Irrational ones that look alike are not known to be the same.
+        let mut near: Vec<([BigRational; 2], &'static str)> = Vec::new();
         let mut always = 0;
         for verdict in balance.verdicts() {
             let (Some(open), Some(sense)) = (self.open_verdict(verdict), verdict.sense) else { continue };
             always += usize::from(open.always());
-            for value in self.values(open).unwrap_or_default() {
+            let zeros = self.solutions(open).unwrap_or_default();
+            for value in zeros.exact {
                 found.entry(value).or_default().push(sense.name());
             }
+            near.extend(zeros.irrational.into_iter().map(|ends| (ends, sense.name())));
         }
-        let mark = |(value, of): (BigRational, Vec<&'static str>)| Mark {
-            at: self.whole(&value),
-            text: typeset::turns(&value),
-            both: of.len() + always == 2,
-            of,
-        };
-        found.into_iter().map(mark).collect()
+        let exact = found.into_iter().map(|(value, of)| (self.whole(&value), typeset::turns(&value), of));
+        let rounded = near.into_iter().map(|(ends, of)| (self.nearest(&ends), about(&ends), vec![of]));
+        let mark =
+            |(at, text, of): (i64, String, Vec<&'static str>)| Mark { at, text, both: of.len() + always == 2, of };
+        let mut marks: Vec<Mark> = exact.chain(rounded).map(mark).collect();
+        marks.sort_by_key(|mark| mark.at);
+        marks
     }
 
     /// The slider.
@@ -160,6 +185,11 @@ impl<'a> OpenAngle<'a> {
         let start = Mark { at: self.whole(&self.start), text, of: Vec::new(), both: false };
         MovingAngle { symbol, name, unit: step * STEPS, low: low + margin, high: high - margin, step, start }
     }
+}
+
+/// `≈ 75.522°`: the middle of two ends in turns.
+fn about([low, high]: &[BigRational; 2]) -> String {
+    format!("≈ {}°", typeset::decimal(decimal(&((low + high) * BigRational::from_integer(180.into())))))
 }
 
 /// The value of an unknown, in turns, at which the family is this engine.

@@ -151,7 +151,7 @@ pub struct MovingAngle {
 pub struct Mark {
     /// In units of the slider.
     pub at: i64,
-    /// As it is written, exactly.
+    /// As it is written: exactly, or with ≈ where an irrational angle is rounded.
     pub text: String,
     /// What vanishes there: direct, reverse, or both; empty where it is no zero.
     pub of: Vec<&'static str>,
@@ -166,6 +166,8 @@ pub struct Zeros {
     pub everywhere: bool,
     /// At these values, in units of the slider, rising.
     pub at: Vec<i64>,
+    /// Beside these, each at an irrational angle that this one is rounded from.
+    pub near: Vec<i64>,
     /// Whether it is proved to vanish nowhere else.
     pub complete: bool,
     /// The same in exact words.
@@ -188,6 +190,8 @@ pub struct Words {
     pub order: &'static str,
     /// A sum that is in the list of zeros.
     pub zero: &'static str,
+    /// A sum that vanishes at an irrational angle, where that is rounded.
+    pub near: &'static str,
     /// A sum that is not in a complete list of zeros.
     pub not_zero: &'static str,
     /// A sum of which the list does not tell.
@@ -208,6 +212,7 @@ impl Default for Words {
             moment: "moment",
             order: "Order",
             zero: ZERO,
+            near: "0 at an irrational angle, here rounded",
             not_zero: "not 0",
             undecided: "not decided here",
             together: "All sums of the order together:",

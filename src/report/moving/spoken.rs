@@ -65,9 +65,9 @@ impl Mark {
 
 impl Words {
     fn speak(&mut self, language: Language) {
-        let Words { senses, force, moment, order, zero, not_zero, undecided, together, play, pause } = self;
+        let Words { senses, force, moment, order, zero, near, not_zero, undecided, together, play, pause } = self;
         let [direct, reverse] = senses;
-        for words in [direct, reverse, force, moment, order, zero, not_zero, undecided, together, play, pause] {
+        for words in [direct, reverse, force, moment, order, zero, near, not_zero, undecided, together, play, pause] {
             *words = language.fixed(words);
         }
     }

@@ -1,5 +1,7 @@
 //! Which plots show a sweep? Curves over one parameter with the exact zeros marked, or maps over two.
 
+use num_rational::BigRational;
+
 use super::super::figure::{Figure, Ink};
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
@@ -101,23 +103,51 @@ fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<Zer
     let of = |which: Zeros| sets.iter().find(|set| set.quantity == quantity && set.order == order && set.of == which);
     let at = |which: Zeros| of(which).map_or(&[][..], |set: &ZeroSet| &set.at);
     let all = at(Zeros::Largest);
+    // Irrational ones lie between the points of the curve.
+    let both = of(Zeros::Largest).map_or(&[][..], |set| &set.irrational);
+    let irrational = |which: Zeros| -> Vec<f64> {
+        let own = of(which).map_or(&[][..], |set| &set.irrational).iter();
+        let is_both = |ends: &[BigRational; 2]| both.iter().any(|other| other[0] <= ends[1] && ends[0] <= other[1]);
+        let own = own.filter(|ends| which == Zeros::Largest || !is_both(ends));
+        own.map(|[low, high]| (float(low) + float(high)) / 2.0).collect()
+    };
+    let rounded = |at: f64| format!("≈ {}°", typeset::decimal(at));
     let mut marks = Vec::new();
     for which in [Zeros::Largest, Zeros::Along, Zeros::Across] {
         let own = at(which).iter().filter(|value| which == Zeros::Largest || !all.contains(value));
         marks.extend(own.map(|value| (which, ring(which, float(value), typeset::degrees(value)).of("exact zero"))));
+        let own = irrational(which).into_iter();
+        marks.extend(own.map(|at| (which, ring(which, at, rounded(at)).of("zero, irrational"))));
     }
+    let height = |point: &SweptEngine| amplitudes(point, place, quantity).map(|a| a.largest.value);
     for which in [Zeros::Direct, Zeros::Reverse] {
         for value in at(which).iter().filter(|value| !all.contains(value)) {
             let point = sweep.curve.iter().find(|point| point.values.first() == Some(value));
-            let height = point.and_then(|point| amplitudes(point, place, quantity)).map(|a| a.largest.value);
-            marks.extend(height.map(|height| {
+            marks.extend(point.and_then(height).map(|height| {
                 let dot = PointMark::dot((float(value), height), typeset::degrees(value));
                 (which, dot.of("circle: exactly one vector is zero"))
             }));
         }
+        for at in irrational(which) {
+            let points: Vec<(f64, f64)> =
+                sweep.curve.iter().filter_map(|point| Some((float(point.values.first()?), height(point)?))).collect();
+            marks
+                .extend(between(&points, at).map(|height| {
+                    (which, PointMark::dot((at, height), rounded(at)).of("one vector zero, irrational"))
+                }));
+        }
     }
     marks.truncate(MOST_MARKS);
     marks
+}
+
+/// The height at a place of the line through these points.
+fn between(points: &[(f64, f64)], at: f64) -> Option<f64> {
+    points.windows(2).find_map(|pair| {
+        let [(from, low), (to, high)] = [pair[0], pair[1]];
+        let part = (at - from) / (to - from);
+        (0.0..=1.0).contains(&part).then(|| low + (high - low) * part)
+    })
 }
 
 fn ring(which: Zeros, at: f64, label: String) -> PointMark {
