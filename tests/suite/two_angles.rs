@@ -9,7 +9,7 @@ use num_rational::BigRational;
 
 use crate::support::dice::Dice;
 use crate::support::plane_star::{Star, float};
-use crate::support::two_angles::{broad_arrow, family, quadratics, regular_vee, split_broad_arrow, vee};
+use crate::support::two_angles::{broad_arrow, curves, family, quadratics, regular_vee, split_broad_arrow, vee};
 
 /// How far a number of turns is from another, modulo a turn.
 fn apart(turns: f64, other: f64) -> f64 {
@@ -115,6 +115,7 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
             let place = [times(&classes.u, at), times(&classes.v, at)];
             return from_points(&meetings(classes), classes.circle.as_ref(), place);
         }
+        When::Quadratic(found) if found.is_curve() => 0.0,
         When::Quadratic(found) => {
             let place = [times(&found.u, at), times(&found.v, at)];
             return from_points(&roots(found), found.circle.as_ref(), place);
@@ -172,6 +173,23 @@ fn check_points(
     }
 }
 
+/// Whether the sum vanishes at so many v for some u that are nothing special.
+fn check_curve(star: &Star, at: impl Fn(f64, f64) -> [f64; 2], count: usize, place: &str) {
+    for u in [0.113, 0.377, 0.591, 0.873] {
+        let length = |step: i32, part: f64| star.length(at(u, (f64::from(step) + part) / 400.0));
+        let is_least = |step: &i32| (-1..=1).all(|apart| length(*step, 0.0) <= length(step + apart, 0.0));
+        let vanishes = |step: &i32| {
+            let (mut low, mut high) = (-1.0, 1.0);
+            for _ in 0..90 {
+                let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+                if length(*step, one) < length(*step, other) { high = other } else { low = one }
+            }
+            length(*step, low) < 1e-9
+        };
+        assert_eq!((0..400).filter(is_least).filter(vanishes).count(), count, "{place}: u = {u}");
+    }
+}
+
 /// Whether the sum vanishes wherever it is told to.
 fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
     let mut vanishes = |multiples: &[BigRational; 2], turn: f64| {
@@ -213,17 +231,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
             let at = |u: f64, v: f64| solved([&classes.u, &classes.v], [u, v]);
             if classes.is_curve() {
                 told.curves += 1;
-                for u in [0.113, 0.377, 0.591, 0.873] {
-                    let length = |v: f64| star.length(at(u, v));
-                    let near = (0..400).map(|step| f64::from(step) / 400.0);
-                    let near = near.min_by(|one, other| length(*one).total_cmp(&length(*other))).expect("a step");
-                    let (mut low, mut high) = (near - 1.0 / 400.0, near + 1.0 / 400.0);
-                    for _ in 0..90 {
-                        let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
-                        if length(one) < length(other) { high = other } else { low = one }
-                    }
-                    assert!(length(low) < 1e-9, "{place}: no curve");
-                }
+                check_curve(star, at, 1, place);
             }
             check_points(star, &meetings(classes), at, told, place);
             told.open += usize::from(classes.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
@@ -231,6 +239,10 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
         When::Quadratic(found) => {
             told.quadratics += 1;
             let at = |u: f64, v: f64| solved([&found.u, &found.v], [u, v]);
+            if found.is_curve() {
+                told.curves += 1;
+                check_curve(star, at, 1 + usize::from(found.is_mirrored()), place);
+            }
             check_points(star, &roots(found), at, told, place);
             told.open += usize::from(found.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
             for (_, roots) in found.rational() {
@@ -303,6 +315,15 @@ fn w_engines_with_pins_split_in_both_senses_vanish_exactly_where_it_is_told() {
     }
     assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
     assert!(told.quadratics > 50 && told.points > 150 && told.never > 20, "{told:?}");
+}
+
+#[test]
+fn three_classes_cancel_along_a_curve_at_as_many_turns_as_it_is_told() {
+    let mut told = Told::default();
+    for text in curves() {
+        search(&text, &[1], &mut told);
+    }
+    assert!(told.curves >= 2 && told.not_solved == 0, "{told:?}");
 }
 
 #[test]

@@ -3,13 +3,13 @@
 use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
 use crate::family::{
-    Arc, Circle, Classes, Corner, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root, Roots,
-    Shape, Triangle, When,
+    Arc, BoxZero, Boxes, Circle, Classes, Corner, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part,
+    Quadratic, Root, Roots, Shape, Triangle, When,
 };
 use crate::proof::{
-    AlternativeClaim, ArcClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim, Exact, Format, LinearClaim,
-    Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim,
-    Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape, WhenClaim,
+    AlternativeClaim, ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim,
+    Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
+    ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -100,6 +100,7 @@ fn when(when: &When) -> WhenClaim {
             group: self::when(&found.group),
             firsts: self::when(&found.firsts),
         })),
+        When::Never(Never::Boxes(found)) | When::Boxes(found) => WhenClaim::Boxes(Box::new(boxes(found))),
         When::NotSolved(_) => WhenClaim::NotSolved,
         When::Where(angles) => WhenClaim::Where {
             alternatives: angles.alternatives.iter().map(alternative).collect(),
@@ -140,6 +141,17 @@ fn circle(circle: &Circle) -> CircleClaim {
         from: circle.from.clone(),
         arcs: circle.arcs.iter().map(arc).collect(),
     }
+}
+
+fn boxes(found: &Boxes) -> BoxesClaim {
+    let zero = |BoxZero { middle: [s, t], reach, certificate, .. }: &BoxZero| BoxZeroClaim {
+        s: s.clone(),
+        t: t.clone(),
+        reach: reach.clone(),
+        certificate: certificate.clone(),
+    };
+    let [phi, delta] = found.times.clone();
+    BoxesClaim { phi, delta, tree: found.tree.clone(), zeros: found.zeros.iter().map(zero).collect() }
 }
 
 fn triangle(triangle: &Triangle) -> TriangleClaim {
@@ -202,6 +214,7 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         second,
         third,
         coefficients: found.coefficients.clone(),
+        lengths: found.lengths.clone(),
         circle: found.circle.as_ref().map(circle),
         roots: found.roots.iter().map(roots).collect(),
     }

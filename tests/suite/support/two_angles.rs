@@ -92,6 +92,21 @@ pub fn quadratics() -> Vec<String> {
     ]
 }
 
+/// Three classes that cancel along a curve: outer ones of one length with two turns for each δ, and `(1 + 2y + (2 + y) x) (3 + y + x)`, with
+/// one.
+pub fn curves() -> Vec<String> {
+    let with = |[a, b, c]: [[u32; 3]; 3]| {
+        let classes = [("0", a), ("phi", b), ("2phi", c)];
+        let each = classes.iter().flat_map(|(throw, masses)| {
+            let split = ["", " + delta", " + 2delta"].into_iter().zip(masses).filter(|(_, mass)| **mass > 0);
+            split.map(move |(split, mass)| (format!("{throw}{split}"), *mass))
+        });
+        let each: Vec<(String, u32)> = each.collect();
+        throws(&each.iter().map(|(throw, mass)| (throw.as_str(), *mass)).collect::<Vec<_>>())
+    };
+    vec![with([[1, 1, 3], [1, 1, 1], [3, 1, 1]]), with([[3, 7, 2], [7, 7, 1], [2, 1, 0]])]
+}
+
 /// Documents on engines whose answers are of every kind.
 pub fn documents() -> Vec<OpenDocument> {
     let mut dice = Dice::new(7);
@@ -112,7 +127,7 @@ pub fn documents() -> Vec<OpenDocument> {
 
 /// Documents on engines whose parts make three classes.
 pub fn quadratic_documents() -> Vec<OpenDocument> {
-    quadratics().iter().map(|text| document(text, &[1])).collect()
+    quadratics().iter().chain(&curves()).map(|text| document(text, &[1])).collect()
 }
 
 fn document(text: &str, orders: &[u32]) -> OpenDocument {
