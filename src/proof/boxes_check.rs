@@ -119,6 +119,7 @@ impl<'a> Torus<'a> {
     fn check_tree(&self, claim: &BoxesClaim) -> Result<(), Reason> {
         let mut waiting = vec![Place { low: [BigRational::zero(), BigRational::zero()], level: [0, 0] }];
         for letter in claim.tree.chars() {
+            self.audit.spend(2)?;
             let Some(place) = waiting.pop() else { return Err("more letters than boxes in `tree`".into()) };
             match letter {
                 's' => waiting.extend(place.halves(0)?),

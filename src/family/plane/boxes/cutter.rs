@@ -12,9 +12,11 @@ use super::{BoxZero, Boxes};
 use crate::exact::PhasorSum;
 
 /// More boxes are not looked at for one sum.
-const MOST_BOXES: usize = 3000;
+const MOST_BOXES: usize = 2000;
+/// About a zero few boxes wait at once; along a curve there are more and more.
+const MOST_WAITING: usize = 800;
 /// About a zero boxes with half-widths from `2^−3` to this power of two are tried.
-const LEAST_HALF: u32 = 18;
+const LEAST_HALF: u32 = 14;
 /// In turns: points that decimals do not tell apart.
 const SAME: f64 = 1e-8;
 
@@ -66,7 +68,7 @@ pub(super) fn cut(ground: &Ground, torus: &Torus) -> Boxes {
     let degrees = torus.degrees().map(|degree| degree as f64);
     while let Some(at) = waiting.pop_front() {
         let place = places[at];
-        if places.len() > MOST_BOXES {
+        if places.len() > MOST_BOXES || waiting.len() > MOST_WAITING {
             continue;
         }
         if let Some(found) = cutter.known(place) {

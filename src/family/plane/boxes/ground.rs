@@ -4,6 +4,7 @@
 //! `|τ| ≤ T`, with S and T the half-widths times π: a parallelogram, which the normal of a side, or p itself, keeps away from 0.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
@@ -12,7 +13,7 @@ use super::torus::Torus;
 use crate::exact::{PhasorSum, Term, Turn};
 
 /// Boxes are halved so many times at most on each side.
-pub(super) const FINEST: u32 = 20;
+pub(super) const FINEST: u32 = 16;
 
 /// The sum over that of its weights, its exponents doubled and as large either way.
 pub(super) struct Ground {
@@ -73,7 +74,7 @@ impl Ground {
         let each = self.terms.iter().map(|vector| {
             let [m, n] = vector.times.map(|times| i128::from(times.abs()));
             let reach = m * s + n * t;
-            (reach < 128 * ONE).then(|| ((((reach * vector.most) >> BITS) + 1) * weight(reach, vector) >> BITS) + 1)
+            (reach < 128 * ONE).then(|| (((((reach * vector.most) >> BITS) + 1) * weight(reach, vector)) >> BITS) + 1)
         });
         each.sum()
     }
@@ -139,6 +140,7 @@ fn unit(turn: BigRational) -> Spot {
 
 /// The rational number next to a decimal, with few digits.
 pub(super) fn dyadic(turns: f64) -> BigRational {
-    let units = (1_i64 << 44) as f64;
-    BigRational::new(BigInt::from((turns.rem_euclid(1.0) * units).round().to_i64().unwrap_or(0)), BigInt::one() << 44)
+    let (units, turn) = ((1_i64 << 44) as f64, BigInt::one() << 44);
+    let numerator = BigInt::from((turns * units).round().to_i64().unwrap_or(0));
+    BigRational::new(numerator.mod_floor(&turn), turn)
 }

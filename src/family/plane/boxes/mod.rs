@@ -64,7 +64,7 @@ impl Boxes {
 }
 
 /// More open regions are no answer, nor is more than this part of the torus.
-const MOST_OPEN: usize = 8;
+const MOST_OPEN: usize = 16;
 const LARGEST_OPEN: i64 = 16;
 
 /// When the parts cancel; `None` where an unknown enters too many times, or where too much stays open.
