@@ -19,7 +19,7 @@ pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};
 pub use firing::{EvenFiring, even_firing, even_firing_lines};
 pub use left::{Left, left};
-pub use plane::{Classes, Corner, Meeting, Product, Quadratic, Root, Roots, Shape, Triangle};
+pub use plane::{BoxZero, Boxes, Classes, Corner, Meeting, Product, Quadratic, Root, Roots, Shape, Triangle};
 pub use solve::{Alternative, Angles, Condition, Cosine, Never, When};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};
 pub use zeros::{Solutions, Zeros};

@@ -14,7 +14,7 @@ use num_traits::{One, Signed, Zero};
 use super::Part;
 use super::circle::{self, Circle, Coprime, Solved};
 use super::left::ratio;
-use super::plane::{self, Classes, Product, Quadratic, Triangle};
+use super::plane::{self, Boxes, Classes, Product, Quadratic, Triangle};
 use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -54,7 +54,10 @@ pub enum When {
     Product(Box<Product>),
     /// Exactly where three classes of parts, in two unknowns, cancel, where their circle is [complete](Circle::is_complete).
     Quadratic(Box<Quadratic>),
-    /// This many parts in two unknowns of more than three classes, or of three that cancel along a curve or are not equally far apart, or an unknown that enters too many times.
+    /// At the zeros of the boxes into which the torus of two unknowns is cut, exactly where they are [complete](Boxes::is_complete).
+    Boxes(Box<Boxes>),
+    /// This many parts in two unknowns of more than three classes, or of three that are not equally far apart, which vanish on more than a few
+    /// small boxes, or an unknown that enters too many times.
     NotSolved(usize),
 }
 
@@ -92,6 +95,8 @@ pub enum Never {
     Classes(Box<Classes>),
     /// Three classes of parts in two unknowns, which nowhere cancel.
     Quadratic(Box<Quadratic>),
+    /// Parts in two unknowns, whose boxes hold no zero.
+    Boxes(Box<Boxes>),
     /// A product of two sums in two unknowns, neither of which vanishes.
     Product(Box<Product>),
 }

@@ -119,7 +119,7 @@ impl OpenSum {
                 circle::arcs_of(&parts).as_ref().map_or(Zeros::NotSolved, of_circle)
             }
             When::Irrational { .. } | When::Triangle(_) | When::Classes(_) | When::Quadratic(_) => Zeros::NotSolved,
-            When::Product(_) | When::NotSolved(_) => Zeros::NotSolved,
+            When::Product(_) | When::Boxes(_) | When::NotSolved(_) => Zeros::NotSolved,
         }
     }
 

@@ -40,7 +40,7 @@ const FORMS: &str = "closed forms of what is left, and how firm a zero is (neith
 const EQUAL_RODS: &str = "that the rods are equal and centric: the document names none";
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
 const OUTSIDE: &str = "the numbers outside of `evidence`, such as newtons and decimals";
-const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`, and arcs that are `open`: no angles are claimed for them";
+const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`, and arcs and boxes that are `open`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
 const LEFT_OUT: &str = "the orders and senses in `left_out`, which are said to be below a millionth of the load: their sums need not vanish";

@@ -7,6 +7,8 @@
 
 mod audit;
 mod ball;
+mod boxes;
+mod boxes_check;
 mod certificate;
 mod check;
 mod checked;
@@ -54,6 +56,7 @@ mod whole;
 mod whole_sum;
 
 pub use audit::{Counts, Fault, MOST_STEPS, Reason};
+pub use boxes::{BoxZeroClaim, BoxesClaim};
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::check_certificate;
 pub use checked::Checked;

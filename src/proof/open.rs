@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
+use super::boxes::BoxesClaim;
 use super::certificate::Certificate;
 use super::circle::{CircleClaim, CoprimeClaim};
 use super::engine::{Masses, Quantity, Sense};
@@ -157,6 +158,8 @@ pub enum WhenClaim {
     Classes(Box<ClassesClaim>),
     /// Where three classes of parts in two unknowns cancel.
     Quadratic(Box<QuadraticClaim>),
+    /// At the zeros of boxes into which the torus is cut: parts in two unknowns.
+    Boxes(Box<BoxesClaim>),
     /// Where one of two sums vanishes whose product it is.
     Product(Box<ProductClaim>),
     /// Two parts of equal length that cancel at an angle for which no rational turn is claimed.

@@ -63,6 +63,7 @@ fn is_solved(when: &WhenClaim) -> bool {
         WhenClaim::Circle(claim) => claim.is_complete(),
         WhenClaim::Classes(claim) => claim.is_complete(),
         WhenClaim::Quadratic(claim) => claim.is_complete(),
+        WhenClaim::Boxes(claim) => claim.is_complete(),
         WhenClaim::Product(claim) => is_solved(&claim.group) && is_solved(&claim.firsts),
         WhenClaim::EqualLengths { .. } | WhenClaim::NotSolved => false,
     }

@@ -23,9 +23,12 @@ pub struct QuadraticClaim {
     pub second: Vec<usize>,
     /// The places of those in C, rising.
     pub third: Vec<usize>,
-    /// For every m from 0 on that products of the parts lead to: evidence that the coefficient of `y^m` is zero, or that it is not; one is
-    /// not. Only that of m = 0 is not: nowhere.
+    /// For every m from 0 on that products of the parts lead to: evidence that the coefficient of `y^m` is zero, or that it is not. Only that
+    /// of m = 0 is not: nowhere. All are zero: along a curve, one x for each u at which A and C differ in length; where they do not, none, one or
+    /// two as `4|A|² − |B|²` is negative, zero or positive, and all or none where A = C = 0.
     pub coefficients: Vec<Certificate>,
+    /// Along a curve: the same for every coefficient of `|A|² − |C|²`. All are zero: A and C are equally long for every u.
+    pub lengths: Vec<Certificate>,
     /// Where a coefficient of m > 0 is not zero: where the polynomial vanishes.
     pub circle: Option<CircleClaim>,
     /// One for each `rational` arc of the circle, in their order. (At a `crossing` there is one x: A and C are not equally long there, for

@@ -31,21 +31,21 @@ type Laurent = BTreeMap<i64, Collected>;
 /// Checks that the parts make these classes, and where they cancel.
 pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
     let classes = classes(claim, left, audit)?;
-    let polynomial = polynomial(&classes, audit)?;
-    let half: Vec<(i64, Collected)> = polynomial.into_iter().filter(|(power, _)| *power >= 0).collect();
-    if half.len() != claim.coefficients.len() {
-        return Err(format!("{} certificates for {} coefficients", claim.coefficients.len(), half.len()).into());
+    let [difference, polynomial] = polynomials(&classes, audit)?;
+    let coefficients = left_of(polynomial, &claim.coefficients, audit)?;
+    if coefficients.is_empty() {
+        // The certificates say of each coefficient of D whether it is zero; D + E x = 0 says the rest.
+        left_of(difference, &claim.lengths, audit)?;
+        return match claim.circle.is_none() && claim.roots.is_empty() {
+            true => Ok(()),
+            false => Err("there is no circle, and there are no roots, where every coefficient is zero".into()),
+        };
     }
-    let mut coefficients: Vec<(i64, Collected)> = Vec::new();
-    for ((power, sum), certificate) in half.into_iter().zip(&claim.coefficients) {
-        certify(&sum, certificate.claims_zero(), certificate, audit)?;
-        if !certificate.claims_zero() {
-            coefficients.push((power, sum));
-        }
+    if !claim.lengths.is_empty() {
+        return Err("only on a curve are all lengths compared".into());
     }
     let is_constant = coefficients.iter().all(|(power, _)| *power == 0);
     match &claim.circle {
-        _ if coefficients.is_empty() => Err("every coefficient is zero, so that nothing follows from them".into()),
         None if is_constant && claim.roots.is_empty() => Ok(()),
         None if is_constant => Err("no roots are called for".into()),
         None => Err("where the polynomial vanishes is not said".into()),
@@ -102,11 +102,28 @@ fn classes(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<[
     Ok([of_class(&first, 0)?, of_class(&claim.second, 1)?, of_class(&claim.third, 2)?])
 }
 
-/// `D² − |E|²`.
-fn polynomial([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<Laurent, Reason> {
+/// The coefficients of `y^m` that are not zero, m from 0 on, of a real polynomial.
+fn left_of(polynomial: Laurent, certificates: &[Certificate], audit: &Audit) -> Result<Vec<(i64, Collected)>, Reason> {
+    let half: Vec<(i64, Collected)> = polynomial.into_iter().filter(|(power, _)| *power >= 0).collect();
+    if half.len() != certificates.len() {
+        return Err(format!("{} certificates for {} coefficients", certificates.len(), half.len()).into());
+    }
+    let mut left = Vec::new();
+    for ((power, sum), certificate) in half.into_iter().zip(certificates) {
+        certify(&sum, certificate.claims_zero(), certificate, audit)?;
+        if !certificate.claims_zero() {
+            left.push((power, sum));
+        }
+    }
+    Ok(left)
+}
+
+/// D and `D² − |E|²`.
+fn polynomials([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<[Laurent; 2], Reason> {
     let difference = combined([(first, first), (third, third)], audit)?;
     let twist = combined([(first, second), (second, third)], audit)?;
-    combined([(&difference, &difference), (&twist, &twist)], audit)
+    let polynomial = combined([(&difference, &difference), (&twist, &twist)], audit)?;
+    Ok([difference, polynomial])
 }
 
 /// `conj(a) b − conj(c) d`.

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::audit::{Audit, Reason, steps_of};
+use super::boxes_check::check_boxes;
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle_check::check_circle;
@@ -70,6 +71,7 @@ pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> 
         WhenClaim::Triangle(claim) => check_triangle(claim, left, audit),
         WhenClaim::Classes(claim) => check_classes(claim, left, audit),
         WhenClaim::Quadratic(claim) => check_quadratic(claim, left, audit),
+        WhenClaim::Boxes(claim) => check_boxes(claim, left, audit),
         WhenClaim::Product(claim) => check_product(claim, left, audit),
         WhenClaim::Cosine { middle, phi, delta, turn, cosine, multiples } => {
             let condition = CosineCondition { phi, delta, turn, cosine };

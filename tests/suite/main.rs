@@ -10,6 +10,7 @@ mod beam;
 mod bearings;
 mod book_lengths;
 mod book_words;
+mod boxes_cheats;
 mod certificate_cheats;
 mod certificate_words;
 mod circle_cheats;

@@ -22,7 +22,7 @@ fn turns(roots: &mut RootsClaim) -> &mut [RootClaim] {
     }
 }
 
-const CLASSES: [Cheat<QuadraticClaim>; 16] = [
+const CLASSES: [Cheat<QuadraticClaim>; 20] = [
     ("the circle of a factor", |claim| claim.circle.as_mut().map(|circle| circle.divided = Some(divided())).is_some()),
     ("another u", |claim| {
         claim.phi += half();
@@ -72,6 +72,22 @@ const CLASSES: [Cheat<QuadraticClaim>; 16] = [
         });
         (claim.circle, claim.roots) = (None, Vec::new());
         true
+    }),
+    ("a length without evidence", |claim| claim.lengths.pop().is_some()),
+    ("forged evidence of a length", |claim| {
+        claim.lengths.iter_mut().for_each(|certificate| *certificate = forged(certificate));
+        !claim.lengths.is_empty()
+    }),
+    ("lengths of one size that differ", |claim| {
+        let differ = claim.lengths.iter().any(|certificate| !certificate.claims_zero());
+        let zero = || Certificate::Polygons { polygons: Vec::new() };
+        claim.lengths.iter_mut().for_each(|certificate| *certificate = zero());
+        differ
+    }),
+    ("lengths where there is no curve", |claim| {
+        let is_curve = !claim.lengths.is_empty();
+        claim.lengths = claim.coefficients.clone();
+        !is_curve
     }),
     ("no circle", |claim| claim.circle.take().is_some()),
     ("no circle and no roots", |claim| {

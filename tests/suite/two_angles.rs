@@ -2,14 +2,18 @@
 
 use std::f64::consts::TAU;
 
-use crankstar::family::{self, Alternative, Circle, Classes, Corner, Meeting, Quadratic, Root, Roots, When};
+use crankstar::family::{
+    self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When,
+};
 use crankstar::proof::check_open_document;
 use crankstar::report;
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
 use crate::support::plane_star::{Star, float};
-use crate::support::two_angles::{broad_arrow, family, quadratics, regular_vee, split_broad_arrow, vee};
+use crate::support::two_angles::{
+    broad_arrow, curves, family, fan, mixed, quadratics, regular_vee, split_broad_arrow, tori, vee,
+};
 
 /// How far a number of turns is from another, modulo a turn.
 fn apart(turns: f64, other: f64) -> f64 {
@@ -115,6 +119,7 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
             let place = [times(&classes.u, at), times(&classes.v, at)];
             return from_points(&meetings(classes), classes.circle.as_ref(), place);
         }
+        When::Quadratic(found) if found.is_curve() => 0.0,
         When::Quadratic(found) => {
             let place = [times(&found.u, at), times(&found.v, at)];
             return from_points(&roots(found), found.circle.as_ref(), place);
@@ -126,7 +131,31 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
                 (one, other) => return one.or(other).filter(|distance| *distance < 1e-3),
             }
         }
+        When::Boxes(found) => {
+            let distance = least(&mut found.zeros.iter().map(|zero| far(zero.near, of_boxes(found, at))));
+            return (distance < 1e-3 || !is_open(found, at)).then_some(distance);
+        }
         When::NotSolved(_) => return None,
+    })
+}
+
+/// s and t.
+fn of_boxes(found: &Boxes, at: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|axis: usize| float(&found.times[axis]) * at[axis])
+}
+
+fn far(one: [f64; 2], other: [f64; 2]) -> f64 {
+    apart(one[0], other[0]).max(apart(one[1], other[1]))
+}
+
+/// Whether a point is in a box that is left open, or next to one.
+fn is_open(found: &Boxes, at: [f64; 2]) -> bool {
+    let turns = of_boxes(found, at);
+    found.open.iter().any(|ends| {
+        ends.iter().zip(turns).all(|([low, high], turns)| {
+            let (middle, half) = ((float(low) + float(high)) / 2.0, (float(high) - float(low)) / 2.0);
+            apart(turns, middle) < half + 1e-3
+        })
     })
 }
 
@@ -147,6 +176,8 @@ struct Told {
     triangles: usize,
     products: usize,
     quadratics: usize,
+    boxes: usize,
+    exact: usize,
     /// What stands at rational u: all v, none, one; of classes of one length none, one, two.
     roots: [usize; 6],
     open: usize,
@@ -169,6 +200,23 @@ fn check_points(
             told.lines += 1
         }
         assert!(all.iter().all(|v| star.length(at(*u, *v)) < 1e-8), "{place}: u = {u}, v = {v:?}");
+    }
+}
+
+/// Whether the sum vanishes at so many v for some u that are nothing special.
+fn check_curve(star: &Star, at: impl Fn(f64, f64) -> [f64; 2], count: usize, place: &str) {
+    for u in [0.113, 0.377, 0.591, 0.873] {
+        let length = |step: i32, part: f64| star.length(at(u, (f64::from(step) + part) / 400.0));
+        let is_least = |step: &i32| (-1..=1).all(|apart| length(*step, 0.0) <= length(step + apart, 0.0));
+        let vanishes = |step: &i32| {
+            let (mut low, mut high) = (-1.0, 1.0);
+            for _ in 0..90 {
+                let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+                if length(*step, one) < length(*step, other) { high = other } else { low = one }
+            }
+            length(*step, low) < 1e-9
+        };
+        assert_eq!((0..400).filter(is_least).filter(vanishes).count(), count, "{place}: u = {u}");
     }
 }
 
@@ -213,17 +261,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
             let at = |u: f64, v: f64| solved([&classes.u, &classes.v], [u, v]);
             if classes.is_curve() {
                 told.curves += 1;
-                for u in [0.113, 0.377, 0.591, 0.873] {
-                    let length = |v: f64| star.length(at(u, v));
-                    let near = (0..400).map(|step| f64::from(step) / 400.0);
-                    let near = near.min_by(|one, other| length(*one).total_cmp(&length(*other))).expect("a step");
-                    let (mut low, mut high) = (near - 1.0 / 400.0, near + 1.0 / 400.0);
-                    for _ in 0..90 {
-                        let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
-                        if length(one) < length(other) { high = other } else { low = one }
-                    }
-                    assert!(length(low) < 1e-9, "{place}: no curve");
-                }
+                check_curve(star, at, 1, place);
             }
             check_points(star, &meetings(classes), at, told, place);
             told.open += usize::from(classes.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
@@ -231,6 +269,10 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
         When::Quadratic(found) => {
             told.quadratics += 1;
             let at = |u: f64, v: f64| solved([&found.u, &found.v], [u, v]);
+            if found.is_curve() {
+                told.curves += 1;
+                check_curve(star, at, 1 + usize::from(found.is_mirrored()), place);
+            }
             check_points(star, &roots(found), at, told, place);
             told.open += usize::from(found.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
             for (_, roots) in found.rational() {
@@ -241,6 +283,20 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
                     Roots::Mirror { at, .. } => 3 + at.len(),
                 }] += 1;
             }
+        }
+        When::Boxes(found) => {
+            told.boxes += 1;
+            told.open += usize::from(!found.is_complete());
+            for zero in &found.zeros {
+                told.points += 1;
+                told.exact += usize::from(zero.exact().is_some());
+                let at = [0, 1].map(|axis: usize| zero.near[axis] / float(&found.times[axis]));
+                assert!(star.length(at) < 1e-8, "{place}: {zero:?}");
+            }
+        }
+        When::Never(Never::Boxes(_)) => {
+            told.boxes += 1;
+            told.never += 1;
         }
         When::Never(_) => told.never += 1,
         When::NotSolved(_) => told.not_solved += 1,
@@ -303,6 +359,35 @@ fn w_engines_with_pins_split_in_both_senses_vanish_exactly_where_it_is_told() {
     }
     assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
     assert!(told.quadratics > 50 && told.points > 150 && told.never > 20, "{told:?}");
+}
+
+#[test]
+fn four_parts_that_no_reduction_fits_vanish_exactly_where_their_boxes_say() {
+    let mut told = Told::default();
+    for text in tori() {
+        search(&text, &[1], &mut told);
+    }
+    // Where all four parts of one length are on one line they make a double zero, and its box stays open.
+    assert!(told.not_solved == 0 && told.open > 0 && told.never > 0, "{told:?}");
+    assert!(told.boxes >= 3 && told.exact > 3 && told.points > told.exact, "{told:?}");
+}
+
+#[test]
+fn engines_with_banks_in_a_fan_vanish_exactly_where_their_boxes_say() {
+    let (mut dice, mut told) = (Dice::new(5), Told::default());
+    for round in 0..6 {
+        search(&if round % 2 == 0 { fan(&mut dice) } else { mixed(&mut dice) }, &[1], &mut told);
+    }
+    assert!(told.boxes > 4 && told.points > 10, "{told:?}");
+}
+
+#[test]
+fn three_classes_cancel_along_a_curve_at_as_many_turns_as_it_is_told() {
+    let mut told = Told::default();
+    for text in curves() {
+        search(&text, &[1], &mut told);
+    }
+    assert!(told.curves >= 2 && told.not_solved == 0, "{told:?}");
 }
 
 #[test]

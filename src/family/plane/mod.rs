@@ -2,8 +2,10 @@
 //!
 //! Where all parts stand on one line of multiples the sum has one unknown ([`super::circle`]). Three parts else make a triangle; some sums
 //! are products; parts on two parallel lines make two classes, as those of every V engine do (theory, section 17). Three classes that are
-//! equally far apart, as those of a W engine, make a quadratic; if they cancel along a curve, and else, it is not solved.
+//! equally far apart, as those of a W engine, make a quadratic; else the torus
+//! is cut into boxes ([`boxes`]).
 
+mod boxes;
 mod classes;
 mod laurent;
 mod product;
@@ -12,6 +14,7 @@ mod roots;
 mod split;
 mod triangle;
 
+pub use boxes::{BoxZero, Boxes};
 pub use classes::{Classes, Meeting};
 pub use product::Product;
 pub use quadratic::Quadratic;
@@ -24,6 +27,9 @@ use super::{Part, When};
 pub(super) fn when(parts: &[&Part]) -> Option<When> {
     match parts {
         [first, second, third] => triangle::when([first, second, third]),
-        more => product::when(more).or_else(|| classes::when(more)).or_else(|| quadratic::when(more)),
+        more => product::when(more)
+            .or_else(|| classes::when(more))
+            .or_else(|| quadratic::when(more))
+            .or_else(|| boxes::when(more)),
     }
 }

@@ -40,6 +40,7 @@ pub(super) fn when(parts: &[&Part]) -> Option<When> {
         | When::Classes(_)
         | When::Quadratic(_)
         | When::Product(_)
+        | When::Boxes(_)
         | When::NotSolved(_) => false,
     };
     let never = is_never(&group) && is_never(&firsts);

@@ -22,8 +22,10 @@ pub struct Quadratic {
     pub v: [BigRational; 2],
     /// The places of the parts of B and of C among those that are left.
     pub classes: [Vec<usize>; 2],
-    /// Evidence for every coefficient of `D² − |E|²`, from the constant one on.
+    /// Evidence for every coefficient of `D² − |E|²`, from the constant one on. All are zero: the classes cancel along a curve.
     pub coefficients: Vec<Certificate>,
+    /// On a curve, evidence for every coefficient of `D = |A|² − |C|²`, from the constant one on; else none.
+    pub lengths: Vec<Certificate>,
     /// Where `D² − |E|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
     /// For which v the sum vanishes at each rational u of the circle, in their order.
@@ -32,7 +34,7 @@ pub struct Quadratic {
     pub degrees: Vec<f64>,
 }
 
-/// When the classes cancel; `None` where the parts do not make three equally far apart, or where `D² = |E|²` throughout.
+/// When the classes cancel; `None` where the parts do not make three equally far apart.
 pub(super) fn when(parts: &[&Part]) -> Option<When> {
     let found = solve(parts)?;
     Some(if found.is_never() {
@@ -53,8 +55,11 @@ fn solve(parts: &[&Part]) -> Option<Quadratic> {
     let coefficients: Vec<Certificate> = half.iter().map(|(_, sum)| sum.certificate()).collect();
     let left = half.into_iter().zip(&coefficients).filter(|(_, certificate)| !certificate.claims_zero());
     let left: Vec<(i64, PhasorSum)> = left.map(|(coefficient, _)| coefficient).collect();
-    let degree = left.last()?.0;
-    let circle = (degree > 0).then(|| {
+    let lengths = match left.last() {
+        Some(_) => Vec::new(),
+        None => difference.iter().filter(|(power, _)| **power >= 0).map(|(_, sum)| sum.certificate()).collect(),
+    };
+    let circle = left.last().map(|(degree, _)| *degree).filter(|degree| *degree > 0).map(|degree| {
         let mirrored = left.iter().rev().filter(|(power, _)| *power > 0);
         let mirrored = mirrored.map(|(power, sum)| (degree - power, sum.conjugate()));
         let whole = mirrored.chain(left.iter().map(|(power, sum)| (degree + power, sum.clone())));
@@ -68,7 +73,7 @@ fn solve(parts: &[&Part]) -> Option<Quadratic> {
     let middle = |[low, high]: [&BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
     let degrees = circle.iter().flat_map(Circle::irrational).map(|ends| near(&at(&middle(ends)))).collect();
     let [_, second, third] = classes.map(|class| class.into_iter().map(|(_, place)| place).collect());
-    Some(Quadratic { u, v, classes: [second, third], coefficients, circle, roots, degrees })
+    Some(Quadratic { u, v, classes: [second, third], coefficients, lengths, circle, roots, degrees })
 }
 
 /// D and E.
@@ -80,8 +85,18 @@ fn eliminants([first, second, third]: &[Laurent; 3]) -> [Laurent; 2] {
 
 impl Quadratic {
     fn is_never(&self) -> bool {
-        let Some(circle) = &self.circle else { return true };
+        let Some(circle) = &self.circle else { return !self.is_curve() };
         circle.is_complete() && circle.irrational().next().is_none() && self.roots.iter().all(Roots::is_none)
+    }
+
+    /// Whether `D² = |E|²` for every u, so that the classes cancel along a curve.
+    pub fn is_curve(&self) -> bool {
+        self.coefficients.iter().all(Certificate::claims_zero)
+    }
+
+    /// Whether A and C are equally long for every u.
+    pub fn is_mirrored(&self) -> bool {
+        self.is_curve() && self.lengths.iter().all(Certificate::claims_zero)
     }
 
     /// The rational turns of u at which the classes may cancel, each with its v.

@@ -128,7 +128,7 @@ fn degrees(turns: &BigRational) -> BigRational {
 }
 
 /// Turns in degrees with so many places, up or down.
-fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
+pub(super) fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
     let units = BigRational::from_integer(BigInt::from(10).pow(places));
     let scaled = degrees(turns) * &units;
     (if up { scaled.ceil() } else { scaled.floor() }) / units

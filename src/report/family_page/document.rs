@@ -4,13 +4,14 @@ use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
 use crate::exact::PhasorSum;
 use crate::family::{
-    Arc, Circle, Classes, Coprime, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part,
-    Quadratic, Root, Roots, Shape, Triangle, When,
+    Arc, BoxZero, Boxes, Circle, Classes, Coprime, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum,
+    OpenVerdict, Part, Quadratic, Root, Roots, Shape, Triangle, When,
 };
 use crate::proof::{
-    AlternativeClaim, ArcClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim, DividedClaim, Exact, Format,
-    LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim,
-    QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape, WhenClaim,
+    AlternativeClaim, ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim,
+    DividedClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim,
+    PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape,
+    WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -92,6 +93,7 @@ fn when(when: &When) -> WhenClaim {
             group: self::when(&found.group),
             firsts: self::when(&found.firsts),
         })),
+        When::Never(Never::Boxes(found)) | When::Boxes(found) => WhenClaim::Boxes(Box::new(boxes(found))),
         When::NotSolved(_) => WhenClaim::NotSolved,
         When::Where(angles) => WhenClaim::Where {
             alternatives: angles.alternatives.iter().map(alternative).collect(),
@@ -158,6 +160,17 @@ fn circle(circle: &Circle) -> CircleClaim {
     }
 }
 
+fn boxes(found: &Boxes) -> BoxesClaim {
+    let zero = |BoxZero { middle: [s, t], reach, certificate, .. }: &BoxZero| BoxZeroClaim {
+        s: s.clone(),
+        t: t.clone(),
+        reach: reach.clone(),
+        certificate: certificate.clone(),
+    };
+    let [phi, delta] = found.times.clone();
+    BoxesClaim { phi, delta, tree: found.tree.clone(), zeros: found.zeros.iter().map(zero).collect() }
+}
+
 fn triangle(triangle: &Triangle) -> TriangleClaim {
     let exact = triangle.corners.iter().filter_map(|corner| match corner {
         Corner::Exact(exact) => Some(alternative(exact)),
@@ -218,6 +231,7 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         second,
         third,
         coefficients: found.coefficients.clone(),
+        lengths: found.lengths.clone(),
         circle: found.circle.as_ref().map(circle),
         roots: found.roots.iter().map(roots).collect(),
     }

@@ -1,5 +1,6 @@
 //! What stands on the report of a family? For which angles and lengths each order vanishes, and why.
 
+mod boxes_words;
 mod circle_words;
 mod document;
 mod picture;
@@ -151,7 +152,7 @@ pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             When::Circle(circle) if circle.is_complete() => circle_words::zeros(circle)?,
             When::Circle(_) | When::Always | When::Never(_) | When::Where(_) | When::Irrational { .. } => return None,
             When::Triangle(_) | When::Classes(_) | When::Quadratic(_) => return None,
-            When::Product(_) | When::NotSolved(_) => return None,
+            When::Product(_) | When::Boxes(_) | When::NotSolved(_) => return None,
         };
         let words = match (verdict.quantity, verdict.sense) {
             (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",

@@ -54,8 +54,8 @@ pub(super) fn why(classes: &Classes) -> Text {
     );
     let equal = match (&classes.circle, classes.is_curve()) {
         (_, true) => phrase!(
-            "They are equally long for every {} (proved), so that each has one {} at which the sum vanishes, or all, where both classes \
-             vanish.",
+            "They are equally long for every {} (proved), so that each has one {} at which the sum vanishes, which turns by −A/B, A and B being \
+             what the classes come to, or all, where both vanish.",
             u,
             v
         ),

@@ -10,6 +10,13 @@ use crate::page::{Text, phrase};
 
 /// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`.
 pub(super) fn condition(found: &Quadratic) -> Text {
+    let [u, v] = names(found);
+    if found.is_mirrored() {
+        return phrase!("0 on a curve: at two, one or no {} for each {}", v, u);
+    }
+    if found.is_curve() {
+        return phrase!("0 on a curve: at one {} for nearly each {}", v, u);
+    }
     let open = found.circle.iter().flat_map(circle_words::open);
     let told: Vec<Text> = zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
     if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
@@ -50,6 +57,26 @@ pub(super) fn why(found: &Quadratic) -> Text {
         u.clone(),
         v.clone()
     );
+    if found.is_mirrored() {
+        let mirrored = phrase!(
+            "Call them A, B and C. A and C are equally long for every {}, and the condition that follows from this always holds (proved; theory, \
+             section 17), so that each has two {}, one or none, as 4|A|² − |B|² is positive, zero or negative, and where A = C = 0 all or none, \
+             as B = 0 or not.",
+            u,
+            v
+        );
+        return Text::joined([lead, mirrored], " ");
+    }
+    if found.is_curve() {
+        let curve = phrase!(
+            "Call them A, B and C, D = |A|² − |C|² and E the product of B with the conjugate of A, less that of C with the conjugate of B. D² = |E|² \
+             for every {} (proved), so that each at which A and C differ in length has one {}, which turns by −D/E; where they do not, it has \
+             two, one or none, as 4|A|² − |B|² is positive, zero or negative, and where A = C = 0 all or none, as B = 0 or not.",
+            u,
+            v
+        );
+        return Text::joined([lead, curve], " ");
+    }
     let Some(circle) = &found.circle else {
         let never = "A real polynomial that vanishes where they cancel (theory, section 17) is constant and not zero (proved), so they never \
                      cancel.";

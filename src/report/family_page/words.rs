@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::super::{argument, residual, typeset};
-use super::{circle_words, plane_words, quadratic_words};
+use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{
@@ -77,6 +77,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
         When::Classes(classes) => Some(plane_words::condition(classes)),
         When::Quadratic(found) => Some(quadratic_words::condition(found)),
         When::Product(product) => Some(plane_words::product_condition(product)),
+        When::Boxes(found) => Some(boxes_words::condition(found)),
         When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
 }
@@ -189,6 +190,7 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Classes(classes)) | When::Classes(classes) => plane_words::why(classes),
         When::Never(Never::Quadratic(found)) | When::Quadratic(found) => quadratic_words::why(found),
         When::Never(Never::Product(product)) | When::Product(product) => plane_words::product_why(product),
+        When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
         When::Where(angles) => {
             let words = match angles.alternatives.len() {
                 1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",

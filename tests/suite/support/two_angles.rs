@@ -92,6 +92,60 @@ pub fn quadratics() -> Vec<String> {
     ]
 }
 
+/// Three classes that cancel along a curve: outer ones of one length with two turns for each δ, and `(1 + 2y + (2 + y) x) (3 + y + x)`, with
+/// one.
+pub fn curves() -> Vec<String> {
+    let with = |[a, b, c]: [[u32; 3]; 3]| {
+        let classes = [("0", a), ("phi", b), ("2phi", c)];
+        let each = classes.iter().flat_map(|(throw, masses)| {
+            let split = ["", " + delta", " + 2delta"].into_iter().zip(masses).filter(|(_, mass)| **mass > 0);
+            split.map(move |(split, mass)| (format!("{throw}{split}"), *mass))
+        });
+        let each: Vec<(String, u32)> = each.collect();
+        throws(&each.iter().map(|(throw, mass)| (throw.as_str(), *mass)).collect::<Vec<_>>())
+    };
+    vec![with([[1, 1, 3], [1, 1, 1], [3, 1, 1]]), with([[3, 7, 2], [7, 7, 1], [2, 1, 0]])]
+}
+
+/// Four parts that no reduction fits: with rational zeros, some of them double; with others; and with none.
+pub fn tori() -> Vec<String> {
+    let with = |[a, b, c, d]: [u32; 4]| throws(&[("0", a), ("phi", b), ("delta", c), ("3phi + 5delta", d)]);
+    vec![with([1, 1, 1, 1]), with([3, 2, 2, 4]), with([6, 1, 2, 1])]
+}
+
+/// Documents on engines whose torus is cut into boxes.
+pub fn torus_documents() -> Vec<OpenDocument> {
+    tori().iter().map(|text| document(text, &[1])).collect()
+}
+
+/// An engine with four banks of cylinders in a fan, the pins of which may be split by multiples of δ.
+pub fn fan(dice: &mut Dice) -> String {
+    let step = [60, 90, 120, 72][dice.below(4) as usize];
+    let throw = step * dice.below(6) % 360;
+    let cylinder = |bank: &&str| {
+        let split = ["", " + delta", " + 2delta", " + 3delta"][dice.below(4) as usize];
+        let mass = 1 + dice.below(3);
+        format!("[[cylinder]]\nthrow = '{throw}{split}'\nbank = '{bank}'\nposition = 0\nreciprocating_mass = {mass}\n")
+    };
+    let first = "[[cylinder]]\nthrow = '90 + delta'\nbank = '-3phi/2'\nposition = 1\n";
+    first.to_owned() + &["-3phi/2", "-phi/2", "phi/2", "3phi/2"].iter().map(cylinder).collect::<String>()
+}
+
+/// Four to eight cylinders, each of which φ and δ turn at random.
+pub fn mixed(dice: &mut Dice) -> String {
+    let cylinder = |dice: &mut Dice| {
+        let (throw, place, mass) = (30 * dice.below(12), dice.below(4), 1 + dice.below(2));
+        let split = ["", " + delta", " - delta", " + 2delta"][dice.below(4) as usize];
+        let bank = ["-3phi/2", "-phi", "-phi/2", "0", "phi/2", "phi", "3phi/2"][dice.below(7) as usize];
+        format!(
+            "[[cylinder]]\nthrow = '{throw}{split}'\nbank = '{bank}'\nposition = {place}\nreciprocating_mass = {mass}\n"
+        )
+    };
+    let first = "[[cylinder]]\nthrow = 'delta'\nbank = 'phi/2'\nposition = 1\n";
+    let others = 3 + dice.below(5);
+    first.to_owned() + &(0..others).map(|_| cylinder(dice)).collect::<String>()
+}
+
 /// Documents on engines whose answers are of every kind.
 pub fn documents() -> Vec<OpenDocument> {
     let mut dice = Dice::new(7);
@@ -112,7 +166,7 @@ pub fn documents() -> Vec<OpenDocument> {
 
 /// Documents on engines whose parts make three classes.
 pub fn quadratic_documents() -> Vec<OpenDocument> {
-    quadratics().iter().map(|text| document(text, &[1])).collect()
+    quadratics().iter().chain(&curves()).map(|text| document(text, &[1])).collect()
 }
 
 fn document(text: &str, orders: &[u32]) -> OpenDocument {

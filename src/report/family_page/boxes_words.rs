@@ -1,0 +1,71 @@
+//! How is it put for which φ and δ a sum vanishes that was cut into boxes?
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::super::typeset;
+use super::circle_words::rounded;
+use super::plane_words::near;
+use super::words::unknowns;
+use crate::family::{BoxZero, Boxes};
+use crate::page::{Text, phrase};
+
+/// `0 where φ ≡ 90° and δ ≡ 60°, or φ ≈ 12.5° and δ ≈ 75.52°`, and where it is not known.
+pub(super) fn condition(found: &Boxes) -> Text {
+    let told: Vec<Text> =
+        zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open(found)).collect();
+    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+}
+
+/// The zeros; none where no zero is known.
+fn zeros(found: &Boxes) -> Option<Text> {
+    let names = names(found);
+    let zero = |zero: &BoxZero| match zero.exact() {
+        Some(turns) => {
+            let each = names.iter().zip(&turns);
+            Text::joined(each.map(|(name, turn)| Text::label(format!("{name} ≡ {}", typeset::angle(turn)))), " and ")
+        }
+        None => Text::joined(names.iter().zip(zero.near).map(|(name, turns)| near(name, 360.0 * turns)), " and "),
+    };
+    let told: Vec<Text> = found.zeros.iter().map(zero).collect();
+    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+}
+
+/// Where it is not known.
+fn open(found: &Boxes) -> impl Iterator<Item = Text> + '_ {
+    let [s, t] = names(found);
+    found.open.iter().map(move |[across, along]| {
+        let [[a, b], [c, d]] = [across, along]
+            .map(|ends| [(&ends[0], false), (&ends[1], true)].map(|(end, up)| typeset::degrees(&rounded(end, 4, up))));
+        phrase!("not solved for {} between {} and {} with {} between {} and {}", s.clone(), a, b, t.clone(), c, d)
+    })
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn why(found: &Boxes) -> Text {
+    let [s, t] = names(found);
+    let lead = phrase!(
+        "No reduction to one unknown is known for these parts. The torus of {} and {} is cut into {} boxes, and of each it is proved that the \
+         sum keeps away from 0 on it, or that it is within one of {} boxes with one zero each (Krawczyk's test; theory, section 17).",
+        s,
+        t,
+        found.count(),
+        found.zeros.len()
+    );
+    let so = match (zeros(found), found.is_complete()) {
+        (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
+        (None, true) => "So it vanishes for no angles.".into(),
+        (Some(zeros), false) => {
+            phrase!("So, but for the boxes that are left open, it vanishes exactly where {}.", zeros)
+        }
+        (None, false) => "So it vanishes nowhere but perhaps in the boxes that are left open.".into(),
+    };
+    let open = open(found).map(|open| phrase!("What is left open is {}: the count of steps ended.", open));
+    Text::joined([lead, so].into_iter().chain(open), " ")
+}
+
+/// s and t.
+fn names(found: &Boxes) -> [String; 2] {
+    let none = BigRational::zero();
+    [unknowns(&found.times[0], &none), unknowns(&none, &found.times[1])]
+}
