@@ -375,10 +375,10 @@ fn four_parts_that_no_reduction_fits_vanish_exactly_where_their_boxes_say() {
 #[test]
 fn engines_with_banks_in_a_fan_vanish_exactly_where_their_boxes_say() {
     let (mut dice, mut told) = (Dice::new(5), Told::default());
-    for round in 0..4 {
+    for round in 0..6 {
         search(&if round % 2 == 0 { fan(&mut dice) } else { mixed(&mut dice) }, &[1], &mut told);
     }
-    assert!(told.boxes > 0 && told.points > 0, "{told:?}");
+    assert!(told.boxes > 0 && told.points > 50, "{told:?}");
 }
 
 #[test]
