@@ -31,7 +31,7 @@ def check(tree, notes):
     for weight in each("weights", document.weights):
         demand(weight.order in document.orders and weight.sense in SENSES["force"], "it turns in an order or sense not asked for")
         for part in weight.parts:
-            demand([(one.angle, one.weight) for one in part.terms] == sorted(collect(terms_of(part.terms)).items()), "its terms are not collected, at rising angles")
+            demand(terms_of(part.terms) == sorted(collect(terms_of(part.terms)).items()), "its terms are not collected, at rising angles")
             check_shown(part, collect(terms_of(part.terms)), False)
     for quantity, k, sense in [(q, k, s) for k in document.orders for q in document.quantities for s in SENSES[q]]:
         of_order = groups((cylinders, turning, plane), quantity, k)

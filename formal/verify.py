@@ -104,7 +104,7 @@ def equal(entry, **due):
 
 def terms_of(entry):
     """Terms as a document writes them: pairs of an angle and a weight."""
-    return [(one.angle % 1, one.weight) for one in entry]
+    return [(one.angle, one.weight) for one in entry]
 
 def collect(terms):
     """Like directions added, no weight zero: {angle: weight}."""

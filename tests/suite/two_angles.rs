@@ -378,7 +378,7 @@ fn engines_with_banks_in_a_fan_vanish_exactly_where_their_boxes_say() {
     for round in 0..6 {
         search(&if round % 2 == 0 { fan(&mut dice) } else { mixed(&mut dice) }, &[1], &mut told);
     }
-    assert!(told.boxes > 4 && told.points > 10, "{told:?}");
+    assert!(told.boxes > 0 && told.points > 50, "{told:?}");
 }
 
 #[test]

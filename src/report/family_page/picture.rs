@@ -242,6 +242,7 @@ fn zeros(verdicts: &[OpenVerdict; 2], unknown: &str) -> (Vec<Place>, Vec<Place>)
             let full = direct.exact.intersection(&reverse.exact).map(|at| Place::Exact(Turn::new(at.clone())));
             let mut single = places(&direct, Some(&reverse));
             single.extend(places(&reverse, Some(&direct)));
+            single.sort_by(|a, b| a.degrees().total_cmp(&b.degrees()));
             (full.collect(), single)
         }
     }

@@ -102,7 +102,7 @@ impl Ground {
                     (((along.abs() + doubt) * reach) >> BITS) + 1
                 })
                 .sum();
-            at.abs() > doubt + length(x, y) * bend + sides
+            at.abs() > spared(doubt + length(x, y) * bend + sides)
         })
     }
 
@@ -128,9 +128,14 @@ impl Ground {
         [[b.im, -b.re], [-a.im, a.re]].into_iter().all(|[x, y]| {
             let off = (x * at.re + y * at.im).abs() + (x.abs() + y.abs()) * at.doubt;
             let spread = ((length(x, y) * (by_a + by_b)) >> BITS) + 1;
-            off + spread * (most + 1) < (determinant >> BITS) * least
+            spared(off + spread * (most + 1)) < (determinant >> BITS) * least
         })
     }
+}
+
+/// Somewhat more: another enclosure shows the same, however it is rounded.
+fn spared(bound: i128) -> i128 {
+    bound + (bound >> 6)
 }
 
 /// `e^{2πi turn}`.
