@@ -89,6 +89,12 @@ pub fn enclose(sum: &PhasorSum, bits: u32) -> [(BigRational, BigRational); 2] {
     ends.map(|ends| ends.map(|end| BigRational::new(end, unit.clone())).into())
 }
 
+/// The same ends, rounded outwards, as whole numbers in units of `2^−bits`.
+pub fn enclose_in_units(sum: &PhasorSum, bits: u32) -> [[BigInt; 2]; 2] {
+    let (ends, scale) = fixed_ends(sum, bits);
+    ends.map(|[low, high]| [low.div_floor(&scale), high.div_ceil(&scale)])
+}
+
 /// The same ends as whole numbers, in units of `2^−bits` over the whole number that comes with them.
 pub(super) fn fixed_ends(sum: &PhasorSum, bits: u32) -> ([[BigInt; 2]; 2], BigInt) {
     let terms = sum.collected();
