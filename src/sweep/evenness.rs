@@ -8,6 +8,7 @@ use smallvec::SmallVec;
 
 use super::integers::IntegerEngine;
 use crate::engine::{Cycle, Engine, Firing};
+use crate::exact::fraction;
 
 /// The longest and the shortest interval between firings, in turns of the crank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +24,7 @@ pub struct Evenness {
 impl Evenness {
     /// The longest less the shortest.
     pub fn unevenness(&self) -> BigRational {
-        &self.longest - &self.shortest
+        fraction::minus(&self.longest, &self.shortest)
     }
 }
 
@@ -51,7 +52,7 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
         None => top_dead_centres(engine)?,
     };
     let (longest, shortest) = Choices::new(&whole, length, cycle)?.most_even()?;
-    let turns = |each: i64| BigRational::new(each.into(), length.into());
+    let turns = |each: i64| fraction::ratio(each, length);
     Some(Evenness { longest: turns(longest), shortest: turns(shortest), of_the_file: false })
 }
 

@@ -48,16 +48,19 @@ pub struct Amplitudes {
 }
 
 impl Amplitudes {
-    /// All of them by name, as columns and curves have them.
+    /// Each of them by name, as columns and curves have them.
+    pub const NAMED: [(&'static str, fn(&Amplitudes) -> Amplitude); 6] = [
+        ("largest", |all| all.largest),
+        ("smallest", |all| all.smallest),
+        ("along", |all| all.along),
+        ("across", |all| all.across),
+        ("direct", |all| all.direct),
+        ("reverse", |all| all.reverse),
+    ];
+
+    /// All of them by name.
     pub fn named(&self) -> [(&'static str, Amplitude); 6] {
-        [
-            ("largest", self.largest),
-            ("smallest", self.smallest),
-            ("along", self.along),
-            ("across", self.across),
-            ("direct", self.direct),
-            ("reverse", self.reverse),
-        ]
+        Amplitudes::NAMED.map(|(name, part)| (name, part(self)))
     }
 }
 
