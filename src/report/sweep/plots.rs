@@ -146,7 +146,7 @@ fn between(points: &[(f64, f64)], at: f64) -> Option<f64> {
     points.windows(2).find_map(|pair| {
         let [(from, low), (to, high)] = [pair[0], pair[1]];
         let part = (at - from) / (to - from);
-        (0.0..=1.0).contains(&part).then(|| low + (high - low) * part)
+        (0.0..=1.0).contains(&part).then_some(low + (high - low) * part)
     })
 }
 
