@@ -47,9 +47,12 @@ pub struct Amplitudes {
     pub across: Amplitude,
 }
 
+/// One of the amplitudes.
+pub type AmplitudeOf = fn(&Amplitudes) -> Amplitude;
+
 impl Amplitudes {
     /// Each of them by name, as columns and curves have them.
-    pub const NAMED: [(&'static str, fn(&Amplitudes) -> Amplitude); 6] = [
+    pub const NAMED: [(&'static str, AmplitudeOf); 6] = [
         ("largest", |all| all.largest),
         ("smallest", |all| all.smallest),
         ("along", |all| all.along),
