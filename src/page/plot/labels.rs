@@ -75,9 +75,10 @@ impl Labels {
         Some(best)
     }
 
-    /// What curves, texts and signs under a name speak against its place.
-    pub fn cost_of_lines(&self, area: &Area) -> usize {
-        LINE_COST * self.cost(area)
+    /// The best of places that have costs of their own, with its cost in all; the first of equals.
+    pub fn best(&self, text: &str, places: impl Iterator<Item = (Place, usize)>) -> Option<(usize, usize)> {
+        let costs = places.map(|(place, own)| own + LINE_COST * self.cost(&area(text, &place)));
+        costs.enumerate().min_by_key(|(_, cost)| *cost)
     }
 
     /// Writes a text at the best of these places, unless each lies on another text or sign or leaves the bounds.

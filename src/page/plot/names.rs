@@ -17,9 +17,6 @@ const CLEAR: f64 = 1.6;
 const PLACES: usize = 30;
 /// A place that costs more is no place: the name goes to the legend.
 const WORST: usize = 300;
-/// What speaks against a point where curves cross, and against each step farther off.
-const CROSSED: usize = 40;
-const FARTHER: usize = 12;
 
 /// Curves that coincide on the page, by their numbers; the others alone.
 fn coinciding(curves: &[Curve], frame: &Frame) -> Vec<Vec<usize>> {
@@ -58,9 +55,11 @@ pub(super) fn name_curves<'a>(
         let others: Vec<Point> = others.flat_map(|(_, runs)| runs.iter().flat_map(|run| dense(run))).collect();
         let own: Vec<Point> = lines[group[0]].iter().flat_map(|run| dense(run)).collect();
         let wide = widest(&name);
-        let best = (text_width(&wide) <= LONGEST).then(|| best(labels, &wide, &own, &others)).flatten();
-        match best {
-            Some((place, from)) => {
+        let places = if text_width(&wide) > LONGEST { Vec::new() } else { places(&wide, &own, &others) };
+        let best = labels.best(&wide, places.iter().map(|(place, cost, _)| (*place, *cost)));
+        match best.filter(|(_, cost)| *cost <= WORST) {
+            Some((index, _)) => {
+                let (place, _, from) = places[index];
                 labels.write(figure, &name, &[place]);
                 labels.avoid_area(area(&wide, &place));
                 let end = nearest_side(&name, place, from);
@@ -104,17 +103,17 @@ fn nearest_side(name: &str, (at, anchor): Place, from: Point) -> Point {
     }
 }
 
-/// The best place beside the curve, the first of equals, with the point of the curve that the name belongs to; none where each costs too much.
-///
-/// Costs only add up: a place that is dearer than the best before all of them are known is left at that.
-fn best(labels: &Labels, name: &str, own: &[Point], others: &[Point]) -> Option<(Place, Point)> {
+/// Places beside the curve with what speaks against each, and the point of the curve that the name belongs to.
+fn places(name: &str, own: &[Point], others: &[Point]) -> Vec<(Place, usize, Point)> {
     let half = text_width(name) / 2.0;
     let stride = (own.len() / PLACES).max(1);
-    let mut best = None;
-    let mut bound = WORST + 1;
+    let mut places = Vec::new();
+    // Squares compare as distances do, without a root for each of some hundred thousand pairs.
+    let nearest = |points: &[Point], squared: &dyn Fn(&Point) -> f64| {
+        points.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt()
+    };
     for from in own.iter().step_by(stride) {
-        let crossing = nearest(others, |other| (other - from).norm_sqr());
-        let crossed = if crossing < 2.0 { CROSSED } else { 0 };
+        let crossing = nearest(others, &|other| (other - from).norm_sqr());
         for (rank, far) in [2.3, 4.0, 6.5, 9.5].into_iter().enumerate() {
             let around = [
                 (Point::new(0.0, far), Anchor::Middle),
@@ -125,39 +124,26 @@ fn best(labels: &Labels, name: &str, own: &[Point], others: &[Point]) -> Option<
                 (Point::new(-far * 0.7, -far * 0.6), Anchor::End),
             ];
             for (off, anchor) in around {
-                let place = (from + off, anchor);
-                let mut cost = crossed + FARTHER * rank;
-                if cost < bound {
-                    cost += labels.cost_of_lines(&area(name, &place));
+                let at = from + off;
+                let middle = match anchor {
+                    Anchor::Start => at.re + half,
+                    Anchor::Middle => at.re,
+                    Anchor::End => at.re - half,
+                };
+                let to_text = |point: &Point| {
+                    let (x, y) = ((point.re - middle).abs() - half, (point.im - at.im).abs() - LINE / 2.0);
+                    x.max(0.0).powi(2) + y.max(0.0).powi(2)
+                };
+                let (to_own, to_others) = (nearest(own, &to_text), nearest(others, &to_text));
+                // The name of a curve must not be read as that of another, nor its point lie where they cross.
+                let unclear = to_own + CLEAR - to_others;
+                let mut cost = if unclear > 0.0 { 30 + (unclear * 20.0) as usize } else { 0 };
+                if crossing < 2.0 {
+                    cost += 40;
                 }
-                if cost < bound {
-                    cost += unclear(place, half, own, others);
-                }
-                if cost < bound {
-                    (best, bound) = (Some((place, *from)), cost);
-                }
+                places.push(((at, anchor), cost + 12 * rank, *from));
             }
         }
     }
-    best
-}
-
-/// What speaks against a place whose text is as near to other curves: the name of a curve must not be read as that of another.
-fn unclear((at, anchor): Place, half: f64, own: &[Point], others: &[Point]) -> usize {
-    let middle = match anchor {
-        Anchor::Start => at.re + half,
-        Anchor::Middle => at.re,
-        Anchor::End => at.re - half,
-    };
-    let to_text = |point: &Point| {
-        let (x, y) = ((point.re - middle).abs() - half, (point.im - at.im).abs() - LINE / 2.0);
-        x.max(0.0).powi(2) + y.max(0.0).powi(2)
-    };
-    let unclear = nearest(own, to_text) + CLEAR - nearest(others, to_text);
-    if unclear > 0.0 { 30 + (unclear * 20.0) as usize } else { 0 }
-}
-
-/// The distance of the nearest point. Squares compare as distances do, without a root for each of some hundred thousand pairs.
-fn nearest(points: &[Point], squared: impl Fn(&Point) -> f64) -> f64 {
-    points.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt()
+    places
 }
