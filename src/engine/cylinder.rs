@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::mechanism::{Link, Mechanism, Rod};
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 
 /// One cylinder with its crank throw. In a [`Family`](super::Family) its angles `A` and its place `L` may hold unknowns.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl<A, L> Cylinder<A, L> {
 
     /// Length of the cylinder's vector in a star of the force: reciprocating mass times crank radius.
     pub fn weight(&self) -> BigRational {
-        &self.reciprocating_mass * &self.crank_radius
+        fraction::times(&self.reciprocating_mass, &self.crank_radius)
     }
 
     /// Its connecting rod on the crankpin; none where nothing is known of it, or where it is a link.

@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use num_rational::BigRational;
 
 use super::linear::Linear;
+use crate::exact::fraction;
 
 /// What lengths are counted in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,7 +28,7 @@ pub trait Length: Clone + Debug + PartialEq {
 
 impl Length for BigRational {
     fn less(&self, other: &Self) -> Self {
-        self - other
+        fraction::minus(self, other)
     }
 
     fn middle(positions: &[&Self]) -> Self {

@@ -6,6 +6,8 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use crate::exact::fraction;
+
 /// `constant + Σ coefficient · symbol`, with exact coefficients, none of them zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Linear {
@@ -57,8 +59,8 @@ impl Linear {
 
     /// The sum of both.
     pub fn plus(&self, other: &Linear) -> Linear {
-        let mut sum = self.clone();
-        sum.constant.0 += other.known();
+        let constant = Constant(fraction::plus(self.known(), other.known()));
+        let mut sum = Linear { constant, symbols: self.symbols.clone() };
         for (name, coefficient) in &other.symbols {
             *sum.symbols.entry(name.clone()).or_insert_with(BigRational::zero) += coefficient;
         }
@@ -68,9 +70,9 @@ impl Linear {
 
     /// A multiple.
     pub fn scaled(&self, by: &BigRational) -> Linear {
-        let scaled = |(name, coefficient): (&String, &BigRational)| (name.clone(), coefficient * by);
+        let scaled = |(name, coefficient): (&String, &BigRational)| (name.clone(), fraction::times(coefficient, by));
         let symbols = self.symbols.iter().map(scaled).filter(|(_, coefficient)| !coefficient.is_zero());
-        Linear { constant: Constant(self.known() * by), symbols: symbols.collect() }
+        Linear { constant: Constant(fraction::times(self.known(), by)), symbols: symbols.collect() }
     }
 
     /// The first less the second.

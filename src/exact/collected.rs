@@ -7,8 +7,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use super::decide;
 use super::sum::Term;
 use super::turn::Turn;
+use super::words::Words;
 
 /// The sum `Σ weight · e^{2πi·exponent/conductor}` with whole weights: a [`super::PhasorSum`] scaled by
 /// `scale`, with each direction once, no weight zero, in order of the exponents.
@@ -25,6 +27,11 @@ pub struct IntegerSum {
 impl IntegerSum {
     /// Collects like directions and scales to whole weights.
     pub fn collect(terms: &[Term]) -> Self {
+        if let Some(Words { conductor, scale, terms }) = Words::of(terms) {
+            let terms = decide::collect(terms.into_iter()).into_iter();
+            let terms = terms.map(|(exponent, weight)| (exponent.into(), weight.into())).collect();
+            return IntegerSum { conductor: conductor.into(), scale: scale.into(), terms };
+        }
         let conductor = terms.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
         let scale = terms.iter().fold(BigInt::one(), |s, term| s.lcm(term.weight.denom()));
         let mut pairs: Vec<(BigUint, BigInt)> = terms

@@ -7,6 +7,7 @@ mod collected;
 mod decide;
 mod dense;
 mod evidence;
+pub mod fraction;
 mod polygons;
 mod residue;
 mod splitting;

@@ -1,12 +1,15 @@
 //! What is a phasor sum? Rational weights at rational angles, one term per cylinder.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::collected::IntegerSum;
 use super::decide;
+use super::fraction;
 use super::turn::Turn;
 use super::words::Words;
 use crate::proof::Vector;
@@ -68,14 +71,17 @@ impl PhasorSum {
 
     /// The same sum with each direction once, no weight zero, in order of the angles.
     pub fn collected(&self) -> Vec<Term> {
-        let mut by_angle: BTreeMap<&Turn, BigRational> = BTreeMap::new();
+        let mut by_angle: BTreeMap<&Turn, Cow<BigRational>> = BTreeMap::new();
         for term in &self.terms {
-            *by_angle.entry(&term.angle).or_insert_with(BigRational::zero) += &term.weight;
+            match by_angle.entry(&term.angle) {
+                Entry::Vacant(place) => drop(place.insert(Cow::Borrowed(&term.weight))),
+                Entry::Occupied(mut there) => *there.get_mut() = Cow::Owned(fraction::plus(there.get(), &term.weight)),
+            }
         }
         by_angle
             .into_iter()
             .filter(|(_, weight)| !weight.is_zero())
-            .map(|(angle, weight)| Term { angle: angle.clone(), weight })
+            .map(|(angle, weight)| Term { angle: angle.clone(), weight: weight.into_owned() })
             .collect()
     }
 
@@ -116,7 +122,7 @@ impl PhasorSum {
 
     /// Every vector lengthened by the same factor.
     pub fn scaled(&self, by: &BigRational) -> Self {
-        self.map(|term| Term { angle: term.angle.clone(), weight: &term.weight * by })
+        self.map(|term| Term { angle: term.angle.clone(), weight: fraction::times(&term.weight, by) })
     }
 
     /// The mirror image in the reference direction: the complex conjugate.

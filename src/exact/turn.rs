@@ -7,7 +7,9 @@ use std::ops::{Add, Neg, Sub};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, Zero};
+
+use super::fraction;
 
 /// An angle as a fraction of a turn, always in `[0, 1)`: 45° is `1/8`.
 ///
@@ -34,8 +36,9 @@ impl Turn {
         if !turns.is_negative() && turns.numer() < turns.denom() {
             return Turn(turns);
         }
-        let whole = turns.floor();
-        Turn(turns - whole)
+        // Whole turns taken off, it is as reduced as before.
+        let (numerator, denominator) = turns.into_raw();
+        Turn(BigRational::new_raw(numerator.mod_floor(&denominator), denominator))
     }
 
     /// `numerator / denominator` of a turn.
@@ -43,12 +46,15 @@ impl Turn {
     /// # Panics
     /// If the denominator is 0.
     pub fn fraction(numerator: i64, denominator: i64) -> Self {
-        Turn::new(BigRational::new(numerator.into(), denominator.into()))
+        match denominator > 0 && numerator > i64::MIN {
+            true => Turn::new(fraction::ratio(numerator, denominator)),
+            false => Turn::new(BigRational::new(numerator.into(), denominator.into())),
+        }
     }
 
     /// Takes an angle in degrees modulo 360.
     pub fn from_degrees(degrees: &BigRational) -> Self {
-        Turn::new(degrees / BigRational::from_integer(360.into()))
+        Turn::new(fraction::over(degrees, &BigRational::from_integer(360.into())))
     }
 
     /// The angle in turns, in `[0, 1)`.
@@ -58,15 +64,20 @@ impl Turn {
 
     /// The angle in degrees, in `[0, 360)`.
     pub fn degrees(&self) -> BigRational {
-        &self.0 * BigRational::from_integer(360.into())
+        fraction::times(&self.0, &BigRational::from_integer(360.into()))
     }
 
     /// The angle taken `factor` times.
     pub fn times(&self, factor: i64) -> Self {
-        match self.in_words() {
+        match fraction::words(&self.0) {
             Some((numerator, denominator)) => {
-                let product = numerator * u128::from(factor.unsigned_abs()) % denominator;
-                Turn::from_words(if factor < 0 { (denominator - product) % denominator } else { product }, denominator)
+                // The numerator has nothing in common with the denominator.
+                let (factor, common) = (factor.rem_euclid(denominator), factor.gcd(&denominator));
+                let product = match numerator.checked_mul(factor) {
+                    Some(product) => i128::from(product % denominator),
+                    None => i128::from(numerator) * i128::from(factor) % i128::from(denominator),
+                };
+                Turn(fraction::reduced((product / i128::from(common), i128::from(denominator / common))))
             }
             None => Turn::new(&self.0 * BigRational::from_integer(factor.into())),
         }
@@ -75,18 +86,6 @@ impl Turn {
     /// The opposite direction.
     pub fn opposite(&self) -> Self {
         self + &Turn::fraction(1, 2)
-    }
-
-    /// Numerator and denominator in words, where twice the product of two such fits into a long word.
-    fn in_words(&self) -> Option<(u128, u128)> {
-        let word = |number: &BigInt| number.to_u64().filter(|&word| word < 1 << 62).map(u128::from);
-        Some((word(self.0.numer())?, word(self.0.denom())?))
-    }
-
-    /// A fraction below 1 that is not reduced.
-    fn from_words(numerator: u128, denominator: u128) -> Turn {
-        let common = numerator.gcd(&denominator);
-        Turn(BigRational::new_raw((numerator / common).into(), (denominator / common).into()))
     }
 
     /// The smallest `n` with `n` times the angle a whole number of turns.
@@ -98,8 +97,9 @@ impl Turn {
 impl Add for &Turn {
     type Output = Turn;
     fn add(self, other: &Turn) -> Turn {
-        match self.in_words().zip(other.in_words()) {
-            Some(((a, b), (c, d))) => Turn::from_words((a * d + c * b) % (b * d), b * d),
+        match fraction::sum_in_words(&self.0, &other.0, 1) {
+            // Two turns in range make less than two whole ones.
+            Some((sum, whole)) => Turn(fraction::reduced((if sum < whole { sum } else { sum - whole }, whole))),
             None => Turn::new(&self.0 + &other.0),
         }
     }
@@ -115,16 +115,17 @@ impl Sub for &Turn {
 impl Neg for &Turn {
     type Output = Turn;
     fn neg(self) -> Turn {
-        if self.0.is_zero() { self.clone() } else { Turn(BigRational::one() - &self.0) }
+        if self.0.is_zero() {
+            self.clone()
+        } else {
+            Turn(BigRational::new_raw(self.0.denom() - self.0.numer(), self.0.denom().clone()))
+        }
     }
 }
 
 impl Ord for Turn {
     fn cmp(&self, other: &Turn) -> Ordering {
-        match self.in_words().zip(other.in_words()) {
-            Some(((a, b), (c, d))) => (a * d).cmp(&(c * b)),
-            None => self.0.cmp(&other.0),
-        }
+        fraction::compare(&self.0, &other.0)
     }
 }
 

@@ -1,10 +1,13 @@
 //! What number did a person write? Taken exactly: `22.5`, `"3/2"`, `1e-3`.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{ToPrimitive, Zero};
+
+use crate::exact::fraction;
 
 /// Longer numbers than this are refused by name.
 const MOST_DIGITS: usize = 200;
@@ -52,7 +55,11 @@ pub fn parse_number(text: &str) -> Result<BigRational, NumberError> {
         None => decimal(&text),
         Some((numerator, denominator)) => {
             let (numerator, denominator) = (decimal(numerator.trim_end())?, decimal(denominator.trim_start())?);
-            if denominator.is_zero() { Err(NumberError::ZeroDenominator) } else { Ok(numerator / denominator) }
+            if denominator.is_zero() {
+                Err(NumberError::ZeroDenominator)
+            } else {
+                Ok(fraction::over(&numerator, &denominator))
+            }
         }
     }
 }
@@ -66,18 +73,24 @@ fn decimal(text: &str) -> Result<BigRational, NumberError> {
     if exponent.abs() > LARGEST_EXPONENT {
         return Err(NumberError::TooLong);
     }
-    let (sign, unsigned) = match mantissa.as_bytes().first() {
-        Some(b'-') => (-BigInt::one(), &mantissa[1..]),
-        Some(b'+') => (BigInt::one(), &mantissa[1..]),
-        _ => (BigInt::one(), mantissa),
+    let (is_negative, unsigned) = match mantissa.as_bytes().first() {
+        Some(b'-') => (true, &mantissa[1..]),
+        Some(b'+') => (false, &mantissa[1..]),
+        _ => (false, mantissa),
     };
-    let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
-    let digits = format!("{whole}{fraction}");
+    let (whole, behind) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+    let digits = if behind.is_empty() { Cow::Borrowed(whole) } else { Cow::Owned(format!("{whole}{behind}")) };
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(NumberError::NotANumber);
     }
+    let places = i32::try_from(behind.len()).map_err(|_| NumberError::TooLong)?;
+    // Nearly every number is a word over a power of ten that is one.
+    let power = (places - exponent).to_u32().and_then(|power| 10_i64.checked_pow(power));
+    if let Some((digits, power)) = digits.parse::<i64>().ok().zip(power) {
+        return Ok(fraction::ratio(if is_negative { -digits } else { digits }, power));
+    }
     let digits: BigInt = digits.parse().map_err(|_| NumberError::NotANumber)?;
-    let places = i32::try_from(fraction.len()).map_err(|_| NumberError::TooLong)?;
+    let sign = BigInt::from(if is_negative { -1 } else { 1 });
     let ten = BigRational::from_integer(10.into());
     Ok(BigRational::from_integer(sign * digits) * ten.pow(exponent - places))
 }

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::{Pow, Signed, Zero};
 
 use super::number::parse_number;
+use crate::exact::fraction;
 
 /// A length as written: its value, and whether it has a unit.
 pub(crate) struct Length {
@@ -111,8 +112,8 @@ const MASSES: Units =
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
-    let turns = number * ratio(unit.unwrap_or((1, 360)));
-    match turns.abs() <= BigRational::from_integer(MOST_TURNS.into()) {
+    let turns = in_base_units(&number, unit.unwrap_or((1, 360)));
+    match turns.numer().magnitude() <= &(turns.denom().magnitude() * MOST_TURNS) {
         true => Ok(turns),
         false => Err(format!("more than {MOST_TURNS} turns; an angle is meant modulo a turn, such as \"45\"")),
     }
@@ -126,7 +127,7 @@ pub fn turns_per_unit(unit: &str) -> Option<BigRational> {
 /// A length; without a unit, metres or multiples of the spacing.
 pub(crate) fn length(text: &str) -> Result<Length, String> {
     let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\", \"4.4 in\" or \"0.4 ft\"")?;
-    Ok(Length { value: sized(number * ratio(unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
+    Ok(Length { value: sized(in_base_units(&number, unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
 }
 
 /// A mass; kilograms where no unit stands.
@@ -169,7 +170,7 @@ pub(crate) fn pressure_unit(name: &str) -> Result<PressureUnit, String> {
 pub(crate) fn pressure(text: &str, of_all: Option<PressureUnit>) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, PRESSURES, "\"0.9 bar\", \"8.2 MPa\", \"101325 Pa\" or \"14.7 psi\"")?;
     match unit.or(of_all) {
-        Some(unit) => match number * ratio(unit) {
+        Some(unit) => match in_base_units(&number, unit) {
             value if value.abs() <= BigRational::from_integer(MOST_PASCALS.into()) => sized(value),
             _ => Err("no engine has more than a million bar: is the unit right?".to_owned()),
         },
@@ -204,11 +205,11 @@ pub(crate) fn speed(text: &str) -> Result<BigRational, String> {
 /// A quantity in the base unit of these, which is also what a number without a unit means.
 fn in_units(text: &str, units: Units, examples: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, units, examples)?;
-    sized(number * ratio(unit.unwrap_or((1, 1))))
+    sized(in_base_units(&number, unit.unwrap_or((1, 1))))
 }
 
-fn ratio((numerator, denominator): (i64, i64)) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
+fn in_base_units(number: &BigRational, (numerator, denominator): (i64, i64)) -> BigRational {
+    fraction::times(number, &fraction::ratio(numerator, denominator))
 }
 
 fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, Option<(i64, i64)>), String> {

@@ -10,7 +10,8 @@ use super::Missing;
 use super::bearing::Method;
 use crate::beam::{Beam, BeamError};
 use crate::engine::Engine;
-use crate::order::OrderSum;
+use crate::exact::PhasorSum;
+use crate::order::{OrderSum, by_factor};
 
 /// The parts that the bearings carry of a load, by its position; each position is solved once.
 #[derive(Clone, Debug)]
@@ -65,8 +66,9 @@ pub(super) fn in_equilibrium(
     [force, moment]: &[OrderSum; 2],
 ) -> bool {
     let balances = |load: &OrderSum, arm: &dyn Fn(&BigRational) -> BigRational| {
-        let weighed = reactions.iter().zip(positions).map(|(reaction, at)| reaction.scaled(&arm(at)));
-        weighed.fold(OrderSum::default(), |sum, reaction| sum.plus(&reaction)).minus(load).vanishes()
+        let weighed = reactions.iter().zip(positions).flat_map(|(reaction, at)| reaction.terms_scaled(arm(at)));
+        let left = weighed.chain(load.terms_scaled(-BigRational::one()));
+        by_factor(left).values().all(PhasorSum::vanishes)
     };
     balances(force, &|_| BigRational::one()) && balances(moment, &Clone::clone)
 }

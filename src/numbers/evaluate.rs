@@ -33,6 +33,7 @@ pub fn evaluate(sum: &PhasorSum) -> Complex<f64> {
 
 thread_local! {
     static VALUES: RefCell<Memory<Complex<f64>>> = const { RefCell::new(Memory::new()) };
+    static DIRECTIONS: RefCell<Memory<Complex<f64>, Turn>> = const { RefCell::new(Memory::new()) };
 }
 
 fn evaluated(sum: &PhasorSum) -> Complex<f64> {
@@ -61,9 +62,14 @@ pub fn degrees(vector: Complex<f64>) -> f64 {
 
 /// A unit vector in decimals.
 pub fn direction(angle: &Turn) -> Complex<f64> {
+    if let Some(known) = DIRECTIONS.with_borrow(|directions| directions.get(angle)) {
+        return known;
+    }
     let (cos, sin) = FixedPoint::new(FIRST_BITS).cos_sin(angle);
-    let to_float = |scaled: BigInt| BigRational::new(scaled, BigInt::from(1) << FIRST_BITS).to_f64().unwrap_or(0.0);
-    Complex::new(to_float(cos), to_float(sin))
+    let to_float = |scaled: BigInt| BigRational::new_raw(scaled, BigInt::one() << FIRST_BITS).to_f64().unwrap_or(0.0);
+    let direction = Complex::new(to_float(cos), to_float(sin));
+    DIRECTIONS.with_borrow_mut(|directions| directions.keep(angle.clone(), direction));
+    direction
 }
 
 /// The real or imaginary part, known not to be zero: bits are added until 64 of them are sure.
@@ -87,6 +93,12 @@ pub fn enclose(sum: &PhasorSum, bits: u32) -> [(BigRational, BigRational); 2] {
     let (ends, scale) = fixed_ends(sum, bits);
     let unit = scale << bits;
     ends.map(|ends| ends.map(|end| BigRational::new(end, unit.clone())).into())
+}
+
+/// The same ends, rounded outwards, as whole numbers in units of `2^−bits`.
+pub fn enclose_in_units(sum: &PhasorSum, bits: u32) -> [[BigInt; 2]; 2] {
+    let (ends, scale) = fixed_ends(sum, bits);
+    ends.map(|[low, high]| [low.div_floor(&scale), high.div_ceil(&scale)])
 }
 
 /// The same ends as whole numbers, in units of `2^−bits` over the whole number that comes with them.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 
 /// Fixed-point arithmetic: a number `x` is held as the whole number nearest `x · 2^bits`, up to a few units.
 pub(super) struct FixedPoint {
@@ -30,7 +30,7 @@ impl FixedPoint {
         let turns = angle.turns();
         let eighth = (turns.numer() * 8_u32 / turns.denom()).to_u32().unwrap_or(0);
         let axis = eighth.div_ceil(2);
-        let from_axis = turns - num_rational::BigRational::new(axis.into(), 4.into());
+        let from_axis = fraction::minus(turns, &fraction::ratio(axis.into(), 4));
         let x = &self.tau * from_axis.numer() / from_axis.denom();
         let (cos, sin) = self.taylor(&x);
         match axis % 4 {

@@ -1,31 +1,31 @@
-//! Was this star asked for before? A page names the same length in many places; the work is done once.
+//! Was this asked for before? A page names the same length in many places and draws the same direction in many pictures; the work is done once.
 
 use std::collections::BTreeMap;
 
 use crate::exact::{IntegerSum, PhasorSum};
 
-/// So many stars are remembered; then all are forgotten.
+/// So many answers are remembered; then all are forgotten.
 const MOST: usize = 1024;
 
-/// What was found of each star. Only whole answers are kept, so that an answer does not depend on what came before.
-pub(super) struct Memory<T> {
-    known: BTreeMap<IntegerSum, T>,
+/// What was found of each star, or of another question. Only whole answers are kept, so that an answer does not depend on what came before.
+pub(super) struct Memory<T, K = IntegerSum> {
+    known: BTreeMap<K, T>,
 }
 
-impl<T: Clone> Memory<T> {
+impl<T: Clone, K: Ord> Memory<T, K> {
     pub const fn new() -> Self {
         Memory { known: BTreeMap::new() }
     }
 
-    pub fn get(&self, star: &IntegerSum) -> Option<T> {
-        self.known.get(star).cloned()
+    pub fn get(&self, question: &K) -> Option<T> {
+        self.known.get(question).cloned()
     }
 
-    pub fn keep(&mut self, star: IntegerSum, found: T) {
+    pub fn keep(&mut self, question: K, found: T) {
         if self.known.len() >= MOST {
             self.known.clear();
         }
-        self.known.insert(star, found);
+        self.known.insert(question, found);
     }
 }
 

@@ -11,7 +11,7 @@ use super::source::Source;
 use super::sum::OrderSum;
 use super::turning::{TurningMass, mass_radius, turning_masses};
 use crate::engine::{Cylinder, Engine};
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn, fraction};
 use crate::proof::{Masses, Quantity, Sense};
 
 /// The term that a source adds to an order.
@@ -39,7 +39,7 @@ impl Contribution {
     /// The term with its factor, the force weighed by its position: 1 for the force, the arm for the moment, the part that a
     /// bearing carries.
     pub fn weighed(&self, weighing: impl Fn(&BigRational) -> BigRational) -> (Factor, Term) {
-        let weight = &self.term.weight * weighing(&self.position);
+        let weight = fraction::times(&self.term.weight, &weighing(&self.position));
         (self.factor.clone(), Term { angle: self.term.angle.clone(), weight })
     }
 }
@@ -84,7 +84,7 @@ impl<'a> Sources<'a> {
     /// A new kind of source has its terms here.
     pub fn of_force(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
         let pistons = self.cylinders_with(order).flat_map(move |(index, cylinder, own)| {
-            let weight = mass_radius(self.engine, cylinder) * power(self.engine.speed_of(cylinder), 2);
+            let weight = geared(mass_radius(self.engine, cylinder), self.engine.speed_of(cylinder), 2);
             let at = phase(cylinder, own, Some(sense));
             let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), own).into_iter();
             parts.map(move |(factor, part)| Contribution {
@@ -129,7 +129,8 @@ impl<'a> Sources<'a> {
     pub fn of_torque(&self, order: u32) -> impl Iterator<Item = Contribution> {
         self.cylinders_with(order).map(move |(index, cylinder, own)| {
             let speed = self.engine.speed_of(cylinder);
-            let weight = mass_radius(self.engine, cylinder) * &cylinder.crank_radius * power(speed, 3);
+            let mass_radius = mass_radius(self.engine, cylinder);
+            let weight = geared(fraction::times(&mass_radius, &cylinder.crank_radius), speed, 3);
             Contribution {
                 source: Source::Piston(index),
                 position: cylinder.position.clone(),
@@ -170,13 +171,18 @@ pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
     num_traits::pow(BigRational::from_integer(speed.into()), exponent)
 }
 
+/// What a crank of this speed does, from what one at the reference speed would do.
+fn geared(part: BigRational, speed: u32, exponent: usize) -> BigRational {
+    if speed == 1 { part } else { part * power(speed, exponent) }
+}
+
 /// A part of a vector: turned by its angle in the direct star, the other way in the reverse one.
 fn turned(at: &Turn, weight: &BigRational, part: &Term, sense: Sense) -> Term {
     let angle = match sense {
         Sense::Direct => at + &part.angle,
         Sense::Reverse => at - &part.angle,
     };
-    Term { angle, weight: weight * &part.weight }
+    Term { angle, weight: fraction::times(weight, &part.weight) }
 }
 
 /// What every mass of an engine adds to the force of one order and sense, where its factor is not zero.
@@ -193,7 +199,7 @@ pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribut
 pub fn lever(engine: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
     match quantity {
         Quantity::Force => BigRational::one(),
-        Quantity::Moment => position - engine.reference_plane(),
+        Quantity::Moment => fraction::minus(position, engine.reference_plane()),
         Quantity::Torque | Quantity::Roll => unreachable!("the torque has sums of its own, and so has the roll moment"),
     }
 }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::factor::Factor;
-use crate::exact::{PhasorSum, Term};
+use crate::exact::{PhasorSum, Term, fraction};
 
 /// `Σ factor · sum`, in normal form: each direction of a sum once, and no sum that vanishes.
 ///
@@ -72,6 +72,14 @@ impl OrderSum {
     /// A multiple.
     pub fn scaled(&self, by: &BigRational) -> Self {
         Self::of(self.0.iter().map(|(factor, sum)| (factor.clone(), sum.scaled(by))))
+    }
+
+    /// The terms of a multiple, each with its factor.
+    pub fn terms_scaled(&self, by: BigRational) -> impl Iterator<Item = (Factor, Term)> {
+        let parts = self.0.iter().flat_map(|(factor, sum)| sum.terms().iter().map(move |term| (factor, term)));
+        parts.map(move |(factor, Term { angle, weight })| {
+            (factor.clone(), Term { angle: angle.clone(), weight: fraction::times(weight, &by) })
+        })
     }
 
     /// The mirror image of every sum in the reference direction; the factors stay.

@@ -7,7 +7,7 @@ use super::factor::Factor;
 use super::link;
 use super::source::Source;
 use crate::engine::{self, Balancer, Cylinder, Engine};
-use crate::exact::{Term, Turn};
+use crate::exact::{Term, Turn, fraction};
 use crate::proof::Sense;
 
 /// A mass that turns at a multiple of the crank speed.
@@ -41,7 +41,7 @@ impl TurningMass {
     /// What it adds to its vector: a mass-radius U at angle γ adds `2n²U e^{iγ}` (theory, section 3).
     pub fn weight(&self) -> BigRational {
         let order = u64::from(self.order);
-        BigRational::from_integer((2 * order * order).into()) * &self.mass_radius
+        fraction::times(&BigRational::from_integer((2 * order * order).into()), &self.mass_radius)
     }
 }
 
@@ -62,16 +62,17 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     let radius = unit_radius(engine);
     let with_rods = engine.cylinders().iter().enumerate().filter(|(_, at)| !at.rotating_mass.is_zero());
     let rods = with_rods.map(|(index, at)| {
-        let size = &at.rotating_mass * &radius * &at.crank_radius;
+        let size = fraction::times(&fraction::times(&at.rotating_mass, &radius), &at.crank_radius);
         on_the_crank(Source::BigEnd(index), size, &engine.pin_angle(at), (&at.position, at.crank))
     });
     let named = !crankshaft.pins.is_empty() || !crankshaft.webs.is_empty();
     let throws = if named { engine::throws(engine) } else { Vec::new() };
     let pins = throws.iter().zip(&crankshaft.pins).enumerate().map(|(index, (at, mass))| {
-        on_the_crank(Source::Pin(index), mass * &radius * &at.crank_radius, &at.angle, (&at.position, at.crank))
+        let size = fraction::times(&fraction::times(mass, &radius), &at.crank_radius);
+        on_the_crank(Source::Pin(index), size, &at.angle, (&at.position, at.crank))
     });
     let webs = throws.iter().zip(&crankshaft.webs).enumerate().map(|(index, (at, web))| {
-        on_the_crank(Source::Webs(index), &web.mass * &web.radius, &at.angle, (&at.position, at.crank))
+        on_the_crank(Source::Webs(index), fraction::times(&web.mass, &web.radius), &at.angle, (&at.position, at.crank))
     });
     let weights = crankshaft.counterweights.iter().enumerate().map(|(index, weight)| {
         on_the_crank(
@@ -101,7 +102,8 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
     let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
     let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
-    let in_multiples = weighing.map(|mass| TurningMass { mass_radius: &mass.mass_radius / &unit, ..mass });
+    let in_multiples =
+        weighing.map(|mass| TurningMass { mass_radius: fraction::over(&mass.mass_radius, &unit), ..mass });
     in_multiples.chain(knuckles(engine)).collect()
 }
 

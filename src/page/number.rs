@@ -3,12 +3,13 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 use crate::numbers::{self, Direction, Form};
 use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 6;
+const POWERS_OF_TEN: [u64; MOST_PLACES + 1] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000];
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
 /// The longest fraction that is shown as one.
@@ -58,17 +59,11 @@ pub(crate) fn is_long(value: &BigRational) -> bool {
 
 /// The decimal form of a modulus, where it ends after a few places.
 fn terminating(value: &BigRational) -> Option<String> {
-    let value = value.abs();
-    let ten = BigRational::from_integer(10.into());
-    let mut scaled = value.clone();
-    let places = (0..=MOST_PLACES).find(|_| {
-        let whole = scaled.is_integer();
-        if !whole {
-            scaled = &scaled * &ten;
-        }
-        whole
-    })?;
-    let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
+    // It ends after so many places where its denominator divides that power of ten.
+    let denominator = value.denom().to_u64()?;
+    let (places, power) = (0..=MOST_PLACES).zip(POWERS_OF_TEN).find(|(_, power)| power.is_multiple_of(denominator))?;
+    let scaled = value.numer().magnitude() * (power / denominator);
+    let digits = format!("{:0>width$}", scaled.to_string(), width = places + 1);
     let (whole, fraction) = digits.split_at(digits.len() - places);
     Some(if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") })
 }
@@ -85,7 +80,7 @@ pub(crate) fn degrees(value: &BigRational) -> String {
 
 /// A number of turns in degrees, not reduced: a firing interval of `720°`.
 pub(crate) fn turns(value: &BigRational) -> String {
-    degrees(&(value * BigRational::from_integer(360.into())))
+    degrees(&fraction::times(value, &BigRational::from_integer(360.into())))
 }
 
 /// A direction in `[0°, 360°)`.
@@ -96,8 +91,10 @@ pub(crate) fn angle(turn: &Turn) -> String {
 /// A direction in `(−180°, 180°]`, as bank angles are spoken of.
 pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
     let degrees = turn.degrees();
-    let full = BigRational::from_integer(360.into());
-    if &degrees * BigRational::from_integer(2.into()) > full { degrees - full } else { degrees }
+    match *turn > Turn::fraction(1, 2) {
+        true => fraction::minus(&degrees, &BigRational::from_integer(360.into())),
+        false => degrees,
+    }
 }
 
 /// A decimal of four digits; whole numbers whole.
@@ -353,11 +350,10 @@ pub(crate) fn names(names: &[&str]) -> String {
 
 /// A multiple of an angle as it is worked out by hand: `2·270°`, nothing for a factor of 0.
 pub(crate) fn multiple(factor: i64, degrees_value: &BigRational) -> Option<(bool, String)> {
-    let product_sign = degrees_value * BigRational::from_integer(factor.into());
     if factor.is_zero() || degrees_value.is_zero() {
         return None;
     }
     let modulus = degrees(&degrees_value.abs());
     let text = if factor.abs().is_one() { modulus } else { format!("{}·{modulus}", factor.abs()) };
-    Some((product_sign.is_negative(), text))
+    Some((factor.is_negative() != degrees_value.is_negative(), text))
 }

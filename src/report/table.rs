@@ -1,12 +1,13 @@
 //! Which tables does the report of an engine hold?
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::firmness;
 use super::residual;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 use crate::order::{self, Source, TurningMass};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
@@ -308,5 +309,7 @@ fn reduced_phase(parts: &Parts) -> String {
 }
 
 fn phase_sum(parts: &Parts) -> BigRational {
-    parts.iter().map(|(factor, degrees)| *degrees * BigRational::from_integer((*factor).into())).sum()
+    let products =
+        parts.iter().map(|(factor, degrees)| fraction::times(degrees, &BigRational::from_integer((*factor).into())));
+    products.fold(BigRational::zero(), |sum, product| fraction::plus(&sum, &product))
 }

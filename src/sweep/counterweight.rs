@@ -22,20 +22,17 @@ pub fn counterweight(engine: &Engine) -> Option<Amplitude> {
 /// The same for an engine whose whole numbers are known already.
 pub(super) fn counterweight_of(engine: &Engine, whole: Option<&IntegerEngine>) -> Option<Amplitude> {
     let whole = whole.filter(|whole| whole.knows(1));
-    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| match whole {
-        Some(_) if engine.has_offset() => None,
-        Some(whole) => {
-            let pair = whole.pair(quantity, 1);
-            Some((pair.direct, pair.zeros[0]))
-        }
-        None => {
+    let [force, moment] = match whole {
+        Some(_) if engine.has_offset() => return None,
+        Some(whole) => whole.pairs(1).map(|pair| Some((pair.direct, pair.zeros[0]))),
+        None => [Quantity::Force, Quantity::Moment].map(|quantity| {
             let sum = order::all_masses(engine, quantity, 1, Sense::Direct);
             // With an offset c_1 is not 1.
             let is_plain = sum.parts().keys().all(|factor| *factor == Factor::One);
             let value = sum.parts().values().map(float).sum::<Complex<f64>>();
             is_plain.then(|| (value, sum.vanishes()))
-        }
-    });
+        }),
+    };
     let ((p, no_force), (c, no_moment)) = (force?, moment?);
     if no_force && no_moment {
         return Some(Amplitude { value: 0.0, vanishes: true });

@@ -8,6 +8,7 @@ use smallvec::SmallVec;
 
 use super::integers::IntegerEngine;
 use crate::engine::{Cycle, Engine, Firing};
+use crate::exact::fraction;
 
 /// The longest and the shortest interval between firings, in turns of the crank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +24,7 @@ pub struct Evenness {
 impl Evenness {
     /// The longest less the shortest.
     pub fn unevenness(&self) -> BigRational {
-        &self.longest - &self.shortest
+        fraction::minus(&self.longest, &self.shortest)
     }
 }
 
@@ -51,7 +52,7 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
         None => top_dead_centres(engine)?,
     };
     let (longest, shortest) = Choices::new(&whole, length, cycle)?.most_even()?;
-    let turns = |each: i64| BigRational::new(each.into(), length.into());
+    let turns = |each: i64| fraction::ratio(each, length);
     Some(Evenness { longest: turns(longest), shortest: turns(shortest), of_the_file: false })
 }
 
@@ -96,9 +97,10 @@ impl<'a> Choices<'a> {
 
     /// Where each cylinder fires: the first at 0, the others in this revolution or in the next.
     fn firings(&self, choice: usize) -> impl Iterator<Item = i64> {
-        let at =
-            move |(index, centre): (usize, &i64)| centre + if choice << 1 >> index & 1 == 1 { self.length } else { 0 };
-        self.whole.iter().enumerate().map(at)
+        // Engines with more cylinders than bits have one choice, in which none is late.
+        let is_late = move |index: u32| (choice << 1).checked_shr(index).is_some_and(|bits| bits & 1 == 1);
+        let at = move |(index, centre): (u32, &i64)| centre + if is_late(index) { self.length } else { 0 };
+        (0..).zip(self.whole).map(at)
     }
 
     /// The longest and the shortest interval.
@@ -115,22 +117,26 @@ impl<'a> Choices<'a> {
     /// With the top dead centres rising, the cylinders of the first revolution fire in that order, then those of the second: no choice
     /// has to be sorted. The first cylinder, whose centre is 0, fires first.
     fn most_even(&self) -> Option<(i64, i64)> {
+        if self.count == 1 {
+            return Some(self.intervals(0));
+        }
         let mut rising: SmallVec<[i64; MOST_CYLINDERS]> = self.whole.iter().copied().collect();
         rising.sort_unstable();
         let (first, others) = rising.split_first()?;
         let turn = self.revolutions * self.length;
+        let all = self.count - 1;
         let intervals = |choice: usize| {
             let (mut last, mut longest, mut shortest) = (*first, 0, turn);
             let mut fires = |at: i64| {
                 (longest, shortest) = (longest.max(at - last), shortest.min(at - last));
                 last = at;
             };
-            let is_late = |place: usize| choice >> place & 1 == 1;
-            for (_, &centre) in others.iter().enumerate().filter(|(place, _)| !is_late(*place)) {
-                fires(centre);
-            }
-            for (_, &centre) in others.iter().enumerate().filter(|(place, _)| is_late(*place)) {
-                fires(centre + self.length);
+            // A bit for each that fires in this revolution, then for each in the next.
+            for (mut left, late) in [(!choice & all, 0), (choice, self.length)] {
+                while left != 0 {
+                    fires(others[left.trailing_zeros() as usize] + late);
+                    left &= left - 1;
+                }
             }
             fires(first + turn);
             (longest, shortest)

@@ -4,6 +4,7 @@
 //! denominator. Masses that turn enter order 1 of centric rods with the same number before them, 1, so that their terms stand
 //! in the same sum. All are formed in words, and the room [`crate::exact`] decides on them as on any.
 
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
 use num_bigint::BigInt;
@@ -14,9 +15,9 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use smallvec::SmallVec;
 
 use crate::engine::{Cylinder, Engine};
-use crate::exact;
+use crate::exact::{self, fraction};
 use crate::order::{self, Factor, TurningMass};
-use crate::proof::{Quantity, Sense};
+use crate::proof::Sense;
 
 /// A sum further from zero than this part of the sum of its weights is not zero: floats are off by far less, with as many
 /// cylinders as are read.
@@ -35,7 +36,12 @@ pub(super) struct IntegerEngine {
     weights: [Weights; 2],
     /// The orders of masses that turn and are not in words.
     unknown: Vec<u32>,
+    /// The sums of order 1, for which the counterweights ask again.
+    first: OnceCell<[Pair; 2]>,
 }
+
+/// A vector of P⁺ and one of P̄⁻: its exponent over the conductor, and its direction.
+type Vectors = [Option<(u64, Complex<f64>)>; 2];
 
 /// The weights of the pistons of an engine, kept for the next one: most sweeps change angles alone.
 #[derive(Default)]
@@ -49,6 +55,7 @@ struct Weights {
 }
 
 /// One order of the force or the moment: P⁺ and P̄⁻, and which of P⁺, P⁻, P⁺ + P̄⁻, P⁺ − P̄⁻ are zero.
+#[derive(Clone, Copy)]
 pub(super) struct Pair {
     pub direct: Complex<f64>,
     pub mirrored: Complex<f64>,
@@ -94,6 +101,7 @@ impl IntegerEngine {
             turning: turning.iter().map(turns).collect::<Option<_>>()?,
             weights,
             unknown,
+            first: OnceCell::new(),
         })
     }
 
@@ -109,44 +117,56 @@ impl IntegerEngine {
         (own.map(|centre| (centre - first).rem_euclid(self.conductor)).collect(), self.conductor)
     }
 
-    /// The sums of one order, without its coefficient.
-    pub fn pair(&self, quantity: Quantity, order: u32) -> Pair {
-        let weights = &self.weights[usize::from(quantity == Quantity::Moment)];
-        let n = i128::from(self.conductor);
+    /// The sums of one order of the force and the moment, without its coefficient.
+    pub fn pairs(&self, order: u32) -> [Pair; 2] {
+        match order {
+            1 => *self.first.get_or_init(|| self.sums(1)),
+            _ => self.sums(order),
+        }
+    }
+
+    fn sums(&self, order: u32) -> [Pair; 2] {
+        let star = self.star(order);
+        self.weights.each_ref().map(|weights| self.pair(&star, weights))
+    }
+
+    /// Where each vector of an order points: the same for the force and the moment.
+    fn star(&self, order: u32) -> SmallVec<[Vectors; 16]> {
         let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::multiples(order, Some(sense)));
         let mirrored = reverse.map(|times| -times);
+        let vector = |multiple: i64| {
+            let exponent = multiple.rem_euclid(self.conductor);
+            Some((exponent as u64, Complex::cis(TAU * (exponent as f64 / self.conductor as f64))))
+        };
+        // Angles are below 2⁴⁰ and orders are at most 1000.
         let pistons = self.throws.iter().zip(&self.banks).map(|(&throw, &bank)| {
-            [direct, mirrored].map(|[of_throw, of_bank]| {
-                let exponent = i128::from(of_throw) * i128::from(throw) + i128::from(of_bank) * i128::from(bank);
-                Some(exponent.rem_euclid(n) as u64)
-            })
+            [direct, mirrored].map(|[of_throw, of_bank]| vector(of_throw * throw + of_bank * bank))
         });
         // What turns is in one of both sums: with the crank in the direct one, against it, mirrored, in the other.
         let masses = self.turning.iter().filter(|_| order == 1).map(|&(at, sense)| match sense {
-            Sense::Direct => [Some(at.rem_euclid(self.conductor) as u64), None],
-            Sense::Reverse => [None, Some((-at).rem_euclid(self.conductor) as u64)],
+            Sense::Direct => [vector(at), None],
+            Sense::Reverse => [None, vector(-at)],
         });
-        let terms: SmallVec<[(i64, [Option<u64>; 2]); 32]> =
-            weights.whole.iter().copied().zip(pistons.chain(masses)).collect();
-        let angle = |exponent: u64| TAU * (exponent as f64 / self.conductor as f64);
+        pistons.chain(masses).collect()
+    }
+
+    fn pair(&self, star: &[Vectors], weights: &Weights) -> Pair {
         let (mut sums, mut whole) = ([Complex::zero(), Complex::zero()], 0.0);
-        for &(weight, pair) in &terms {
+        for (&weight, vectors) in weights.whole.iter().zip(star) {
             whole += (weight as f64).abs();
-            for (sum, exponent) in sums.iter_mut().zip(pair) {
-                if let Some(exponent) = exponent {
-                    *sum += Complex::from_polar(weight as f64, angle(exponent));
-                }
+            for (sum, (_, direction)) in sums.iter_mut().zip(vectors).filter_map(|(sum, v)| Some((sum, (*v)?))) {
+                *sum += direction * weight as f64;
             }
         }
         let [direct, mirrored] = sums;
-        let conductor = self.conductor as u64;
         let decide = |signs: [i64; 2]| {
-            let of_both = |&(weight, pair): &(i64, [Option<u64>; 2])| {
-                let of_one = move |(exponent, sign): (Option<u64>, i64)| Some((exponent?, sign * weight));
-                pair.into_iter().zip(signs).filter(|(_, sign)| *sign != 0).filter_map(of_one)
-            };
-            let terms: Vec<(u64, i64)> = terms.iter().flat_map(of_both).collect();
-            exact::vanishes(&conductor, &terms)
+            let mut terms: SmallVec<[(u64, i64); 32]> = SmallVec::new();
+            for (&weight, vectors) in weights.whole.iter().zip(star) {
+                for (vector, sign) in vectors.iter().zip(signs).filter(|(_, sign)| *sign != 0) {
+                    terms.extend(vector.map(|(exponent, _)| (exponent, sign * weight)));
+                }
+            }
+            exact::vanishes(&(self.conductor as u64), &terms)
         };
         let near = |value: Complex<f64>| value.norm() <= SURELY_NOT_ZERO * whole;
         let (plus, minus) = (near(direct) && decide([1, 0]), near(mirrored) && decide([0, 1]));
@@ -193,7 +213,8 @@ impl Weights {
         let force: Vec<(BigRational, &BigRational)> =
             pistons.chain(turning.iter().map(|mass| (mass.weight(), &mass.position))).collect();
         let plane = engine.reference_plane();
-        let moment: Vec<BigRational> = force.iter().map(|(weight, position)| weight * (*position - plane)).collect();
+        let moment: Vec<BigRational> =
+            force.iter().map(|(weight, position)| fraction::times(weight, &fraction::minus(position, plane))).collect();
         let force: Vec<BigRational> = force.into_iter().map(|(weight, _)| weight).collect();
         Some([Weights::new(&force)?, Weights::new(&moment)?])
     }

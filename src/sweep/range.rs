@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::SweepError;
+use crate::exact::fraction;
 use crate::file::parse_number;
 
 /// More points than this are not kept for a page: at some kilobytes each they would fill a memory. A table of them may be longer.
@@ -77,7 +78,7 @@ impl Range {
 
     /// The value of this index.
     pub fn value(&self, index: usize) -> BigRational {
-        &self.from + &self.step * BigRational::from_integer(index.into())
+        fraction::plus(&self.from, &fraction::times(&self.step, &BigRational::from_integer(index.into())))
     }
 
     /// All values.

@@ -47,17 +47,23 @@ pub struct Amplitudes {
     pub across: Amplitude,
 }
 
+/// One of the amplitudes.
+pub type AmplitudeOf = fn(&Amplitudes) -> Amplitude;
+
 impl Amplitudes {
-    /// All of them by name, as columns and curves have them.
+    /// Each of them by name, as columns and curves have them.
+    pub const NAMED: [(&'static str, AmplitudeOf); 6] = [
+        ("largest", |all| all.largest),
+        ("smallest", |all| all.smallest),
+        ("along", |all| all.along),
+        ("across", |all| all.across),
+        ("direct", |all| all.direct),
+        ("reverse", |all| all.reverse),
+    ];
+
+    /// All of them by name.
     pub fn named(&self) -> [(&'static str, Amplitude); 6] {
-        [
-            ("largest", self.largest),
-            ("smallest", self.smallest),
-            ("along", self.along),
-            ("across", self.across),
-            ("direct", self.direct),
-            ("reverse", self.reverse),
-        ]
+        Amplitudes::NAMED.map(|(name, part)| (name, part(self)))
     }
 }
 
@@ -161,12 +167,10 @@ pub(super) fn judge_with(
     let whole = IntegerEngine::new(engine, &mut motions.weights);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let judged = orders.iter().map(|&order| {
-        let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| {
-            match whole.as_ref().filter(|whole| whole.knows(order)) {
-                Some(whole) => from_words(engine, whole, quantity, order, highest, motions),
-                None => from_sums(engine, quantity, order, highest, motions),
-            }
-        });
+        let [force, moment] = match whole.as_ref().filter(|whole| whole.knows(order)) {
+            Some(whole) => from_words(engine, whole, order, highest, motions),
+            None => BOTH.map(|quantity| from_sums(engine, quantity, order, highest, motions)),
+        };
         SweptOrder { order, force, moment }
     });
     let orders: Vec<SweptOrder> = judged.collect();
@@ -183,27 +187,32 @@ pub(super) fn judge_with(
     })
 }
 
+/// What the sums are of.
+const BOTH: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+
 fn from_words(
     engine: &Engine,
     whole: &IntegerEngine,
-    quantity: Quantity,
     order: u32,
     highest: u32,
     motions: &mut Motions,
-) -> Amplitudes {
+) -> [Amplitudes; 2] {
     let coefficient = match engine.mechanisms().first() {
         Some(mechanism) => motions.coefficient(mechanism, order, highest),
         None => Complex::new(1.0, 0.0),
     };
     if coefficient.is_zero() {
-        return no_order();
+        return [no_order(); 2];
     }
-    let Pair { direct, mirrored, zeros, total_length } = whole.pair(quantity, order);
-    let total_length = total_length * coefficient.norm();
-    amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
-        let [direct, reverse] =
-            [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
-        direct.is_as_long_as(&reverse.mirrored())
+    let pairs = whole.pairs(order);
+    BOTH.map(|quantity| {
+        let Pair { direct, mirrored, zeros, total_length } = pairs[usize::from(quantity == Quantity::Moment)];
+        let total_length = total_length * coefficient.norm();
+        amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
+            let [direct, reverse] =
+                [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
+            direct.is_as_long_as(&reverse.mirrored())
+        })
     })
 }
 

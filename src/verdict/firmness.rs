@@ -9,7 +9,7 @@ use num_traits::{Signed, Zero};
 
 use super::{Balance, Verdict};
 use crate::engine::{Cylinder, Engine};
-use crate::exact::{PhasorSum, Term};
+use crate::exact::{PhasorSum, Term, fraction};
 use crate::order::{self, Source};
 use crate::proof::Quantity;
 
@@ -126,7 +126,7 @@ fn either_side(engine: &Engine, sum: &PhasorSum) -> PhasorSum {
     let terms = engine.cylinders().iter().zip(sum.terms());
     let signed = |(cylinder, term): (&Cylinder, &Term)| Term {
         angle: term.angle.clone(),
-        weight: &term.weight * engine.arm(cylinder).signum(),
+        weight: fraction::times(&term.weight, &engine.arm(cylinder).signum()),
     };
     PhasorSum::new(terms.map(signed).collect())
 }

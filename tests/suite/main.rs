@@ -47,6 +47,7 @@ mod firing_documents;
 mod firing_pages;
 mod firmness;
 mod formulas;
+mod fractions;
 mod fragments;
 mod fuzzed;
 mod gas;

@@ -322,6 +322,15 @@ fn the_most_even_firing_of_the_six_is_that_of_its_bank_angle() {
 }
 
 #[test]
+fn more_cylinders_than_a_word_has_bits_fire_too() {
+    let throws: Vec<String> = (0..72).map(|place| (place * 5).to_string()).collect();
+    let engine = file::parse("i72.toml", &format!("inline.throws = [{}]", throws.join(", "))).expect("it reads");
+    let even = sweep::evenness(&engine, Some(Cycle::TwoStroke)).expect("a cycle");
+    assert_eq!((even.longest, even.shortest), (ratio(1, 72), ratio(1, 72)));
+    assert!(sweep::evenness(&engine, Some(Cycle::FourStroke)).is_none(), "too many orders to try");
+}
+
+#[test]
 fn a_firing_order_that_some_throws_cannot_fire_leaves_the_most_even_one() {
     let text = "cycle = \"four-stroke\"\nfiring_order = \"1-5-4-3-7-2-6-8\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
     let sweep = good(text, &["vee.bank_angle=30..180:30"], &[1]);

@@ -28,9 +28,7 @@ impl Spot {
     }
 
     fn of(sum: &PhasorSum, bits: u32) -> Self {
-        let units = BigRational::from_integer(BigInt::one() << bits);
-        let ends = numbers::enclose(sum, bits).map(|(low, high)| [(low * &units).floor(), (high * &units).ceil()]);
-        let [[re, re_end], [im, im_end]] = ends.map(|ends| ends.map(|end| end.to_integer()));
+        let [[re, re_end], [im, im_end]] = numbers::enclose_in_units(sum, bits);
         let doubt = (re_end - &re).max(im_end - &im);
         Spot { re, im, doubt }
     }

@@ -62,8 +62,11 @@ impl Extent {
             let (one, other) = ((low - at) / way, (high - at) / way);
             enters = enters.max(one.min(other));
             leaves = leaves.min(one.max(other));
+            if enters > leaves {
+                return false;
+            }
         }
-        enters <= leaves
+        true
     }
 
     /// Whether the other lies inside, edges included.

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use super::cells::{decimals, exact, truths};
 use super::zeros::{firing_zeros, zeros};
 use crate::engine::CycleOrder;
+use crate::exact::fraction;
 use crate::loads::Arm;
 use crate::numbers::float;
 use crate::proof::Quantity;
@@ -86,15 +87,15 @@ pub fn points(sweep: &Sweep) -> Table {
 
 /// The amplitudes of an order, in newtons too where they are known; gives the columns that tell which are zero.
 fn amplitudes(sweep: &Sweep, table: &mut Table, place: usize, order: u32, quantity: Quantity) -> Vec<Column> {
-    let at = |point: &SweptEngine| -> Option<Amplitudes> {
-        let order = point.orders.get(place)?;
-        Some(if quantity == Quantity::Force { order.force } else { order.moment })
-    };
     let (name, order) = (quantity_name(quantity), order.to_string());
     let column = |part: usize, pattern: usize, unit: Unit, about, values| {
         Column::named(PARTS[part].0[pattern], &[name, &order], unit, about, values)
     };
-    let part = |point: &SweptEngine, part: usize| at(point).map(|all| all.named()[part].1);
+    let part = |point: &SweptEngine, part: usize| {
+        let order = point.orders.get(place)?;
+        let all = if quantity == Quantity::Force { &order.force } else { &order.moment };
+        Some(Amplitudes::NAMED[part].1(all))
+    };
     for (index, (_, about)) in PARTS.into_iter().enumerate() {
         let values = decimals(sweep.points.iter().map(|point| part(point, index).map(size)));
         table.push(column(index, 0, multiple(sweep, quantity), about, values));
@@ -156,7 +157,8 @@ fn intervals(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
     ];
     let full = BigRational::from_integer(360.into());
     let columns = ALL.into_iter().map(|([pattern, pattern_exact], about, interval)| {
-        let degrees = |point: &SweptEngine| point.evenness.as_ref().map(|evenness| interval(evenness) * &full);
+        let degrees =
+            |point: &SweptEngine| point.evenness.as_ref().map(|evenness| fraction::times(&interval(evenness), &full));
         let all: Vec<Option<BigRational>> = sweep.points.iter().map(degrees).collect();
         let values = decimals(all.iter().map(|degrees| degrees.as_ref().map(float)));
         table.push(Column::new(pattern, Unit::DEGREE, about, values));

@@ -80,8 +80,13 @@ impl Labels {
                 break;
             }
             for (way, aside) in (0..ways.len()).flat_map(|way| ASIDE.map(|aside| (way, aside))) {
-                let place = self.place(ends, along, far, f64::from(aside), (way, &ways[way]));
                 let best_cost = best.as_ref().map_or(f64::INFINITY, |best| best.cost);
+                // What a label covers makes a place dearer still.
+                let least = far + TURNED * f64::from(aside).abs() + BROKEN * way as f64;
+                if least >= best_cost {
+                    continue;
+                }
+                let place = self.place(ends, along, (far, f64::from(aside), least), (way, &ways[way]));
                 best = place.filter(|place| place.cost < best_cost).or(best);
             }
         }
@@ -105,8 +110,7 @@ impl Labels {
         &self,
         (tip, begin): (Point, Point),
         along: Point,
-        far: f64,
-        aside: f64,
+        (far, aside, least): (f64, f64, f64),
         (way, lines): (usize, &[String]),
     ) -> Option<Place> {
         let towards = along * Point::cis(aside * PI / 15.0);
@@ -134,11 +138,7 @@ impl Labels {
         let leaders = self.leaders.iter().filter(|(from, to)| {
             with_air.is_crossed(*from, *to) || leader.is_some_and(|leader| cross(leader, (*from, *to)))
         });
-        let cost = far
-            + TURNED * aside.abs()
-            + BROKEN * way as f64
-            + covered.map(|(_, _, cost)| cost).sum::<f64>()
-            + ON_LEADER * leaders.count() as f64;
+        let cost = least + covered.map(|(_, _, cost)| cost).sum::<f64>() + ON_LEADER * leaders.count() as f64;
         Some(Place { cost, lines: way, area, leader })
     }
 }

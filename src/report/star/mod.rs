@@ -23,7 +23,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::argument;
 use super::figure::Point;
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 use crate::numbers;
 use crate::order::Source;
 use crate::proof::Polygon;
@@ -106,7 +106,7 @@ fn corners(polygon: &Polygon, scale: f64) -> Vec<Point> {
     let radius = decimal(&polygon.weight) * scale;
     let corner = |j: u64| {
         let step = BigRational::new(j.into(), polygon.sides.into());
-        towards(&Turn::new(&polygon.rotation + step)) * radius
+        towards(&Turn::new(fraction::plus(&polygon.rotation, &step))) * radius
     };
     (0..polygon.sides).map(corner).collect()
 }
