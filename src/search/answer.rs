@@ -34,8 +34,8 @@ impl Front {
         if !space.holds(throws) {
             return Err(ProblemError::new("these throws are no star of the question"));
         }
-        let point = judged::judge(&space, &Tables::new(&space), throws);
-        Ok(found::standing(&self.points, &point))
+        let points = judged::judge(&space, &Tables::new(&space), throws);
+        Ok(found::standing(&self.points, &points))
     }
 }
 

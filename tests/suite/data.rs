@@ -63,15 +63,7 @@ fn answer_all() -> Vec<Answered> {
     }
     all.push(tables::swept(V6, &["vee.bank_angle=0..180:20"], &[1, 2], &["1", "3/2"]).1);
     all.push(tables::swept(V8_GAS, &["speed=1000..3000:1000"], &[1], &[]).1);
-    let vee = Problem {
-        cylinders: 6,
-        cycle: Cycle::FourStroke,
-        bank_angle: Some(Turn::fraction(1, 6)),
-        directions: None,
-        grid: None,
-        orders: vec![1, 2],
-        neighbours: false,
-    };
+    let vee = Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]);
     all.push(tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true).1);
     all.push(tables::searched(&vee, false).1);
     all

@@ -92,6 +92,7 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod search_aims;
 mod search_join;
 mod search_torsion;
 mod second_checker;
@@ -129,6 +130,7 @@ mod support {
     pub mod pages;
     pub mod pin_stars;
     pub mod piston;
+    pub mod plain_aims;
     pub mod plain_search;
     pub mod plane_star;
     pub mod program;

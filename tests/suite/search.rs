@@ -467,7 +467,8 @@ fn impossible_questions_are_answered_with_words() {
         ("--cylinders 16 --cycle two-stroke --grid 360", 1, "up to 10^12"),
         ("--cylinders 6 --cycle two-stroke --orders 0", 1, "orders from 1 to 1000"),
         ("--cylinders 6 --cycle two-stroke --orders 1,2,3,4,5,6,7,8,9", 1, "1 to 8 orders"),
-        ("--cylinders 6 --cycle two-stroke --grid 6 --neighbours", 1, "in-line engines that fire evenly"),
+        ("--cylinders 13 --cycle four-stroke --grid 4 --neighbours", 1, "counted for up to 12"),
+        ("--cylinders 6 --cycle two-stroke --bank-angle 60.12345678901234 --neighbours", 1, "round the bank angle"),
         ("--cylinders 6 --cycle two-stroke --resume /dev/null/state", 1, "cannot read"),
     ];
     for (arguments, status, words) in questions {

@@ -37,10 +37,18 @@ fn stars(front: &Front, document: &FrontDocument) -> Table {
     for (place, first) in front.stars.first().iter().flat_map(|star| star.moments.iter().enumerate()) {
         moments(front, &mut table, place, first);
     }
+    for (place, (order, _)) in front.stars.first().iter().flat_map(|star| star.minor.iter().enumerate()) {
+        let order = order.exact().to_string();
+        let of = |star: &FoundStar| star.minor.get(place).map(|(_, sum)| length(sum, numbers::evaluate(sum).norm()));
+        let lengths: Vec<Option<Length>> = front.stars.iter().map(of).collect();
+        let patterns = ["phase_sum_{order}", "phase_sum_{order}_exact", "phase_sum_{order}_vanishes"];
+        let about = "length of the phase-vector sum of a minor order that is compared: deflections of the mode at the firing angles";
+        add_lengths(&mut table, patterns, &[&order], [Unit::NONE; 3], about, &lengths);
+    }
     let mut add = |pattern, about, values| table.push(Column::new(pattern, Unit::NONE, about, values));
     add(
         "neighbours",
-        "pairs of neighbours that fire in succession, the fewest that the star allows; empty for a V, and without even firing",
+        "pairs of neighbours in a bank that fire in succession, the fewest that the star allows; empty without even firing, unless they are compared",
         Values::Whole(known.iter().map(|star| star.neighbours.and_then(|count| count.try_into().ok())).collect()),
     );
     add(
