@@ -145,10 +145,22 @@ pub(super) fn cycle(problem: &Problem) -> &'static str {
     firing::cycle_name(problem.cycle)
 }
 
-/// `In-line 6` or `V8, 90°`.
+/// An angle of up to half a turn either way, in degrees.
+fn signed(angle: &Turn) -> BigRational {
+    let degrees = angle.degrees();
+    let half = BigRational::from_integer(180.into());
+    if degrees > half { degrees - half * BigRational::from_integer(2.into()) } else { degrees }
+}
+
+/// `In-line 6` or `V8, 90°`, with split and offset where there are any.
 pub(super) fn name(problem: &Problem) -> String {
     match &problem.bank_angle {
-        Some(angle) => format!("V{}, {}°", problem.cylinders, angle.degrees()),
+        Some(angle) => {
+            let split = problem.pin_split.as_ref().map(|split| format!(", pins split by {}°", signed(split)));
+            let offset = problem.bank_offset.as_ref().map(|offset| format!(", banks offset by {offset}"));
+            let more = [split, offset].into_iter().flatten().collect::<String>();
+            format!("V{}, {}°{more}", problem.cylinders, angle.degrees())
+        }
         None => format!("In-line {}", problem.cylinders),
     }
 }

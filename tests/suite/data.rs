@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use crankstar::engine::{Cycle, Engine};
+use crankstar::engine::{Cycle, CycleOrder, Engine};
 use crankstar::exact::Turn;
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
@@ -66,6 +66,9 @@ fn answer_all() -> Vec<Answered> {
     let vee = Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]);
     all.push(tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true).1);
     all.push(tables::searched(&vee, false).1);
+    let minor_orders = [1, 2].into_iter().filter_map(CycleOrder::of_halves).collect();
+    let by_minor = Problem { minor_orders, neighbours: true, ..Problem::inline(6, Cycle::FourStroke, &[1, 2]) };
+    all.push(tables::searched(&by_minor, false).1);
     all
 }
 

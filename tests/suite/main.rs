@@ -94,6 +94,7 @@ mod rooms;
 mod search;
 mod search_aims;
 mod search_join;
+mod search_published;
 mod search_torsion;
 mod second_checker;
 mod shards;

@@ -5,6 +5,8 @@ use crate::support::plain_search::{Star, arrange, of_even_throws};
 use crankstar::engine::{Cycle, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file;
+use crankstar::page::{self, Format, Language};
+use crankstar::report;
 use crankstar::search::{FoundStar, Front, Options, Problem, Way, document, search};
 use num_rational::BigRational;
 
@@ -225,5 +227,69 @@ fn a_vee_on_a_grid_is_compared_by_all_its_cylinders_where_its_banks_are_offset()
         let mut stars = of_grid(pins, grid);
         stars.retain(|star| is_balanced(star, grid));
         agrees(&asked, &problem, &stars);
+    }
+}
+
+#[test]
+fn a_search_by_minor_orders_goes_on_from_its_state_file_and_refuses_a_firing_order_of_another_star() {
+    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("search-minor-state");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("state.json");
+    // Not the same end for end, so that a star and its reversal are two points.
+    let shape = [9, 7, 6, 2, 1, -4].map(|value: i64| BigRational::from_integer(value.into()));
+    let asked = Problem {
+        minor_orders: [1, 2].into_iter().filter_map(CycleOrder::of_halves).collect(),
+        mode_shape: Some(shape.to_vec()),
+        ..Problem::inline(6, Cycle::FourStroke, &[1, 2])
+    };
+    let told = |front: &Front| serde_json::to_string(&document(front)).expect("a text");
+    for way in [Way::Join, Way::Walk] {
+        let _ = std::fs::remove_file(&file);
+        let options = || Options { way, threads: 1, resume: Some(file.clone()), ..Options::default() };
+        let whole = told(&search(&asked, &options()).expect("a front"));
+        assert_eq!(told(&search(&asked, &options()).expect("read again")), whole);
+        let text = std::fs::read_to_string(&file).expect("a state");
+        let body = text.lines().next().expect("a line");
+        let mut value: serde_json::Value = serde_json::from_str(body).expect("JSON");
+        let pieces = value["pieces"].as_object_mut().expect("pieces");
+        let is_full = |piece: &&mut serde_json::Value| !piece["stars"].as_array().expect("stars").is_empty();
+        let piece = pieces.values_mut().find(is_full).expect("a star");
+        piece["stars"][0]["firing_order"] = serde_json::json!([0, 1, 2, 3, 5, 4]);
+        let body = value.to_string();
+        std::fs::write(&file, format!("{body}\ncrc32 {:08x}\n", crc32fast::hash(body.as_bytes()))).expect("written");
+        let refused = search(&asked, &options()).expect_err("no such firing order").to_string();
+        assert!(refused.contains("does not fit this search"), "{refused}");
+    }
+    // Another mode is another search.
+    let other = Problem { mode_shape: None, ..asked };
+    let refused = search(&other, &Options { resume: Some(file), ..Options::default() }).expect_err("another question");
+    assert!(refused.to_string().contains("belongs to another search"), "{refused}");
+}
+
+#[test]
+fn a_page_tells_all_that_was_compared_in_german_too() {
+    let even = Problem {
+        neighbours: true,
+        pin_split: Some(turn(-60 * TICKS / 360)),
+        bank_offset: Some(BigRational::new(1.into(), 5.into())),
+        minor_orders: [1].into_iter().filter_map(CycleOrder::of_halves).collect(),
+        ..Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2])
+    };
+    let front = by(Way::Join, &even);
+    let pages = [report::search_answer(&front), report::search_page(&front)];
+    let uneven_shape = [5, 2, 0].map(|value: i64| BigRational::from_integer(value.into())).to_vec();
+    let in_part = by(Way::Join, &Problem { mode_shape: Some(uneven_shape), ..even });
+    assert!(front.counts_whole_classes() && !in_part.counts_whole_classes());
+    for page in pages.into_iter().chain([report::search_answer(&in_part)]) {
+        let text = page::write(&page, Format::GITHUB, &page::Options::default()).remove(0).text;
+        for words in
+            ["that of bank 2 stands −60° ahead", "Bank 1 stands 1/5", "these minor orders", "Order ½", "Neighbours"]
+        {
+            assert!(text.contains(words), "{words}: {text}");
+        }
+        let unknown: Vec<&str> = page.phrases().into_iter().filter(|words| !Language::De.knows(words)).collect();
+        let unknown: Vec<&&str> = unknown.iter().filter(|words| words.chars().any(char::is_alphabetic)).collect();
+        assert!(unknown.is_empty(), "no German for {unknown:#?}");
     }
 }

@@ -125,6 +125,15 @@ fn question(document: &FrontDocument) -> Table {
     add("cycle", "two-stroke or four-stroke", words([document.cycle]));
     add("orders", "the orders whose moments are compared, with a space between", words([orders]));
     add("by_neighbours", "whether neighbours that fire in succession count", truths([Some(document.neighbours)]));
+    let exact = |value: &Option<String>| Values::Exact(vec![value.clone()]);
+    let about = "how far ahead of the pin of bank 1 that of bank 2 stands, in turns; empty where both are one";
+    add("pin_split_turns", about, exact(&document.pin_split));
+    let about =
+        "how far bank 1 stands towards the free end of bank 2, in spacings of the throws; empty where it does not";
+    add("bank_offset_spacings", about, exact(&document.bank_offset));
+    let shape = (!document.mode_shape.is_empty()).then(|| document.mode_shape.join(" "));
+    let about = "the deflections that weigh the minor orders, with a space between; empty where none are compared";
+    add("mode_shape", about, exact(&shape));
     add(
         "all_stars",
         "stars with cylinder 1 at 0 that there are; as text, for there may be more than a whole number holds",

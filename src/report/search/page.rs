@@ -17,6 +17,8 @@ const OF_VEES: &str = "$C_k^+$ and $C_k^-$ are the direct and the reverse vector
     their lengths.";
 const EQUAL: &str =
     "Equal stars: how many share these values, counting stars that differ by rotation, mirror or reversal as one.";
+const EQUAL_IN_PART: &str = "Equal stars: how many share these values, counting as one those that differ by rotation or by what leaves all values as they are: \
+    here not each of mirror and reversal does.";
 const NEIGHBOURS: &str =
     "Neighbours: pairs of cylinders on neighbouring throws of one bank that fire in succession or at once.";
 const MINOR: &str = "Minor orders: the length of the sum of phase vectors, the firing star of this firing order weighed by the deflections of the throws in a mode of \
@@ -118,8 +120,9 @@ fn legend(front: &Front) -> Vec<Text> {
     let of_vees = front.problem.bank_angle.as_ref().map(|_| OF_VEES);
     let neighbours = front.problem.neighbours.then_some(NEIGHBOURS);
     let minor = (!front.problem.minor_orders.is_empty()).then_some(MINOR);
+    let equal = if front.counts_whole_classes() { EQUAL } else { EQUAL_IN_PART };
     let words =
-        [MOMENTS].into_iter().chain(of_vees).chain([THROWS]).chain(neighbours).chain(minor).chain([EQUAL, MASSES]);
+        [MOMENTS].into_iter().chain(of_vees).chain([THROWS]).chain(neighbours).chain(minor).chain([equal, MASSES]);
     words.map(Text::from).chain(banks(front)).collect()
 }
 
@@ -129,7 +132,7 @@ fn banks(front: &Front) -> Vec<Text> {
     let split = problem.pin_split.as_ref().map(|split| {
         phrase!(
             "Each throw has two pins: that of bank 2 stands {} ahead. The throws are those of bank 1.",
-            number::angle(split)
+            number::degrees(&number::signed_degrees(split))
         )
     });
     let offset = problem
