@@ -49,7 +49,7 @@ pub(super) fn class_size(same: Same) -> u64 {
 /// `throws` are directions by place.
 pub(super) fn first_of_class(throws: &[u16], directions: usize) -> (Vec<u16>, u64) {
     let mut images = images(throws, directions);
-    images.sort_by_cached_key(filled);
+    images.sort_by_cached_key(|star| filled(star));
     let different = 1 + images.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
     let [first, ..] = images;
     (first, different)
@@ -73,15 +73,15 @@ pub(super) fn variants(throws: &[u16], directions: usize, keeps: Same) -> Vec<(V
                 part.push(image);
             }
         }
-        part.sort_by_cached_key(filled);
+        part.sort_by_cached_key(|star| filled(star));
         parts.push(part);
     }
     parts.sort_by_cached_key(|part| filled(&part[0]));
-    parts
-        .into_iter()
-        .map(|mut part| (part.len() as u64, part.swap_remove(0)))
-        .map(|(size, star)| (star, size))
-        .collect()
+    let first = |mut part: Vec<Vec<u16>>| {
+        let size = part.len() as u64;
+        (part.swap_remove(0), size)
+    };
+    parts.into_iter().map(first).collect()
 }
 
 /// A star, its mirror image, its reversal and both, with cylinder 1 at 0.
@@ -102,7 +102,7 @@ fn images(throws: &[u16], directions: usize) -> [Vec<u16>; 4] {
 }
 
 /// Directions in the order of filling.
-fn filled(star: &Vec<u16>) -> Vec<u16> {
+fn filled(star: &[u16]) -> Vec<u16> {
     let places = (0..star.len()).map(|at| if at % 2 == 0 { at / 2 } else { star.len() - 1 - at / 2 });
     places.map(|place| star[place]).collect()
 }

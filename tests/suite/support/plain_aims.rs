@@ -1,7 +1,5 @@
 //! All aims of a search by a plain loop: every star a file that is read, every choice of the revolution tried, every pair compared.
 
-use std::collections::BTreeSet;
-
 use crankstar::engine::{Cycle, CycleOrder};
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::order;
@@ -145,14 +143,9 @@ impl Asked {
                 }
             }
         }
-        let beaten: BTreeSet<usize> =
-            (0..distinct.len()).filter(|&at| distinct.iter().any(|other| other.beats(&distinct[at]))).collect();
-        let mut index = 0;
-        distinct.retain(|_| {
-            index += 1;
-            !beaten.contains(&(index - 1))
-        });
-        distinct
+        let is_best = |star: &Star| !distinct.iter().any(|other| other.beats(star));
+        let best: Vec<bool> = distinct.iter().map(is_best).collect();
+        distinct.into_iter().zip(best).filter(|(_, best)| *best).map(|(star, _)| star).collect()
     }
 }
 
