@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use crankstar::engine;
+use crankstar::engine::{self, CycleOrder};
 use crankstar::exact::Turn;
-use crankstar::file::parse_angle;
+use crankstar::file::{parse_angle, parse_number};
 use crankstar::page::Document;
 use crankstar::report::{self, data};
 use crankstar::search::{self, Options, Problem, Progress};
@@ -32,18 +32,27 @@ pub struct Search {
     /// A V of this many degrees on shared pins, instead of an in-line engine
     #[arg(long, value_name = "DEGREES")]
     bank_angle: Option<String>,
+    /// For a V: the pin of bank 2 stands this many degrees ahead of that of bank 1
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, requires = "bank_angle")]
+    pin_split: Option<String>,
+    /// For a V: bank 1 stands so many spacings towards the free end of bank 2
+    #[arg(long, value_name = "SPACINGS", allow_hyphen_values = true, requires = "bank_angle")]
+    bank_offset: Option<String>,
     /// For a V: the number of different directions of its pins [default: one per pin]
     #[arg(long, value_name = "COUNT")]
     directions: Option<u32>,
     /// Throws at any multiples of 1/N turn, as often as they like, with balanced first-order force
     #[arg(long, value_name = "N")]
     grid: Option<u32>,
-    /// Compare by neighbours that fire in succession too
+    /// Compare by neighbours of a bank that fire in succession too
     #[arg(long)]
     neighbours: bool,
-    /// Judge the firing orders of each star of an engine in line by their minor orders in a mode of torsional vibration: one that falls
-    /// evenly along the shaft, or the mode shape
-    #[arg(long, conflicts_with = "bank_angle")]
+    /// Compare firing orders too, by these minor orders in a mode of torsional vibration: one that falls evenly along the shaft, or the
+    /// mode shape
+    #[arg(long, value_delimiter = ',')]
+    minor_orders: Vec<CycleOrder>,
+    /// List the firing orders of each star, by their minor orders in that mode
+    #[arg(long)]
     torsion: bool,
     #[command(flatten)]
     mode: ModeShape,
@@ -82,10 +91,12 @@ impl Search {
     pub fn run(&self) -> Result<(), Failure> {
         let wanted = self.answer.wanted("search")?;
         let problem = self.problem()?;
-        if self.mode.is_given() && !self.torsion {
-            return Err(Failure::new("--mode-shape weighs the firing stars of firing orders; add --torsion"));
+        if self.mode.is_given() && !self.torsion && self.minor_orders.is_empty() {
+            return Err(Failure::new(
+                "--mode-shape weighs the firing stars of firing orders; add --torsion or --minor-orders",
+            ));
         }
-        let shape = self.mode.deflections()?;
+        let shape = problem.mode_shape.clone();
         if self.torsion {
             search::mode_shape(&problem, shape.clone()).map_err(Failure::new)?;
         }
@@ -128,12 +139,22 @@ impl Search {
         let mut orders = self.orders.clone();
         orders.sort_unstable();
         orders.dedup();
-        let degrees = |text: &String| {
-            let turns = parse_angle(text).map_err(|right| Failure::new(format!("--bank-angle `{text}`: {right}")))?;
+        let degrees = |option: &str, text: &String| {
+            let turns = parse_angle(text).map_err(|right| Failure::new(format!("{option} `{text}`: {right}")))?;
             Ok::<_, Failure>(Turn::new(turns))
         };
-        let bank_angle = self.bank_angle.as_ref().map(degrees).transpose()?;
-        let (directions, grid, neighbours) = (self.directions, self.grid, self.neighbours);
-        Ok(Problem { cylinders: self.cylinders, cycle, bank_angle, directions, grid, orders, neighbours })
+        let bank_angle = self.bank_angle.as_ref().map(|text| degrees("--bank-angle", text)).transpose()?;
+        let pin_split = self.pin_split.as_ref().map(|text| degrees("--pin-split", text)).transpose()?;
+        let spacings = |text: &String| {
+            parse_number(text).map_err(|error| Failure::new(format!("--bank-offset `{text}`: {error}")))
+        };
+        let bank_offset = self.bank_offset.as_ref().map(spacings).transpose()?;
+        let mut minor_orders = self.minor_orders.clone();
+        minor_orders.sort_unstable();
+        minor_orders.dedup();
+        let mode_shape = self.mode.deflections()?;
+        let asked = Problem::inline(self.cylinders, cycle, &orders);
+        let asked = Problem { bank_angle, pin_split, bank_offset, directions: self.directions, ..asked };
+        Ok(Problem { grid: self.grid, neighbours: self.neighbours, minor_orders, mode_shape, ..asked })
     }
 }

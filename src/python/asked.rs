@@ -110,7 +110,8 @@ pub(super) fn deflections(mode_shape: Option<&Bound<'_, PyAny>>) -> PyResult<Opt
     keys::numbers(shape)?.iter().map(|text| exact("mode_shape", text)).collect::<PyResult<_>>().map(Some)
 }
 
-fn exact(name: &str, text: &str) -> PyResult<BigRational> {
+/// A number as it is written.
+pub(super) fn exact(name: &str, text: &str) -> PyResult<BigRational> {
     parse_number(text).map_err(|error| told(format!("{name}: cannot read `{text}`: {error}")))
 }
 

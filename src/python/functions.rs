@@ -41,11 +41,13 @@ pub(super) fn verify(py: Python<'_>, document: &Bound<'_, PyAny>) -> PyResult<Ch
 /// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where left out.
 /// bank_angle: a V of so many degrees on shared pins, with so many directions of its pins; an engine in line where left out.
 /// grid: throws at any multiples of 1/grid turn. neighbours: count neighbours that fire in succession.
-/// torsion: judge the firing orders of each star in a mode of torsional vibration, `mode_shape` or one that falls evenly.
+/// pin_split: the pin of bank 2 stands so many degrees ahead. bank_offset: bank 1 stands so many spacings towards the free end of bank 2.
+/// minor_orders: compare firing orders too, by these orders of a mode of torsional vibration, `mode_shape` or one that falls evenly.
+/// torsion: list the firing orders of each star in that mode.
 /// resume: a file that keeps finished pieces. threads: one per core where left out. An interrupt from the keyboard stops it.
 #[pyfunction]
-#[pyo3(signature = (cylinders, cycle, *, orders=None, bank_angle=None, directions=None, grid=None, neighbours=false, torsion=false,
-                    mode_shape=None, resume=None, threads=None))]
+#[pyo3(signature = (cylinders, cycle, *, orders=None, bank_angle=None, directions=None, grid=None, neighbours=false, pin_split=None,
+                    bank_offset=None, minor_orders=None, torsion=false, mode_shape=None, resume=None, threads=None))]
 #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
 pub(super) fn search(
     py: Python<'_>,
@@ -56,18 +58,38 @@ pub(super) fn search(
     directions: Option<u32>,
     grid: Option<u32>,
     neighbours: bool,
+    pin_split: Option<&Bound<'_, PyAny>>,
+    bank_offset: Option<&Bound<'_, PyAny>>,
+    minor_orders: Option<&Bound<'_, PyAny>>,
     torsion: bool,
     mode_shape: Option<&Bound<'_, PyAny>>,
     resume: Option<PathBuf>,
     threads: Option<u16>,
 ) -> PyResult<Answer> {
     let bank_angle = bank_angle.map(|angle| asked::angle("bank_angle", &keys::number(angle)?)).transpose()?;
+    let pin_split = pin_split.map(|angle| asked::angle("pin_split", &keys::number(angle)?)).transpose()?;
+    let bank_offset = bank_offset.map(|length| asked::exact("bank_offset", &keys::number(length)?)).transpose()?;
+    let mut minor_orders = asked::cycle_orders(minor_orders)?;
+    minor_orders.sort_unstable();
+    minor_orders.dedup();
     let shape = asked::deflections(mode_shape)?;
-    if shape.is_some() && !torsion {
-        return Err(error::told("mode_shape weighs the firing stars of firing orders; give torsion=True"));
+    if shape.is_some() && !torsion && minor_orders.is_empty() {
+        return Err(error::told(
+            "mode_shape weighs the firing stars of firing orders; give torsion=True or minor_orders",
+        ));
     }
     let cycle = asked::cycle(cycle)?;
     let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
-    let problem = Problem { cylinders, cycle, bank_angle, directions, grid, orders, neighbours };
+    let mode_shape = shape.clone();
+    let asked = Problem {
+        bank_angle,
+        directions,
+        grid,
+        neighbours,
+        pin_split,
+        bank_offset,
+        ..Problem::inline(cylinders, cycle, &orders)
+    };
+    let problem = Problem { minor_orders, mode_shape, ..asked };
     py.detach(|| questions::search(&problem, torsion.then_some(shape), resume, threads))
 }

@@ -1,11 +1,14 @@
 //! What does a search answer? The front with its counts, or every value there is.
 
+use std::cmp::Ordering;
+
 use super::found::{self, FoundStar, Standing};
 use super::front::{Census, StarValues};
 use super::judged;
 use super::piece::{self, Counts};
 use super::problem::{Problem, ProblemError};
 use super::space::Space;
+use super::symmetry;
 use super::tables::Tables;
 
 /// The answer: no other star is as good in everything and better in something.
@@ -30,12 +33,43 @@ impl Front {
     /// # Errors
     /// If this is no star of the question.
     pub fn standing(&self, throws: &[u16]) -> Result<Standing, ProblemError> {
+        Ok(found::standing(&self.points, &self.judge(throws)?))
+    }
+
+    /// What is known of a star of the question, with the first of its firing orders where these are compared.
+    ///
+    /// # Errors
+    /// If this is no star of the question.
+    pub fn known(&self, throws: &[u16]) -> Result<FoundStar, ProblemError> {
+        let points = self.judge(throws)?;
+        let first = points.first().ok_or_else(|| ProblemError::new("this star does not fire evenly"))?;
+        Ok(FoundStar::new(&self.problem, first))
+    }
+
+    /// The stars of the front that beat a star, in all of its firing orders where these are compared.
+    ///
+    /// # Errors
+    /// If this is no star of the question.
+    pub fn beating(&self, throws: &[u16]) -> Result<Vec<&FoundStar>, ProblemError> {
+        let points = self.judge(throws)?;
+        let beats = |best: &&(&StarValues, &FoundStar)| {
+            points.iter().all(|point| best.0.compare(point) == Some(Ordering::Less))
+        };
+        let pairs: Vec<(&StarValues, &FoundStar)> = self.points.iter().zip(&self.stars).collect();
+        Ok(pairs.iter().filter(beats).map(|(_, star)| *star).collect())
+    }
+
+    /// Whether equal stars are counted up to rotation, mirror and reversal; else the mirror image or the reversal of a star has other values.
+    pub fn counts_whole_classes(&self) -> bool {
+        Space::new(&self.problem).is_ok_and(|space| space.keeps == symmetry::EVERY_IMAGE)
+    }
+
+    fn judge(&self, throws: &[u16]) -> Result<Vec<StarValues>, ProblemError> {
         let space = Space::new(&self.problem)?;
-        if !space.holds(throws) {
-            return Err(ProblemError::new("these throws are no star of the question"));
+        match space.holds(throws) {
+            true => Ok(judged::judge(&space, &Tables::new(&space), throws)),
+            false => Err(ProblemError::new("these throws are no star of the question")),
         }
-        let point = judged::judge(&space, &Tables::new(&space), throws);
-        Ok(found::standing(&self.points, &point))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::proof::Sense;
 
 use super::answer::Front;
 use super::found::{self, FoundStar, Moment};
-use super::torsion::{RankedOrder, Torsion};
+use super::torsion::{self, RankedOrder, Torsion};
 
 /// A front for other programs to read.
 #[derive(Clone, Debug, Serialize)]
@@ -22,6 +22,15 @@ pub struct FrontDocument {
     pub orders: Vec<u32>,
     /// Whether neighbours that fire in succession count.
     pub neighbours: bool,
+    /// How far ahead of the pin of bank 1 that of bank 2 stands, in turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pin_split: Option<String>,
+    /// How far bank 1 stands towards the free end of bank 2, in spacings.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bank_offset: Option<String>,
+    /// The deflections that weigh the minor orders, where they are compared.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub mode_shape: Vec<String>,
     /// Stars with cylinder 1 at 0 that there are.
     pub all_stars: String,
     /// Stars judged one by one.
@@ -42,6 +51,9 @@ pub struct StarDocument {
     pub throws: Vec<String>,
     /// The moments of the orders.
     pub moments: Vec<MomentDocument>,
+    /// The minor orders that are compared, in this firing order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub minor_orders: Vec<PhaseSumDocument>,
     /// Pairs of neighbours that fire in succession.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub neighbours: Option<usize>,
@@ -97,22 +109,22 @@ pub struct MomentDocument {
 impl FrontDocument {
     /// The same with the best firing orders of each star in a mode of torsional vibration.
     pub fn with_torsion(mut self, torsion: &Torsion) -> Self {
-        let sum = |(order, sum): (&CycleOrder, &PhasorSum)| {
-            let proved_zero = sum.vanishes();
-            let exact =
-                if proved_zero { Some("0".to_owned()) } else { numbers::modulus(sum).map(|form| form.to_string()) };
-            let decimal = if proved_zero { 0.0 } else { numbers::evaluate(sum).norm() };
-            PhaseSumDocument { order: order.exact().to_string(), exact, decimal, proved_zero }
-        };
         for (star, judged) in self.stars.iter_mut().zip(&torsion.stars) {
             let ranked = |ranked: &RankedOrder| FiringOrderDocument {
                 firing_order: ranked.name(),
-                sums: torsion.orders.iter().zip(&ranked.sums).map(sum).collect(),
+                sums: torsion.orders.iter().zip(&ranked.sums).map(|(order, sum)| phase_sum(*order, sum)).collect(),
             };
             star.torsion = judged.best.iter().map(ranked).collect();
         }
         self
     }
+}
+
+fn phase_sum(order: CycleOrder, sum: &PhasorSum) -> PhaseSumDocument {
+    let proved_zero = sum.vanishes();
+    let exact = if proved_zero { Some("0".to_owned()) } else { numbers::modulus(sum).map(|form| form.to_string()) };
+    let decimal = if proved_zero { 0.0 } else { numbers::evaluate(sum).norm() };
+    PhaseSumDocument { order: order.exact().to_string(), exact, decimal, proved_zero }
 }
 
 /// The front as a document.
@@ -128,17 +140,25 @@ pub fn document(front: &Front) -> FrontDocument {
         firing_order: star.firing_order.as_deref().map(found::dashed),
         throws: star.throws.iter().map(|throw| throw.turns().to_string()).collect(),
         moments: star.moments.iter().map(moment).collect(),
+        minor_orders: star.minor.iter().map(|(order, sum)| phase_sum(*order, sum)).collect(),
         neighbours: star.neighbours,
         classes: star.classes,
         stars: star.stars,
         torsion: Vec::new(),
         layout: star.layout_file(problem),
     };
+    let shape = match problem.minor_orders.is_empty() {
+        true => Vec::new(),
+        false => torsion::deflections(problem, problem.mode_shape.clone()).unwrap_or_default(),
+    };
     FrontDocument {
         engine: found::name(problem),
         cycle: found::cycle(problem),
         orders: problem.orders.clone(),
         neighbours: problem.neighbours,
+        pin_split: problem.pin_split.as_ref().map(|split| split.turns().to_string()),
+        bank_offset: problem.bank_offset.as_ref().map(ToString::to_string),
+        mode_shape: shape.iter().map(ToString::to_string).collect(),
         all_stars: front.all.to_string(),
         judged: front.judged,
         cut: front.cut,

@@ -7,17 +7,10 @@ use crate::exact::Turn;
 
 use super::problem::Problem;
 
-/// For each direction of an even in-line star the steps of the cycle at which a cylinder on it fires.
-///
-/// Step j comes j intervals after cylinder 1, whose direction is 0; who fires later has the throw behind (theory, section 1).
-pub(super) fn slots(problem: &Problem) -> Vec<Vec<usize>> {
-    let (directions, _) = problem.supply();
-    let direction = |direction| Turn::fraction(-i64::from(direction), i64::from(directions));
-    (0..directions).map(|d| steps(&direction(d), problem)).collect()
-}
-
 /// The steps of the cycle that lie at this crank angle, whole revolutions left out.
-fn steps(angle: &Turn, problem: &Problem) -> Vec<usize> {
+///
+/// Step j comes j intervals after cylinder 1; who fires later has the throw behind (theory, section 1).
+pub(super) fn steps(angle: &Turn, problem: &Problem) -> Vec<usize> {
     let interval = problem.cycle.turns() / BigRational::from_integer(problem.cylinders.into());
     let at = |step: &u32| Turn::new(&interval * BigRational::from_integer((*step).into())) == *angle;
     (0..problem.cylinders).filter(at).map(|step| step as usize).collect()
@@ -29,16 +22,19 @@ fn steps(angle: &Turn, problem: &Problem) -> Vec<usize> {
 pub(super) fn even_steps(dead_centres: &[Turn], problem: &Problem) -> Option<Vec<Vec<usize>>> {
     let first = dead_centres.first()?;
     let lists: Vec<Vec<usize>> = dead_centres.iter().map(|angle| steps(&(angle - first), problem)).collect();
-    // As many cylinders at each angle as steps.
-    let fits =
-        |list: &Vec<usize>| !list.is_empty() && lists.iter().filter(|other| *other == list).count() == list.len();
-    lists.iter().all(fits).then_some(lists)
+    are_even(&lists.iter().map(Vec::as_slice).collect::<Vec<_>>()).then_some(lists)
+}
+
+/// Whether cylinders that may fire at these steps can fire evenly: as many at each angle as steps.
+pub(super) fn are_even(lists: &[&[usize]]) -> bool {
+    let fits = |list: &&[usize]| !list.is_empty() && lists.iter().filter(|other| *other == list).count() == list.len();
+    lists.iter().all(fits)
 }
 
 /// The firing order with the fewest neighbours in succession, the first of them by number, and their count.
 ///
-/// `steps` says for each cylinder when it may fire; cylinder 0 starts.
-pub(super) fn best_order(steps: &[&[usize]]) -> (Vec<usize>, usize) {
+/// `steps` says for each cylinder when it may fire, bank after bank of so many throws; cylinder 0 starts.
+pub(super) fn best_order(steps: &[&[usize]], throws: usize) -> (Vec<usize>, usize) {
     let mut candidates = vec![Vec::new(); steps.len()];
     for (cylinder, list) in steps.iter().enumerate() {
         list.iter().for_each(|&step| candidates[step].push(cylinder));
@@ -47,18 +43,22 @@ pub(super) fn best_order(steps: &[&[usize]]) -> (Vec<usize>, usize) {
         *first = vec![0];
     }
     let mut best = (Vec::new(), usize::MAX);
-    extend(&candidates, &mut Vec::with_capacity(steps.len()), 0, &mut best);
+    extend(&candidates, throws, &mut Vec::with_capacity(steps.len()), 0, &mut best);
     best
 }
 
-fn extend(candidates: &[Vec<usize>], order: &mut Vec<usize>, count: usize, best: &mut (Vec<usize>, usize)) {
+fn extend(
+    candidates: &[Vec<usize>],
+    throws: usize,
+    order: &mut Vec<usize>,
+    count: usize,
+    best: &mut (Vec<usize>, usize),
+) {
     if count >= best.1 {
         return;
     }
     if order.len() == candidates.len() {
-        // Around the end of the cycle; two cylinders are one pair.
-        let closing = order.len() > 2 && are_neighbours(order.first(), order.last());
-        let count = count + usize::from(closing);
+        let count = in_succession(order, throws);
         if count < best.1 {
             *best = (order.clone(), count);
         }
@@ -66,16 +66,24 @@ fn extend(candidates: &[Vec<usize>], order: &mut Vec<usize>, count: usize, best:
     }
     for &cylinder in &candidates[order.len()] {
         if !order.contains(&cylinder) {
-            let next = count + usize::from(are_neighbours(order.last(), Some(&cylinder)));
+            let next = count + usize::from(are_neighbours(order.last(), Some(&cylinder), throws));
             order.push(cylinder);
-            extend(candidates, order, next, best);
+            extend(candidates, throws, order, next, best);
             order.pop();
         }
     }
 }
 
-fn are_neighbours(one: Option<&usize>, other: Option<&usize>) -> bool {
-    one.zip(other).is_some_and(|(one, other)| one.abs_diff(*other) == 1)
+/// Pairs of neighbours that fire in succession in an even order.
+pub(super) fn in_succession(order: &[usize], throws: usize) -> usize {
+    let closing = order.len() > 2 && are_neighbours(order.first(), order.last(), throws);
+    let pairs = order.windows(2).filter(|pair| are_neighbours(pair.first(), pair.last(), throws));
+    pairs.count() + usize::from(closing)
+}
+
+/// Whether two cylinders stand on neighbouring throws of one bank.
+fn are_neighbours(one: Option<&usize>, other: Option<&usize>, throws: usize) -> bool {
+    one.zip(other).is_some_and(|(one, other)| one.abs_diff(*other) == 1 && one / throws == other / throws)
 }
 
 /// The firings of an even order, whose first cylinder fires at 0.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use num_rational::BigRational;
 
-use crate::engine::{self, BuildError, Cycle, Cylinder, Draft, Engine, Firing};
+use crate::engine::{self, BuildError, Cycle, CycleOrder, Cylinder, Draft, Engine, Firing};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers::{self, Form};
 use crate::order;
@@ -14,6 +14,8 @@ use crate::proof::Sense;
 use super::firing;
 use super::front::StarValues;
 use super::problem::Problem;
+use super::torsion;
+use super::vee::Bank;
 
 /// The moment of one order: a vector `|C|`, in m r ω² c_k times the spacing, of the direct and of the reverse sense.
 #[derive(Clone, Debug)]
@@ -42,10 +44,13 @@ pub struct FoundStar {
     pub throws: Vec<Turn>,
     /// Cylinders, counted from 0, in the order in which they fire; `None` where the engine cannot fire evenly.
     pub firing_order: Option<Vec<usize>>,
-    /// Pairs of neighbours that fire in succession, for in-line engines; the least where the star leaves a choice.
+    /// Pairs of neighbours in a bank that fire in succession, the least where the star leaves a choice; `None` where it cannot fire evenly
+    /// and the question does not ask for them.
     pub neighbours: Option<usize>,
     /// The moments of the orders asked for.
     pub moments: Vec<Moment>,
+    /// The phase-vector sums of the minor orders that are compared, in this firing order.
+    pub minor: Vec<(CycleOrder, PhasorSum)>,
     /// Stars with exactly these values, up to rotation, mirror and reversal.
     pub classes: u64,
     /// Stars with exactly these values and cylinder 1 at 0.
@@ -58,14 +63,21 @@ impl FoundStar {
         let throws: Vec<Turn> =
             point.throws.iter().map(|&throw| Turn::fraction(throw.into(), directions.into())).collect();
         let banks = problem.banks();
-        let dead_centres: Vec<Turn> =
-            banks.iter().flat_map(|bank| throws.iter().map(move |throw| bank - throw)).collect();
-        let fired = firing::even_steps(&dead_centres, problem)
-            .map(|steps| firing::best_order(&steps.iter().map(Vec::as_slice).collect::<Vec<_>>()));
-        let neighbours = fired.as_ref().filter(|_| banks.len() == 1).map(|(_, count)| *count);
+        let fired = match &point.firing_order {
+            Some(order) => Some((order.clone(), firing::in_succession(order, throws.len()))),
+            None => firing::even_steps(&problem.dead_centres_of(&throws), problem)
+                .map(|steps| firing::best_order(&steps.iter().map(Vec::as_slice).collect::<Vec<_>>(), throws.len())),
+        };
+        // Uneven stars have neighbours too, but no firing order.
+        let asked = problem.neighbours.then_some(point.neighbours);
+        let neighbours = fired.as_ref().map(|(_, count)| *count).or(asked);
+        let shape = torsion::deflections(problem, problem.mode_shape.clone()).unwrap_or_default();
+        let sum =
+            |order: &CycleOrder| fired.as_ref().map(|(fired, _)| torsion::sum(fired, problem.cycle, &shape, *order));
+        let minor = problem.minor_orders.iter().filter_map(|order| Some((*order, sum(order)?))).collect();
         let moments = problem.orders.iter().flat_map(|&order| moments(&throws, &banks, order)).collect();
         let firing_order = fired.map(|(order, _)| order);
-        FoundStar { throws, firing_order, neighbours, moments, classes: point.classes, stars: point.stars }
+        FoundStar { throws, firing_order, neighbours, moments, minor, classes: point.classes, stars: point.stars }
     }
 
     /// The engine as the text of a layout file, which every other command reads.
@@ -80,6 +92,12 @@ impl FoundStar {
         if let Some(angle) = &problem.bank_angle {
             let _ = writeln!(text, "bank_angle = \"{} turn\"", angle.turns());
         }
+        if let Some(split) = &problem.pin_split {
+            let _ = writeln!(text, "pin_split = \"{} turn\"", split.turns());
+        }
+        if let Some(offset) = &problem.bank_offset {
+            let _ = writeln!(text, "bank_offset = \"{offset}\"");
+        }
         text
     }
 
@@ -90,10 +108,10 @@ impl FoundStar {
     pub fn engine(&self, problem: &Problem) -> Result<Engine, BuildError> {
         let mut draft = Draft::new(&title(problem));
         draft.form = if problem.bank_angle.is_some() { engine::Form::Vee } else { engine::Form::Inline };
-        for bank in problem.banks() {
+        for bank in &problem.banks() {
             let pins = self.throws.iter().enumerate();
             let cylinder = |(pin, throw): (usize, &Turn)| {
-                Cylinder::new(throw.clone(), bank.clone(), arm(pin, self.throws.len()), pin)
+                Cylinder::new(throw + &bank.split, bank.axis.clone(), arm(pin, self.throws.len()) + &bank.offset, pin)
             };
             draft.cylinders.extend(pins.map(cylinder));
         }
@@ -127,22 +145,37 @@ pub(super) fn cycle(problem: &Problem) -> &'static str {
     firing::cycle_name(problem.cycle)
 }
 
-/// `In-line 6` or `V8, 90°`.
+/// An angle of up to half a turn either way, in degrees.
+fn signed(angle: &Turn) -> BigRational {
+    let degrees = angle.degrees();
+    let half = BigRational::from_integer(180.into());
+    if degrees > half { degrees - half * BigRational::from_integer(2.into()) } else { degrees }
+}
+
+/// `In-line 6` or `V8, 90°`, with split and offset where there are any.
 pub(super) fn name(problem: &Problem) -> String {
     match &problem.bank_angle {
-        Some(angle) => format!("V{}, {}°", problem.cylinders, angle.degrees()),
+        Some(angle) => {
+            let split = problem.pin_split.as_ref().map(|split| format!(", pins split by {}°", signed(split)));
+            let offset = problem.bank_offset.as_ref().map(|offset| format!(", banks offset by {offset}"));
+            let more = [split, offset].into_iter().flatten().collect::<String>();
+            format!("V{}, {}°{more}", problem.cylinders, angle.degrees())
+        }
         None => format!("In-line {}", problem.cylinders),
     }
 }
 
 /// The vectors of an order: one for an in-line engine, direct and reverse for a V.
-fn moments(throws: &[Turn], banks: &[Turn], order: u32) -> Vec<Moment> {
+fn moments(throws: &[Turn], banks: &[Bank], order: u32) -> Vec<Moment> {
     let moment = |sense: Option<Sense>| {
         // Without banks both vectors are alike.
-        let angle = |throw: &Turn, bank: &Turn| order::phase_of(throw, bank, order, sense.or(Some(Sense::Direct)));
+        let angle = |throw: &Turn, bank: &Bank| {
+            order::phase_of(&(throw + &bank.split), &bank.axis, order, sense.or(Some(Sense::Direct)))
+        };
         let places = throws.iter().enumerate();
         let terms = places.flat_map(|(place, throw)| {
-            let term = move |bank: &Turn| Term { angle: angle(throw, bank), weight: arm(place, throws.len()) };
+            let term =
+                move |bank: &Bank| Term { angle: angle(throw, bank), weight: arm(place, throws.len()) + &bank.offset };
             banks.iter().map(term).collect::<Vec<_>>()
         });
         let sum = PhasorSum::new(terms.collect());
@@ -164,10 +197,8 @@ pub enum Standing {
     Beaten,
 }
 
-/// The place of a point among those of a front.
-pub(super) fn standing(front: &[StarValues], point: &StarValues) -> Standing {
-    match front.iter().any(|other| other.compare(point) == Some(Ordering::Equal)) {
-        true => Standing::On,
-        false => Standing::Beaten,
-    }
+/// The place of a star among those of a front: on it, if one of its firing orders is.
+pub(super) fn standing(front: &[StarValues], points: &[StarValues]) -> Standing {
+    let is_there = |point: &StarValues| front.iter().any(|other| other.compare(point) == Some(Ordering::Equal));
+    if points.iter().any(is_there) { Standing::On } else { Standing::Beaten }
 }

@@ -15,12 +15,14 @@ pub(super) trait Judge {
 /// The values of a star, and how many stars share them.
 #[derive(Clone, Debug)]
 pub(super) struct StarValues {
-    /// One value per order.
+    /// One value per order that differs from star to star, then one per minor order.
     pub values: Vec<Value>,
     /// Neighbours that fire in succession; 0 where they do not count.
     pub neighbours: usize,
     /// The first of these stars, as directions by place.
     pub throws: Vec<u16>,
+    /// The firing order that the values are of, where minor orders are compared.
+    pub firing_order: Option<Vec<usize>>,
     /// Stars up to rotation, mirror and reversal.
     pub classes: u64,
     /// Stars with cylinder 1 at direction 0.
@@ -49,11 +51,17 @@ impl StarValues {
         first.then(self.neighbours.cmp(&other.neighbours))
     }
 
+    /// Whether nothing but the moments of so many orders can be better in another star.
+    pub fn is_least_beyond(&self, orders: usize) -> bool {
+        self.neighbours == 0 && self.values.iter().skip(orders).all(Value::is_zero)
+    }
+
     /// Counts the stars of an equal point too.
     pub fn join(&mut self, other: StarValues) {
         // A star that is not counted here belongs to another piece.
         if self.classes == 0 || other.throws < self.throws {
             self.throws = other.throws;
+            self.firing_order = other.firing_order;
         }
         self.classes += other.classes;
         self.stars += other.stars;
@@ -81,11 +89,11 @@ impl Pareto {
 
 impl Judge for Pareto {
     fn hopeless(&self, low: &[i128]) -> bool {
-        // No worse in anything and better in one, with neighbours at their least.
+        // No worse in anything and better in one, with all that is not bounded at its least.
         self.points.iter().any(|point| {
             let mut highs = point.values.iter().map(|value| value.high).zip(low);
             let better = point.values.iter().zip(low).any(|(value, low)| value.high < *low);
-            point.neighbours == 0 && better && highs.all(|(high, low)| high <= *low)
+            point.is_least_beyond(low.len()) && better && highs.all(|(high, low)| high <= *low)
         })
     }
 

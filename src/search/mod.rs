@@ -16,7 +16,9 @@
 
 mod answer;
 mod best;
+mod clock;
 mod document;
+mod entangled;
 mod firing;
 mod found;
 mod front;
@@ -26,12 +28,15 @@ mod piece;
 mod plan;
 mod problem;
 mod resume;
+mod roots;
 mod run;
 mod space;
 mod symmetry;
 mod tables;
 mod torsion;
+mod twist;
 mod value;
+mod vee;
 mod walk;
 
 pub use answer::{Front, every_value};

@@ -4,6 +4,7 @@ use super::front::Pareto;
 use super::join::{self, outer::Outer};
 use super::piece::{self, Counts, Piece};
 use super::space::Space;
+use super::symmetry;
 use super::tables::Tables;
 
 /// How the stars are gone through.
@@ -63,7 +64,10 @@ impl Plan {
     pub fn holds(&self, number: usize, space: &Space, throws: &[u16]) -> bool {
         match self {
             Plan::Join(pieces) => pieces.get(number).is_some_and(|outer| outer.holds(space, throws)),
-            Plan::Walk(pieces) => pieces.get(number).is_some_and(|piece| piece.holds(throws)),
+            Plan::Walk(pieces) => {
+                let (first, _) = symmetry::first_of_class(throws, space.directions);
+                pieces.get(number).is_some_and(|piece| piece.holds(&first))
+            }
         }
     }
 }

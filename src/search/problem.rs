@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_rational::BigRational;
 
-use crate::engine::{Cycle, ORDERS};
+use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
 
 /// More throws than this are not searched: eighteen have 3.6e14 stars.
@@ -35,6 +35,14 @@ pub struct Problem {
     pub orders: Vec<u32>,
     /// Whether neighbours that fire in succession count too.
     pub neighbours: bool,
+    /// For a V: how far ahead of the pin of bank 1 that of bank 2 stands; on one pin if `None`.
+    pub pin_split: Option<Turn>,
+    /// For a V: how far bank 1 stands towards the free end of bank 2, in spacings of the throws.
+    pub bank_offset: Option<BigRational>,
+    /// The orders of the cycle whose phase-vector sums are compared too, rising.
+    pub minor_orders: Vec<CycleOrder>,
+    /// The deflections of the throws that weigh these sums; falling evenly from the free end if `None`.
+    pub mode_shape: Option<Vec<BigRational>>,
 }
 
 /// Why a question has no answer: what is wrong, and what would be right.
@@ -59,7 +67,19 @@ impl Problem {
     /// An in-line engine that fires evenly, compared by the moments of these orders.
     pub fn inline(cylinders: u32, cycle: Cycle, orders: &[u32]) -> Self {
         let orders = orders.to_vec();
-        Problem { cylinders, cycle, bank_angle: None, directions: None, grid: None, orders, neighbours: false }
+        Problem {
+            cylinders,
+            cycle,
+            bank_angle: None,
+            directions: None,
+            grid: None,
+            orders,
+            neighbours: false,
+            pin_split: None,
+            bank_offset: None,
+            minor_orders: Vec::new(),
+            mode_shape: None,
+        }
     }
 
     /// A V on shared pins in different, evenly spread directions.
@@ -85,20 +105,12 @@ impl Problem {
         }
     }
 
-    /// Whether the moment of an order is zero in a V whatever its star is: both banks cancel in every pin.
-    ///
-    /// The two vectors of a pin stand apart by (k − 1)φ (direct) and (k + 1)φ (reverse): theory, section 3.
-    pub(super) fn cancels(&self, order: u32) -> bool {
-        let Some(angle) = &self.bank_angle else { return false };
-        let half = Turn::fraction(1, 2);
-        angle.times(i64::from(order) - 1) == half && angle.times(i64::from(order) + 1) == half
-    }
-
     /// Whether the question makes sense.
     pub fn check(&self) -> Result<(), ProblemError> {
         self.check_engine()?;
         self.check_star()?;
-        self.check_orders()
+        self.check_orders()?;
+        self.check_minor_orders()
     }
 
     fn check_engine(&self) -> Result<(), ProblemError> {
@@ -141,10 +153,8 @@ impl Problem {
                 return Err(ProblemError::new(format!("{throws} pins cannot share {directions} directions equally")));
             }
         }
-        if self.neighbours && (self.bank_angle.is_some() || self.grid.is_some()) {
-            return Err(ProblemError::new(
-                "neighbours firing in succession are counted for in-line engines that fire evenly",
-            ));
+        if self.bank_angle.is_none() && (self.pin_split.is_some() || self.bank_offset.is_some()) {
+            return Err(ProblemError::new("pin splits and bank offsets are those of a V; give its bank angle"));
         }
         let Some(grid) = self.grid else { return Ok(()) };
         if grid == 0 || grid > FINEST_GRID {
@@ -172,16 +182,12 @@ impl Problem {
         if self.orders.windows(2).any(|pair| pair[0] >= pair[1]) {
             return Err(ProblemError::new("orders are given rising, each once"));
         }
-        match self.orders.iter().all(|&order| self.cancels(order)) {
+        match self.orders.iter().all(|&order| self.is_settled(order)) {
+            true if self.bank_offset.is_some() => {
+                Err(ProblemError::new("at this bank angle the moments of these orders are the same for every star"))
+            }
             true => Err(ProblemError::new("at this bank angle the moments of these orders vanish for every star")),
             false => Ok(()),
         }
-    }
-
-    /// The axes of the cylinders on one throw.
-    pub(super) fn banks(&self) -> Vec<Turn> {
-        let Some(angle) = &self.bank_angle else { return vec![Turn::zero()] };
-        let half = angle.turns() / BigRational::from_integer(2.into());
-        vec![Turn::new(-&half), Turn::new(half)]
     }
 }

@@ -49,6 +49,9 @@ struct WrittenPiece {
 #[serde(deny_unknown_fields)]
 struct WrittenStar {
     throws: Vec<u16>,
+    /// Where minor orders are compared.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    firing_order: Option<Vec<usize>>,
     classes: u64,
     stars: u64,
 }
@@ -61,7 +64,23 @@ fn signature(problem: &Problem, plan: &Plan) -> String {
     let neighbours = if problem.neighbours { ", neighbours" } else { "" };
     let (cycle, cylinders, orders) = (firing::cycle_name(problem.cycle), problem.cylinders, &problem.orders);
     let (way, pieces) = (plan.name(), plan.len());
-    format!("3: {cylinders} cylinders, {cycle}{vee}{directions}{grid}{neighbours}, orders {orders:?}, {pieces} {way}")
+    let split = problem.pin_split.as_ref().map_or(String::new(), |split| format!(", split {} turn", split.turns()));
+    let offset = problem.bank_offset.as_ref().map_or(String::new(), |offset| format!(", offset {offset}"));
+    let (split, minor) = (split + &offset, minor(problem));
+    format!(
+        "3: {cylinders} cylinders, {cycle}{vee}{split}{directions}{grid}{neighbours}{minor}, orders {orders:?}, {pieces} {way}"
+    )
+}
+
+/// The minor orders that are compared, and the mode that weighs them.
+fn minor(problem: &Problem) -> String {
+    if problem.minor_orders.is_empty() {
+        return String::new();
+    }
+    let listed = |values: &mut dyn Iterator<Item = String>| values.collect::<Vec<_>>().join(" ");
+    let orders = listed(&mut problem.minor_orders.iter().map(|order| order.exact().to_string()));
+    let shape = problem.mode_shape.iter().flatten().map(ToString::to_string);
+    format!(", minor orders {orders} by [{}]", listed(&mut shape.into_iter()))
 }
 
 /// Reads the finished pieces; none if there is no file yet. What does not fit the question is refused.
@@ -121,14 +140,17 @@ fn finished(written: &WrittenPiece, number: usize, plan: &Plan, space: &Space, t
         let is_here = space.holds(&star.throws) && plan.holds(number, space, &star.throws);
         // A class of rotation, mirror and reversal holds up to four stars with cylinder 1 at 0.
         let is_counted = star.classes > 0 && (star.classes..=star.classes.checked_mul(4)?).contains(&star.stars);
-        let point = is_here.then(|| judged::judge(space, tables, &star.throws))?;
+        let of_star = is_here.then(|| judged::judge(space, tables, &star.throws))?;
+        let point = of_star.into_iter().find(|point| point.firing_order == star.firing_order)?;
         let is_new = points.iter().all(|known| known.compare(&point).is_none());
         points.push((is_counted && is_new).then_some(StarValues {
             classes: star.classes,
             stars: star.stars,
             ..point
         })?);
-        classes = classes.checked_add(star.classes)?;
+        // By its firing orders, or those of its images, a star may stand at several points.
+        classes =
+            if space.gives_one_point() { classes.checked_add(star.classes)? } else { classes.max(star.classes / 4) };
     }
     (classes <= counts.judged && is_possible(counts, space)).then_some(Done { points, counts })
 }
@@ -141,8 +163,12 @@ fn is_possible(counts: Counts, space: &Space) -> bool {
 
 /// Writes the finished pieces: under another name first, so that the file is whole whenever the program stops.
 pub(super) fn write(path: &Path, problem: &Problem, done: &BTreeMap<usize, Done>, plan: &Plan) -> Result<(), String> {
-    let star =
-        |point: &StarValues| WrittenStar { throws: point.throws.clone(), classes: point.classes, stars: point.stars };
+    let star = |point: &StarValues| WrittenStar {
+        throws: point.throws.clone(),
+        firing_order: point.firing_order.clone(),
+        classes: point.classes,
+        stars: point.stars,
+    };
     let piece = |done: &Done| WrittenPiece {
         judged: done.counts.judged,
         cut: done.counts.cut,

@@ -1,7 +1,10 @@
 //! Which stars are there? Places along the crankshaft, directions to fill them with, and the order of filling.
 
-use super::firing;
+use super::clock::Clock;
+use super::entangled::Entangled;
 use super::problem::{Problem, ProblemError};
+use super::symmetry::{EVERY_IMAGE, Same};
+use super::twist::Twist;
 
 /// All stars of a problem. Cylinder 1 has direction 0, which takes one star of each class of rotations.
 pub(super) struct Space {
@@ -17,8 +20,14 @@ pub(super) struct Space {
     pub weights: Vec<i64>,
     /// The orders whose moments differ from star to star.
     pub orders: Vec<u32>,
-    /// For each direction the steps of the cycle at which its cylinders fire; kept where neighbours count.
-    pub slots: Option<Vec<Vec<usize>>>,
+    /// When the cylinders fire; kept where neighbours count.
+    pub clock: Option<Clock>,
+    /// The minor orders that count.
+    pub twist: Option<Twist>,
+    /// The moments of all cylinders, where those of the pins do not tell them; then `orders` is empty.
+    pub entangled: Option<Entangled>,
+    /// Which images (mirror, reversal, both) have the same values.
+    pub keeps: Same,
 }
 
 impl Space {
@@ -28,8 +37,16 @@ impl Space {
         let (directions, supply) = problem.supply();
         let sequence = (0..places).map(|at| if at % 2 == 0 { at / 2 } else { places - 1 - at / 2 }).collect();
         let weights = (0..places as i64).map(|place| places as i64 - 1 - 2 * place).collect();
-        let orders = problem.orders.iter().copied().filter(|&order| !problem.cancels(order)).collect();
-        let slots = problem.neighbours.then(|| firing::slots(problem));
+        let (twist, entangled) = (Twist::new(problem)?, Entangled::new(problem)?);
+        let keeps = match (&entangled, twist.as_ref().is_none_or(|twist| twist.reverses)) {
+            // The mirror image changes the banks, and so does the shaft end for end.
+            (Some(_), _) => [false, false, true],
+            (None, true) => EVERY_IMAGE,
+            (None, false) => [true, false, false],
+        };
+        let differs = |order: &u32| entangled.is_none() && !problem.is_settled(*order);
+        let orders = problem.orders.iter().copied().filter(differs).collect();
+        let clock = problem.neighbours.then(|| Clock::new(problem)).transpose()?;
         Ok(Space {
             directions: directions as usize,
             supply: supply.map(|supply| supply as usize),
@@ -37,8 +54,16 @@ impl Space {
             sequence,
             weights,
             orders,
-            slots,
+            clock,
+            twist,
+            entangled,
+            keeps,
         })
+    }
+
+    /// Whether all stars of a class have the same values, each one set of them.
+    pub fn gives_one_point(&self) -> bool {
+        self.keeps == EVERY_IMAGE && self.twist.is_none()
     }
 
     /// Pairs of places symmetric about the mid-plane.

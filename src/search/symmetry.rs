@@ -48,6 +48,44 @@ pub(super) fn class_size(same: Same) -> u64 {
 ///
 /// `throws` are directions by place.
 pub(super) fn first_of_class(throws: &[u16], directions: usize) -> (Vec<u16>, u64) {
+    let mut images = images(throws, directions);
+    images.sort_by_cached_key(|star| filled(star));
+    let different = 1 + images.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
+    let [first, ..] = images;
+    (first, different)
+}
+
+/// All images keep the values of a star.
+pub(super) const EVERY_IMAGE: Same = [true; 3];
+
+/// The stars of a class that are different where only these images keep the values: the first of each part of the class, and how many
+/// stars it has. The images that keep values are a group: all, one or none of them.
+pub(super) fn variants(throws: &[u16], directions: usize, keeps: Same) -> Vec<(Vec<u16>, u64)> {
+    let mut parts: Vec<Vec<Vec<u16>>> = Vec::new();
+    for star in images(throws, directions) {
+        if parts.iter().flatten().any(|known| *known == star) {
+            continue;
+        }
+        let [own, others @ ..] = images(&star, directions);
+        let mut part = vec![own];
+        for (image, _) in others.into_iter().zip(keeps).filter(|(_, keeps)| *keeps) {
+            if !part.contains(&image) {
+                part.push(image);
+            }
+        }
+        part.sort_by_cached_key(|star| filled(star));
+        parts.push(part);
+    }
+    parts.sort_by_cached_key(|part| filled(&part[0]));
+    let first = |mut part: Vec<Vec<u16>>| {
+        let size = part.len() as u64;
+        (part.swap_remove(0), size)
+    };
+    parts.into_iter().map(first).collect()
+}
+
+/// A star, its mirror image, its reversal and both, with cylinder 1 at 0.
+fn images(throws: &[u16], directions: usize) -> [Vec<u16>; 4] {
     let turned_back = |star: &mut dyn Iterator<Item = usize>| {
         let star: Vec<usize> = star.collect();
         let first = star.first().copied().unwrap_or(0);
@@ -55,18 +93,16 @@ pub(super) fn first_of_class(throws: &[u16], directions: usize) -> (Vec<u16>, u6
     };
     let own = || throws.iter().map(|&throw| usize::from(throw));
     let mirrored = || own().map(|throw| directions - throw);
-    let mut images = [
+    [
         turned_back(&mut own()),
         turned_back(&mut mirrored()),
         turned_back(&mut own().rev()),
         turned_back(&mut mirrored().rev()),
-    ];
-    let filled = |star: &Vec<u16>| {
-        let places = (0..star.len()).map(|at| if at % 2 == 0 { at / 2 } else { star.len() - 1 - at / 2 });
-        places.map(|place| star[place]).collect::<Vec<u16>>()
-    };
-    images.sort_by_cached_key(filled);
-    let different = 1 + images.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
-    let [first, ..] = images;
-    (first, different)
+    ]
+}
+
+/// Directions in the order of filling.
+fn filled(star: &[u16]) -> Vec<u16> {
+    let places = (0..star.len()).map(|at| if at % 2 == 0 { at / 2 } else { star.len() - 1 - at / 2 });
+    places.map(|place| star[place]).collect()
 }

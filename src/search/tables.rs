@@ -109,7 +109,7 @@ fn axis_angle(axis: i64) -> Turn {
 }
 
 /// The cosine in units of 2^−40, off by less than one: the decimal is good to 2^−52, and rounding adds a half.
-fn cosine(angle: &Turn) -> i64 {
+pub(super) fn cosine(angle: &Turn) -> i64 {
     (numbers::direction(angle).re * (1_i64 << BITS) as f64).round() as i64
 }
 

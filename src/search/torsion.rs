@@ -12,12 +12,14 @@ use super::found::FoundStar;
 use super::problem::{Problem, ProblemError};
 use super::{firing, found};
 use crate::engine::{Cycle, CycleOrder};
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::{PhasorSum, Term};
 use crate::firing::by_length;
 use crate::numbers;
 
 /// The firing orders of so many stars of a front are judged, the first ones.
 pub const MOST_TORSION_STARS: usize = 12;
+/// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
+const MOST_CHOICES: u32 = 9;
 
 /// The firing orders of the stars of a front, judged in a mode of torsional vibration.
 #[derive(Clone, Debug)]
@@ -61,25 +63,40 @@ impl RankedOrder {
     }
 }
 
-/// The mode that firing orders are judged in: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
+/// The mode that the firing orders of a front are judged in: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
 ///
 /// # Errors
-/// A V, or a mode shape with another number of values than the engine has cylinders.
+/// A mode shape with another number of values than the crankshaft has throws, or more than 256 firing orders of each star.
 pub fn mode_shape(problem: &Problem, shape: Option<Vec<BigRational>>) -> Result<Vec<BigRational>, ProblemError> {
-    if problem.bank_angle.is_some() {
-        return Err(ProblemError::new(
-            "firing orders are judged for engines in line; leave out --torsion or --bank-angle",
-        ));
+    let instants = if problem.cycle == Cycle::FourStroke { problem.cylinders / 2 } else { 1 };
+    if instants > MOST_CHOICES {
+        return Err(ProblemError::new(format!(
+            "a star of {} cylinders has 2^{} firing orders, too many to be listed; leave out --torsion",
+            problem.cylinders,
+            instants - 1
+        )));
     }
-    let cylinders = problem.cylinders;
-    let falling = || (1..=cylinders).rev().map(|deflection| BigRational::from_integer(deflection.into())).collect();
+    deflections(problem, shape)
+}
+
+/// The deflections of all throws.
+pub(super) fn deflections(
+    problem: &Problem,
+    shape: Option<Vec<BigRational>>,
+) -> Result<Vec<BigRational>, ProblemError> {
+    let throws = problem.throws();
+    let falling = || (1..=throws).rev().map(|deflection| BigRational::from_integer(deflection.into())).collect();
     let shape: Vec<BigRational> = shape.unwrap_or_else(falling);
-    match shape.len() == cylinders as usize {
+    match shape.len() == throws as usize {
         true => Ok(shape),
-        false => Err(ProblemError::new(format!(
-            "the mode shape has {} values for {cylinders} cylinders; one per cylinder is needed",
-            shape.len()
-        ))),
+        false => {
+            let (what, each) =
+                if problem.bank_angle.is_some() { ("throws", "throw") } else { ("cylinders", "cylinder") };
+            Err(ProblemError::new(format!(
+                "the mode shape has {} values for {throws} {what}; one per {each} is needed",
+                shape.len()
+            )))
+        }
     }
 }
 
@@ -136,8 +153,12 @@ fn judged(problem: &Problem, star: &FoundStar, shape: &[BigRational], orders: &[
 
 /// All firing orders of a star, cylinder 1 first; none where it does not fire evenly.
 fn firing_orders(problem: &Problem, star: &FoundStar) -> Vec<Vec<usize>> {
-    let dead_centres: Vec<Turn> = star.throws.iter().map(|throw| -throw).collect();
-    let Some(steps) = firing::even_steps(&dead_centres, problem) else { return Vec::new() };
+    let Some(steps) = firing::even_steps(&problem.dead_centres_of(&star.throws), problem) else { return Vec::new() };
+    orders_of(&steps.iter().map(Vec::as_slice).collect::<Vec<_>>())
+}
+
+/// All orders in which cylinders can fire that may do so at these steps.
+pub(super) fn orders_of(steps: &[&[usize]]) -> Vec<Vec<usize>> {
     let mut orders: Vec<Vec<usize>> = vec![vec![0]];
     for step in 1..steps.len() {
         let fires_then = |cylinder: &usize| steps[*cylinder].contains(&step);
@@ -152,10 +173,12 @@ fn firing_orders(problem: &Problem, star: &FoundStar) -> Vec<Vec<usize>> {
 }
 
 /// The phase-vector sum of an even firing order.
-fn sum(firing_order: &[usize], cycle: Cycle, shape: &[BigRational], order: CycleOrder) -> PhasorSum {
+pub(super) fn sum(firing_order: &[usize], cycle: Cycle, shape: &[BigRational], order: CycleOrder) -> PhasorSum {
     let shots = firing::even(firing_order, cycle).shots.into_iter();
-    let term =
-        |(cylinder, angle): (usize, BigRational)| Term { angle: order.phase(&angle), weight: shape[cylinder].clone() };
+    let term = |(cylinder, angle): (usize, BigRational)| Term {
+        angle: order.phase(&angle),
+        weight: shape[cylinder % shape.len()].clone(),
+    };
     PhasorSum::new(shots.map(|shot| term((shot.cylinder, shot.angle))).collect())
 }
 

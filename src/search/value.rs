@@ -22,17 +22,26 @@ pub(super) struct Value {
 
 impl Value {
     /// The value of a star at an order, with an enclosure of it.
-    pub fn new(space: &Space, throws: &[u16], order: u32, (low, high): (i128, i128)) -> Self {
-        let count = space.directions;
-        let mut coefficients = vec![0; count];
-        for (&throw, weight) in throws.iter().zip(&space.weights) {
-            for (&other, other_weight) in throws.iter().zip(&space.weights) {
-                let apart = (usize::from(throw) + count - usize::from(other)) % count;
-                coefficients[apart * order as usize % count] += weight * other_weight;
+    pub fn new(space: &Space, throws: &[u16], order: u32, bounds: (i128, i128)) -> Self {
+        let exponents = throws.iter().map(|&throw| usize::from(throw) * order as usize % space.directions);
+        Value::of(space.directions, &exponents.zip(space.weights.iter().copied()).collect::<Vec<_>>(), bounds)
+    }
+
+    /// The square of a sum of weighted powers of ζ, the root of unity of this order, with an enclosure of it.
+    pub fn of(roots: usize, terms: &[(usize, i64)], (low, high): (i128, i128)) -> Self {
+        let mut coefficients = vec![0; roots];
+        for &(exponent, weight) in terms {
+            for &(other, other_weight) in terms {
+                coefficients[(exponent + roots - other) % roots] += weight * other_weight;
             }
         }
         let zero = low <= 0 && is_zero(&coefficients);
         Value { coefficients, low, high: if zero { 0 } else { high } }
+    }
+
+    /// Whether it is zero, by proof.
+    pub fn is_zero(&self) -> bool {
+        self.high == 0
     }
 
     /// The order of the real numbers: equal where they are, by decision and not by decimals.

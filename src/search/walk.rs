@@ -166,8 +166,8 @@ impl<'a, J: Judge> Walk<'a, J> {
         }
         let throws: Vec<u16> = self.throws.iter().map(|&throw| throw as u16).collect();
         if self.space.is_balanced(&throws) {
-            let point = judged::point(self.space, throws, &bounds[..count], symmetry::class_size(same));
-            self.judge.take(point);
+            let points = judged::points(self.space, throws, &bounds[..count], symmetry::class_size(same));
+            points.into_iter().for_each(|point| self.judge.take(point));
         }
     }
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use crankstar::engine::{Cycle, Engine};
+use crankstar::engine::{Cycle, CycleOrder, Engine};
 use crankstar::exact::Turn;
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
@@ -63,17 +63,12 @@ fn answer_all() -> Vec<Answered> {
     }
     all.push(tables::swept(V6, &["vee.bank_angle=0..180:20"], &[1, 2], &["1", "3/2"]).1);
     all.push(tables::swept(V8_GAS, &["speed=1000..3000:1000"], &[1], &[]).1);
-    let vee = Problem {
-        cylinders: 6,
-        cycle: Cycle::FourStroke,
-        bank_angle: Some(Turn::fraction(1, 6)),
-        directions: None,
-        grid: None,
-        orders: vec![1, 2],
-        neighbours: false,
-    };
+    let vee = Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]);
     all.push(tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true).1);
     all.push(tables::searched(&vee, false).1);
+    let minor_orders = [1, 2].into_iter().filter_map(CycleOrder::of_halves).collect();
+    let by_minor = Problem { minor_orders, neighbours: true, ..Problem::inline(6, Cycle::FourStroke, &[1, 2]) };
+    all.push(tables::searched(&by_minor, false).1);
     all
 }
 

@@ -94,7 +94,9 @@ mod remedy_cheats;
 mod reports;
 mod rooms;
 mod search;
+mod search_aims;
 mod search_join;
+mod search_published;
 mod search_torsion;
 mod second_checker;
 mod shards;
@@ -131,6 +133,7 @@ mod support {
     pub mod pages;
     pub mod pin_stars;
     pub mod piston;
+    pub mod plain_aims;
     pub mod plain_search;
     pub mod plane_star;
     pub mod program;

@@ -130,14 +130,38 @@ fn the_orders_that_are_listed_are_those_that_no_other_beats() {
 }
 
 #[test]
-fn a_v_and_a_shape_of_another_length_are_refused() {
+fn a_shape_of_another_length_is_refused_and_so_is_a_star_of_too_many_firing_orders() {
     let (front, _) = judged(4, Cycle::FourStroke, None);
     let short = vec![BigRational::from_integer(1.into()); 3];
     let refused = torsion(&front, Some(short)).expect_err("three values");
     assert!(refused.to_string().contains("3 values for 4 cylinders"));
-    let vee = Problem::vee(4, Cycle::FourStroke, crankstar::Turn::fraction(1, 4), &[2]);
-    let refused = search::mode_shape(&vee, None).expect_err("a V");
-    assert!(refused.to_string().contains("in line"));
+    let vee = |cylinders| Problem::vee(cylinders, Cycle::FourStroke, crankstar::Turn::fraction(1, 4), &[2]);
+    let refused =
+        search::mode_shape(&vee(8), Some(vec![BigRational::from_integer(1.into()); 8])).expect_err("4 throws");
+    assert!(refused.to_string().contains("8 values for 4 throws"), "{refused}");
+    assert_eq!(search::mode_shape(&vee(18), None).expect("256 firing orders").len(), 9);
+    let refused = search::mode_shape(&vee(20), None).expect_err("512 firing orders");
+    assert!(refused.to_string().contains("2^9 firing orders"), "{refused}");
+}
+
+#[test]
+fn the_eight_firing_orders_of_the_cross_plane_v8_are_judged_by_the_deflections_of_its_throws() {
+    let vee = Problem::vee(8, Cycle::FourStroke, crankstar::Turn::fraction(1, 4), &[1, 2]);
+    let front = best(&vee, &Search::default()).expect("a front");
+    let torsion = torsion(&front, None).expect("four throws");
+    assert_eq!(torsion.shape.len(), 4);
+    // Both cylinders of a throw have its deflection.
+    let shape: Vec<f64> = [4, 3, 2, 1, 4, 3, 2, 1].map(f64::from).into();
+    for (star, judged) in front.stars.iter().zip(&torsion.stars) {
+        let all = all_orders(star.firing_order.as_ref().expect("it fires evenly"));
+        assert_eq!((judged.all, all.len()), (8, 8));
+        for ranked in &judged.best {
+            let own = in_doubles(&ranked.firing_order, &shape);
+            assert!(all.contains(&ranked.firing_order), "{}", ranked.name());
+            let sums = ranked.sums.iter().map(|sum| numbers::evaluate(sum).norm());
+            assert!(sums.zip(&own).all(|(sum, own)| (sum - own).abs() < 1e-9));
+        }
+    }
 }
 
 #[test]

@@ -37,10 +37,18 @@ fn stars(front: &Front, document: &FrontDocument) -> Table {
     for (place, first) in front.stars.first().iter().flat_map(|star| star.moments.iter().enumerate()) {
         moments(front, &mut table, place, first);
     }
+    for (place, (order, _)) in front.stars.first().iter().flat_map(|star| star.minor.iter().enumerate()) {
+        let order = order.exact().to_string();
+        let of = |star: &FoundStar| star.minor.get(place).map(|(_, sum)| length(sum, numbers::evaluate(sum).norm()));
+        let lengths: Vec<Option<Length>> = front.stars.iter().map(of).collect();
+        let patterns = ["phase_sum_{order}", "phase_sum_{order}_exact", "phase_sum_{order}_vanishes"];
+        let about = "length of the phase-vector sum of a minor order that is compared: deflections of the mode at the firing angles";
+        add_lengths(&mut table, patterns, &[&order], [Unit::NONE; 3], about, &lengths);
+    }
     let mut add = |pattern, about, values| table.push(Column::new(pattern, Unit::NONE, about, values));
     add(
         "neighbours",
-        "pairs of neighbours that fire in succession, the fewest that the star allows; empty for a V, and without even firing",
+        "pairs of neighbours in a bank that fire in succession, the fewest that the star allows; empty without even firing, unless they are compared",
         Values::Whole(known.iter().map(|star| star.neighbours.and_then(|count| count.try_into().ok())).collect()),
     );
     add(
@@ -117,6 +125,15 @@ fn question(document: &FrontDocument) -> Table {
     add("cycle", "two-stroke or four-stroke", words([document.cycle]));
     add("orders", "the orders whose moments are compared, with a space between", words([orders]));
     add("by_neighbours", "whether neighbours that fire in succession count", truths([Some(document.neighbours)]));
+    let exact = |value: &Option<String>| Values::Exact(vec![value.clone()]);
+    let about = "how far ahead of the pin of bank 1 that of bank 2 stands, in turns; empty where both are one";
+    add("pin_split_turns", about, exact(&document.pin_split));
+    let about =
+        "how far bank 1 stands towards the free end of bank 2, in spacings of the throws; empty where it does not";
+    add("bank_offset_spacings", about, exact(&document.bank_offset));
+    let shape = (!document.mode_shape.is_empty()).then(|| document.mode_shape.join(" "));
+    let about = "the deflections that weigh the minor orders, with a space between; empty where none are compared";
+    add("mode_shape", about, exact(&shape));
     add(
         "all_stars",
         "stars with cylinder 1 at 0 that there are; as text, for there may be more than a whole number holds",

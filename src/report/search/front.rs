@@ -1,5 +1,7 @@
 //! How does the front look? The moment of one order against that of the next, a dot for each star of the front.
 
+use num_traits::Zero;
+
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
 use crate::page::{File, Picture, phrase};
 use crate::proof::Sense;
@@ -25,7 +27,9 @@ pub(super) fn front_picture(front: &Front) -> Option<Picture> {
     let mut plot = Plot::new(format!("Orders {} and {}", orders[0], orders[1]), axis(shown[0]), axis(shown[1]));
     let at = |star: &FoundStar| (length(star, shown[0]), length(star, shown[1]));
     let compared = front.problem.orders.iter().filter(|&&order| !vanishes_everywhere(front, order)).count();
-    let only_these = compared == 2 && !front.problem.neighbours;
+    let moments_alone = !front.problem.neighbours && front.problem.minor_orders.is_empty();
+    // Of a V with both vectors of an order compared more than the two are.
+    let only_these = compared == 2 && moments_alone && !is_entangled(front);
     if only_these {
         plot.curves.push(Curve::new(0, "", front.stars.iter().map(at).collect()).stepped());
     }
@@ -49,6 +53,12 @@ fn two_moments(front: &Front) -> Option<[usize; 2]> {
     let first = places.next()?;
     let second = places.find(|place| moments[*place].order != moments[first].order)?;
     Some([first, second])
+}
+
+/// Whether direct and reverse vectors are compared each: of a grid whose banks are offset.
+fn is_entangled(front: &Front) -> bool {
+    let problem = &front.problem;
+    problem.grid.is_some() && problem.bank_offset.as_ref().is_some_and(|offset| !offset.is_zero())
 }
 
 fn vanishes_everywhere(front: &Front, order: u32) -> bool {

@@ -4,7 +4,7 @@ use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
 use crate::engine::Cycle;
-use crate::page::{Block, Document, Fold, Text, number, phrase};
+use crate::page::{Block, Document, Fold, Number, Text, number, phrase};
 use crate::search::Front;
 use crate::text::Untrusted;
 
@@ -17,7 +17,12 @@ const OF_VEES: &str = "$C_k^+$ and $C_k^-$ are the direct and the reverse vector
     their lengths.";
 const EQUAL: &str =
     "Equal stars: how many share these values, counting stars that differ by rotation, mirror or reversal as one.";
-const NEIGHBOURS: &str = "Neighbours: pairs of neighbouring cylinders that fire in succession.";
+const EQUAL_IN_PART: &str = "Equal stars: how many share these values, counting as one those that differ by rotation or by what leaves all values as they are: \
+    here not each of mirror and reversal does.";
+const NEIGHBOURS: &str =
+    "Neighbours: pairs of cylinders on neighbouring throws of one bank that fire in succession or at once.";
+const MINOR: &str = "Minor orders: the length of the sum of phase vectors, the firing star of this firing order weighed by the deflections of the throws in a mode of \
+    torsional vibration. Each firing order of a star is compared by itself.";
 const THROWS: &str = "Throws: the angles of the crankpins, from the free end.";
 const MASSES: &str = "Masses and rods are equal, and the throws stand at equal distances.";
 
@@ -105,14 +110,36 @@ fn best(front: &Front) -> Vec<Text> {
             )
         }
     });
-    [how_many].into_iter().chain(first).chain([orders]).collect()
+    let minor: Vec<String> = front.problem.minor_orders.iter().map(ToString::to_string).collect();
+    let minor = (!minor.is_empty())
+        .then(|| phrase!("Compared besides: these minor orders of torsional vibration: {}.", minor.join(", ")));
+    [how_many].into_iter().chain(first).chain([orders]).chain(minor).collect()
 }
 
 fn legend(front: &Front) -> Vec<Text> {
     let of_vees = front.problem.bank_angle.as_ref().map(|_| OF_VEES);
     let neighbours = front.problem.neighbours.then_some(NEIGHBOURS);
-    let words = [MOMENTS].into_iter().chain(of_vees).chain([THROWS]).chain(neighbours).chain([EQUAL, MASSES]);
-    words.map(Text::from).collect()
+    let minor = (!front.problem.minor_orders.is_empty()).then_some(MINOR);
+    let equal = if front.counts_whole_classes() { EQUAL } else { EQUAL_IN_PART };
+    let words =
+        [MOMENTS].into_iter().chain(of_vees).chain([THROWS]).chain(neighbours).chain(minor).chain([equal, MASSES]);
+    words.map(Text::from).chain(banks(front)).collect()
+}
+
+/// How the pins of a V are split, and its banks offset.
+fn banks(front: &Front) -> Vec<Text> {
+    let problem = &front.problem;
+    let split = problem.pin_split.as_ref().map(|split| {
+        phrase!(
+            "Each throw has two pins: that of bank 2 stands {} ahead. The throws are those of bank 1.",
+            number::degrees(&number::signed_degrees(split))
+        )
+    });
+    let offset = problem
+        .bank_offset
+        .as_ref()
+        .map(|offset| phrase!("Bank 1 stands {} spacings towards the free end of bank 2.", Number::exact(offset)));
+    split.into_iter().chain(offset).collect()
 }
 
 fn judged(front: &Front) -> Text {

@@ -2,6 +2,7 @@
 
 use crate::page::{Table, Text, number, phrase};
 use crate::proof::Sense;
+use crate::report::residual;
 use crate::report::typeset::Amount;
 use crate::search::{FoundStar, Front, Moment};
 
@@ -11,11 +12,17 @@ pub(super) fn stars(front: &Front) -> Table {
     let with_neighbours = front.problem.neighbours;
     let header = [Text::from("Star"), "Firing order".into(), "Throws in °".into()];
     let header = header.into_iter().chain(moments.iter().map(heading));
+    let minor = front.stars.first().map_or(&[][..], |star| &star.minor);
+    let header = header.chain(minor.iter().map(|(order, _)| phrase!("Order {}", order.to_string())));
     let header = header.chain(with_neighbours.then(|| "Neighbours".into())).chain(["Equal stars".into()]);
     let mut table = Table::new(header);
     for (index, star) in front.stars.iter().enumerate() {
         let cells = [(index + 1).into(), firing_order(star).unwrap_or_else(|| "uneven".into()), throws(star)];
         let cells = cells.into_iter().chain(star.moments.iter().map(amount));
+        let cells = cells.chain(star.minor.iter().map(|(_, sum)| match sum.vanishes() {
+            true => Text::zero(),
+            false => residual::modulus_of(sum).into(),
+        }));
         let neighbours = || star.neighbours.map_or_else(Text::default, Text::from);
         let cells = cells.chain(with_neighbours.then(neighbours)).chain([star.classes.to_string().into()]);
         table.push(cells.collect());

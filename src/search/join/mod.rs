@@ -103,7 +103,7 @@ impl Join<'_> {
     /// What no star of the front beats is no longer than any one of them in some order: takes the one that leaves the least to look at.
     fn look_around(&mut self) {
         let mut least = u128::MAX;
-        for point in self.judge.points().iter().filter(|point| point.neighbours == 0) {
+        for point in self.judge.points().iter().filter(|point| point.is_least_beyond(self.space.orders.len())) {
             let mut reach = [EVERYWHERE; MOST_ORDERS];
             let mut effort = 0;
             let aims = point.values.iter().zip(&self.inner.cells);
@@ -165,7 +165,7 @@ impl Join<'_> {
         let filled = outer.throws.iter().copied().chain(throws.iter().map(|&throw| usize::from(throw)));
         self.space.sequence.iter().zip(filled).for_each(|(&place, throw)| star[place] = throw as u16);
         let (star, size) = symmetry::first_of_class(&star, self.space.directions);
-        self.judge.take(judged::point(self.space, star, &bounds[..orders], size));
+        judged::points(self.space, star, &bounds[..orders], size).into_iter().for_each(|point| self.judge.take(point));
         self.look_around();
     }
 

@@ -33,7 +33,7 @@ impl Star {
         self.signs(other).all(Ordering::is_le) && self.signs(other).any(Ordering::is_lt)
     }
 
-    fn rank(&self, other: &Star) -> Ordering {
+    pub fn rank(&self, other: &Star) -> Ordering {
         self.signs(other).find(|sign| *sign != Ordering::Equal).unwrap_or(Ordering::Equal)
     }
 
@@ -66,7 +66,7 @@ pub fn of_even_throws(cylinders: u32, cycle: Cycle) -> (Vec<Vec<i64>>, i64) {
 }
 
 /// All different arrangements of what is left, after what is placed.
-fn arrange(placed: &mut Vec<i64>, left: &[i64], stars: &mut Vec<Vec<i64>>) {
+pub fn arrange(placed: &mut Vec<i64>, left: &[i64], stars: &mut Vec<Vec<i64>>) {
     if left.is_empty() {
         return stars.push(placed.clone());
     }
