@@ -1,14 +1,16 @@
 #!/bin/bash
-# A sweep in shards by GNU parallel, on one machine or on several that share a folder (--sshloginfile names them).
+# A sweep or a search in shards by GNU parallel, on one machine or on several that share a folder (--sshloginfile names them).
 # Called again after a stop it goes on: shards that are finished take no time.
 #
-#   ASK="V8-crossplane --bank-angle 0..179.9982:0.0018" ./parallel.sh points.csv
+#   ASK="sweep V8-crossplane --bank-angle 0..179.9982:0.0018" ./parallel.sh points.csv
+#   ASK="search --cylinders 18 --cycle two-stroke" ./parallel.sh front.csv
 set -euo pipefail
 : "${CRANKSTAR:=crankstar}" "${SHARDS:=24}" "${JOBS:=100%}"
-: "${ASK:=V8-crossplane --bank-angle 0..179.9982:0.0018 --orders 1,2,4,6}"
+# What is asked, with its command.
+: "${ASK:=sweep V8-crossplane --bank-angle 0..179.9982:0.0018 --orders 1,2,4,6}"
 mkdir -p shards
 # A shard that fails, or is killed, is tried three times.
 seq "$SHARDS" | parallel --jobs "$JOBS" --retries 3 --halt soon,fail=1 \
-    "$CRANKSTAR sweep $ASK --shard {}/$SHARDS --output shards/{}.shard"
+    "$CRANKSTAR $ASK --shard {}/$SHARDS --output shards/{}.shard"
 # shellcheck disable=SC2086 # several words on purpose
-exec "$CRANKSTAR" sweep $ASK --format csv --output "$1" --merge shards/*.shard
+exec "$CRANKSTAR" $ASK --format csv --output "$1" --merge shards/*.shard

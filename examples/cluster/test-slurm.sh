@@ -45,7 +45,7 @@ for _ in $(seq 60); do
 done
 [ "$(sinfo -h -t idle -o %D)" = 3 ] || { echo "the nodes do not come up:"; tail -5 "$work"/*.log "$work"/*.out; exit 1; }
 cd "$work/job"
-export CRANKSTAR SHARDS=12 ASK="V8-crossplane --bank-angle 0..${LAST:-179.9982}:0.0018 --orders 1,2,4,6"
+export CRANKSTAR SHARDS=12 ASK="sweep V8-crossplane --bank-angle 0..${LAST:-179.9982}:0.0018 --orders 1,2,4,6"
 job=$(sbatch --parsable --array=1-12 "$here/slurm-array.sh")
 killed=
 while [ -n "$(squeue -h -j "$job" -o %i)" ]; do
@@ -74,8 +74,8 @@ done
 [ -n "$killed" ] || { echo "no node was killed: the job was over too soon"; tail -n 3 log-*.txt; exit 1; }
 restarts=$(cat log-*.txt | grep -c "restart [1-9]" || true)
 # shellcheck disable=SC2086 # several words on purpose
-"$CRANKSTAR" sweep $ASK --format csv --output merged.csv --merge shards/*.shard
+"$CRANKSTAR" $ASK --format csv --output merged.csv --merge shards/*.shard
 # shellcheck disable=SC2086
-"$CRANKSTAR" sweep $ASK --format csv --output one.csv
+"$CRANKSTAR" $ASK --format csv --output one.csv
 cmp merged.csv one.csv
 echo "nothing is lost: 12 shards, $(wc -l < merged.csv) lines, node $killed killed, $restarts shards started again; byte for byte what one run gives"

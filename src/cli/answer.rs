@@ -107,7 +107,7 @@ impl Answer {
         match (self.format, self.output()) {
             (None, Some(output)) => Ok(output),
             (Some(_), _) => Err(Failure::misuse(format!(
-                "{flag} keeps pieces of the table, in no format yet; name one with --merge, when all are there"
+                "{flag} keeps pieces, in no format yet; name one with --merge, when all are there"
             ))),
             (None, None) => Err(Failure::misuse(format!("{flag} needs a file for its pieces: --output NAME.shard"))),
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crankstar::report::data;
-use crankstar::shard::{Merged, Question, Shard, Store, in_order};
+use crankstar::shard::{Merged, Question, Shard, Store, cores, in_order};
 use crankstar::sweep::Stream;
 use crankstar::table::{self, Format, Table};
 
@@ -44,8 +44,7 @@ impl Pieces {
 
     /// The file that several are merged into, where that is one of pieces again.
     pub fn merged_into_one<'a>(&self, output: Option<&'a Path>) -> Option<&'a Path> {
-        let is_one = |path: &&Path| path.extension().is_some_and(|ending| ending == ENDING);
-        output.filter(|_| !self.merge.is_empty()).filter(is_one)
+        merged_into_one(&self.merge, output)
     }
 
     /// Sees to it that nothing is said of pieces, where there are none.
@@ -60,10 +59,7 @@ impl Pieces {
 
     /// Puts several files into one.
     pub fn merge(&self, question: &Question, output: &Path) -> Result<(), Failure> {
-        let merged = Merged::open(&self.merge, question).map_err(Failure::new)?;
-        merged.keep(output, question).map_err(Failure::new)?;
-        let count = merged.pieces().count();
-        write::to_stdout(&format!("Written: {}, {count} of {} pieces\n", shown(output), question.pieces))
+        merge(&self.merge, question, output)
     }
 
     /// Computes the pieces of a shard that its file lacks.
@@ -93,7 +89,7 @@ impl Pieces {
                         Format::Parquet | Format::Xlsx => Made::Table(of_rows(&like, &rows)?),
                     })
                 };
-                in_order(&all, &read, &mut |_, made| add(file, made))
+                in_order(cores(), &all, &read, &mut |_, made| add(file, made))
             });
         }
         let bar = bar(&all, 0);
@@ -105,7 +101,7 @@ impl Pieces {
                     Format::Parquet | Format::Xlsx => Made::Table(table),
                 })
             };
-            in_order(&all, &make, &mut |_, made| {
+            in_order(cores(), &all, &make, &mut |_, made| {
                 add(file, made)?;
                 bar.inc(1);
                 Ok(())
@@ -114,6 +110,20 @@ impl Pieces {
         bar.finish_and_clear();
         outcome
     }
+}
+
+/// The file that several are merged into, where that is one of pieces again.
+pub fn merged_into_one<'a>(files: &[PathBuf], output: Option<&'a Path>) -> Option<&'a Path> {
+    let is_one = |path: &&Path| path.extension().is_some_and(|ending| ending == ENDING);
+    output.filter(|_| !files.is_empty()).filter(is_one)
+}
+
+/// Puts several files into one.
+pub fn merge(files: &[PathBuf], question: &Question, output: &Path) -> Result<(), Failure> {
+    let merged = Merged::open(files, question).map_err(Failure::new)?;
+    merged.keep(output, question).map_err(Failure::new)?;
+    let count = merged.pieces().count();
+    write::to_stdout(&format!("Written: {}, {count} of {} pieces\n", shown(output), question.pieces))
 }
 
 fn add<W: std::io::Write + Send>(file: &mut table::Stream<W>, made: Made) -> Result<(), Failure> {
@@ -148,7 +158,7 @@ fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path) -> Resu
     let like = data::sweep_points(&stream.first().map_err(Failure::new)?);
     let bar = bar(&list, there.len());
     let make = |piece| points(stream, &like, piece).map(|table| table::rows(&table));
-    let kept = in_order(&list, &make, &mut |piece, rows| {
+    let kept = in_order(cores(), &list, &make, &mut |piece, rows| {
         store.put(piece, rows.as_bytes()).map_err(Failure::new)?;
         bar.inc(1);
         Ok(())

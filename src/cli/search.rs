@@ -10,12 +10,14 @@ use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
 use crankstar::page::Document;
 use crankstar::report::{self, data};
-use crankstar::search::{self, Options, Problem, Progress};
+use crankstar::search::{self, Front, Options, Pieces, Problem, Progress, SearchError, Way};
+use crankstar::shard::Shard;
 
 use super::answer::Answer;
 use super::failure::Failure;
 use super::firing::ModeShape;
-use super::{json, progress};
+use super::layouts::shown;
+use super::{json, pieces, progress, write};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -59,6 +61,12 @@ pub struct Search {
     /// Keep every finished piece in this file, and go on from it; interrupt at will
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
+    /// Judge the i-th of N equal parts of the stars, and keep its pieces in the file of --output; called again, go on
+    #[arg(long, value_name = "i/N", conflicts_with_all = ["merge", "resume", "json", "torsion"])]
+    shard: Option<String>,
+    /// Judge nothing: put the files of all shards together, into the answer that one search would give, or into one file NAME.shard
+    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with = "resume")]
+    merge: Vec<PathBuf>,
     /// Number of threads [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -100,18 +108,14 @@ impl Search {
         if self.torsion {
             search::mode_shape(&problem, shape.clone()).map_err(Failure::new)?;
         }
-        let bar = progress::bar("pieces");
-        let progress = |progress: Progress| {
-            bar.set_length(progress.pieces as u64);
-            bar.set_position(progress.done as u64);
-            ControlFlow::Continue(())
-        };
-        let usual = Options::default();
-        let threads = self.threads.map_or(usual.threads, usize::from);
-        let options = Options { threads, resume: self.resume.clone(), progress: &progress, ..usual };
-        let front = search::search(&problem, &options);
-        bar.finish_and_clear();
-        let front = front.map_err(Failure::new)?;
+        if let Some(shard) = self.shard.as_deref() {
+            return self.keep(&problem, Shard::parse(shard).map_err(Failure::misuse)?);
+        }
+        if let Some(one) = pieces::merged_into_one(&self.merge, self.answer.output()) {
+            let question = Pieces::new(&problem, Way::default()).map_err(Failure::new)?.question();
+            return pieces::merge(&self.merge, &question, one);
+        }
+        let front = self.front(&problem)?;
         let torsion = self.torsion.then(|| search::torsion(&front, shape)).transpose().map_err(Failure::new)?;
         let with_torsion = |mut page: Document| {
             page.blocks.extend(torsion.iter().flat_map(|torsion| report::search_torsion(&front, torsion)));
@@ -132,6 +136,38 @@ impl Search {
         let beside = || Ok(report::search_layouts(&front));
         let answer = with_torsion(report::search_answer(&front));
         self.answer.show_with(&answer, || with_torsion(report::search_page(&front)), beside)
+    }
+
+    /// From the files that are merged, or by searching.
+    fn front(&self, problem: &Problem) -> Result<Front, Failure> {
+        if !self.merge.is_empty() {
+            let pieces = Pieces::new(problem, Way::default()).map_err(Failure::new)?;
+            return pieces.merged(&self.merge).map_err(Failure::new);
+        }
+        self.with_a_bar(|options| search::search(problem, options))
+    }
+
+    /// Judges the pieces of a shard that its file lacks.
+    fn keep(&self, problem: &Problem, shard: Shard) -> Result<(), Failure> {
+        let output = self.answer.nothing_but_output("--shard")?;
+        let pieces = Pieces::new(problem, Way::default()).map_err(Failure::new)?;
+        self.with_a_bar(|options| pieces.keep(shard, output, options))?;
+        write::to_stdout(&format!("Written: {}\n", shown(output)))
+    }
+
+    /// Does the work of pieces beside a bar.
+    fn with_a_bar<T>(&self, work: impl FnOnce(&Options) -> Result<T, SearchError>) -> Result<T, Failure> {
+        let bar = progress::bar("pieces");
+        let progress = |progress: Progress| {
+            bar.set_length(progress.pieces as u64);
+            bar.set_position(progress.done as u64);
+            ControlFlow::Continue(())
+        };
+        let usual = Options::default();
+        let threads = self.threads.map_or(usual.threads, usize::from);
+        let done = work(&Options { threads, resume: self.resume.clone(), progress: &progress, ..usual });
+        bar.finish_and_clear();
+        done.map_err(Failure::new)
     }
 
     fn problem(&self) -> Result<Problem, Failure> {

@@ -8,7 +8,7 @@ use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
 
 /// More throws than this are not searched: eighteen have 3.6e14 stars.
-pub const MOST_THROWS: u32 = 18;
+pub const MOST_THROWS: u32 = 20;
 /// Finer grids than this are not searched.
 pub const FINEST_GRID: u32 = 360;
 /// Grids with more stars than this, up to rotation, are not searched.

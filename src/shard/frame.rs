@@ -117,7 +117,10 @@ pub(super) fn read(path: &Path, file: &mut impl BufRead, question: &Question) ->
         .flatten();
     let head = told.ok_or_else(|| damaged(path, "in its head"))?;
     if head.words != question.words || head.pieces != question.pieces {
-        return Err(ShardError::of(path, "belongs to another question: another layout, range, order or version"));
+        return Err(ShardError::of(
+            path,
+            "belongs to another question: other options, another layout or another version",
+        ));
     }
     let mut found = Found { head, frames: Vec::new(), is_finished: false, whole: reader.at };
     loop {

@@ -20,16 +20,22 @@ struct Line<T, E> {
     stopped: bool,
 }
 
-/// Makes the pieces of a list on all cores, and takes each in the order of the list; memory holds a few at a time.
+/// How many threads a machine has cores for.
+pub fn cores() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+/// Makes the pieces of a list on so many threads, and takes each in the order of the list; memory holds a few at a time.
 ///
 /// # Errors
 /// The first in the order of the list that cannot be made, or be taken.
 pub fn in_order<T: Send, E: Send>(
+    threads: usize,
     list: &[usize],
     make: &(dyn Fn(usize) -> Result<T, E> + Sync),
     take: &mut dyn FnMut(usize, T) -> Result<(), E>,
 ) -> Result<(), E> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(list.len());
+    let threads = threads.min(list.len());
     let line = Mutex::new(Line { next: 0, taken: 0, made: BTreeMap::new(), stopped: false });
     let moved = Condvar::new();
     let held = || line.lock().unwrap_or_else(PoisonError::into_inner);

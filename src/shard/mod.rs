@@ -13,7 +13,7 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-pub use in_order::in_order;
+pub use in_order::{cores, in_order};
 pub use merged::Merged;
 pub use store::Store;
 

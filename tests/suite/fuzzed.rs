@@ -167,10 +167,10 @@ fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
     let wish = Wish { orders: vec![1, 2], planes: None, factors: Vec::new(), skews: Vec::new() };
     let remedy = remedy::remedy(&engine("I3"), &wish).expect("a remedy");
     assert_golden("document", "remedy.json", &json(&report::remedy_document(&remedy)));
-    let path = std::env::temp_dir().join(format!("crankstar-seed-{}.json", std::process::id()));
+    let path = std::env::temp_dir().join(format!("crankstar-seed-{}.shard", std::process::id()));
     let options = Options { threads: 1, resume: Some(path.clone()), ..Options::default() };
     search(&targets::problem(), &options).expect("a front");
-    assert_golden("resume", "state.json", &fs::read_to_string(&path).expect("a state"));
+    assert_golden("resume", "state.shard", &fs::read_to_string(&path).expect("a state"));
     fs::remove_file(&path).expect("the file of this search");
 }
 

@@ -97,6 +97,7 @@ mod search;
 mod search_aims;
 mod search_join;
 mod search_published;
+mod search_shards;
 mod search_torsion;
 mod second_checker;
 mod shards;

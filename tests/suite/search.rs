@@ -290,7 +290,7 @@ fn stopped_and_resumed(way: Way) {
     };
     let options = || Options { way, ..Options::default() };
     let whole = json(&search(&problem, &Options { threads: 1, ..options() }).expect("a front"));
-    let file = scratch("search-resume").join("state.json");
+    let file = scratch("search-resume").join("state.shard");
     for (after, threads) in [(1, 1), (2, 2), (7, 3), (20, 1)] {
         let told = AtomicUsize::new(0);
         let progress = |_| match told.fetch_add(1, Ordering::Relaxed) + 1 == after {
@@ -301,8 +301,7 @@ fn stopped_and_resumed(way: Way) {
             search(&problem, &Options { threads, resume: Some(file.clone()), progress: &progress, ..options() });
         assert_eq!(stopped.err(), Some(SearchError::Stopped), "after {after} pieces");
     }
-    let known: serde_json::Value = serde_json::from_str(state(&file).lines().next().expect("a line")).expect("JSON");
-    let pieces = known["pieces"].as_object().expect("pieces").len();
+    let pieces = fs::read_to_string(&file).expect("a text").matches("piece ").count();
     assert!(pieces >= 30, "{pieces} pieces are kept");
     let resumed = search(&problem, &Options { resume: Some(file.clone()), ..options() }).expect("a front");
     assert_eq!(json(&resumed), whole);
@@ -310,117 +309,7 @@ fn stopped_and_resumed(way: Way) {
     assert_eq!(json(&again.expect("a front")), whole);
     assert_eq!(json(&search(&problem, &Options { threads: 3, ..options() }).expect("a front")), whole);
     let names: Vec<_> = fs::read_dir(file.parent().expect("a folder")).expect("a folder").collect();
-    assert_eq!(names.len(), 1, "nothing is left beside the state file");
-}
-
-/// The text of a state file.
-fn state(file: &std::path::Path) -> String {
-    fs::read_to_string(file).expect("a text")
-}
-
-/// A state file whose digest is right whatever its body says.
-fn sealed(body: &str) -> String {
-    format!("{body}\ncrc32 {:08x}\n", crc32fast::hash(body.as_bytes()))
-}
-
-#[test]
-fn a_state_file_of_another_search_or_a_damaged_one_is_refused() {
-    let file = scratch("search-state").join("state.json");
-    let options = || Options { resume: Some(file.clone()), ..Options::default() };
-    let five = Problem::inline(5, Cycle::TwoStroke, &[1, 2]);
-    let whole = json(&search(&five, &options()).expect("a front"));
-    let message = |problem: &Problem| search(problem, &options()).expect_err("refused").to_string();
-    let other = message(&Problem::inline(5, Cycle::TwoStroke, &[1, 2, 4]));
-    assert!(other.contains("belongs to another search (3: 5 cylinders, two-stroke, orders [1, 2]"), "{other}");
-    let text = state(&file);
-    // A bit of every byte, and every place where the file may be cut off.
-    for at in 0..text.len() {
-        let mut bytes = text.clone().into_bytes();
-        bytes[at] ^= 1 << (at % 8);
-        fs::write(&file, &bytes).expect("written");
-        let refused = message(&five);
-        assert!(refused.contains("damaged") && refused.contains("remove it to search afresh"), "{at}: {refused}");
-        fs::write(&file, &text[..at]).expect("written");
-        assert!(message(&five).contains("damaged"), "cut off at {at}");
-    }
-    assert_eq!(beside(&file), ["state.json"]);
-    fs::write(&file, &text).expect("written");
-    assert_eq!(json(&search(&five, &options()).expect("a front")), whole);
-}
-
-/// What is left in a folder of a state file, by name.
-fn beside(file: &std::path::Path) -> Vec<String> {
-    let entries = fs::read_dir(file.parent().expect("a folder")).expect("a folder");
-    entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect()
-}
-
-/// Whoever makes a digest for an altered file is still told where it does not fit the question.
-#[test]
-fn counts_and_stars_that_do_not_fit_the_question_are_refused_though_their_digest_is_right() {
-    let file = scratch("search-counts").join("state.json");
-    let seven = Problem::inline(7, Cycle::TwoStroke, &[1, 2]);
-    let options = || Options { resume: Some(file.clone()), ..Options::default() };
-    let whole = json(&search(&seven, &options()).expect("a front"));
-    let text = state(&file);
-    let body = text.lines().next().expect("a line");
-    let value: serde_json::Value = serde_json::from_str(body).expect("JSON");
-    fs::write(&file, sealed(body)).expect("written");
-    assert_eq!(json(&search(&seven, &options()).expect("its own digest is right")), whole);
-    let pieces = value["pieces"].as_object().expect("pieces");
-    let (number, _) =
-        pieces.iter().find(|(_, piece)| !piece["stars"].as_array().expect("stars").is_empty()).expect("a star");
-    let (another, _) = pieces.iter().find(|(other, _)| *other != number).expect("two pieces");
-    type Damage = Box<dyn Fn(&mut serde_json::Value)>;
-    let set = |key: &'static str, to: u64| -> Damage {
-        let number = number.clone();
-        Box::new(move |value| value["pieces"][&number][key] = to.into())
-    };
-    let of_star = |key: &'static str, to: u64| -> Damage {
-        let number = number.clone();
-        Box::new(move |value| value["pieces"][&number]["stars"][0][key] = to.into())
-    };
-    let (from, to, twice) = (number.clone(), another.clone(), number.clone());
-    let damages: Vec<(&str, Damage)> = vec![
-        ("no star was judged", set("judged", 0)),
-        ("more were judged than there are", set("judged", 721)),
-        ("a sum that would wrap", set("judged", u64::MAX)),
-        ("more starts than there are", set("cut", u64::MAX)),
-        ("no class", of_star("classes", 0)),
-        ("more classes than were judged", of_star("classes", 700)),
-        ("more classes than can be counted", of_star("classes", u64::MAX)),
-        ("no star", of_star("stars", 0)),
-        ("more stars than its classes hold", of_star("stars", 1_000_000)),
-        (
-            "a star of another piece",
-            Box::new(move |value| {
-                let stars = value["pieces"][&from]["stars"].clone();
-                value["pieces"][&to]["stars"] = stars;
-                value["pieces"][&to]["judged"] = 300.into();
-            }),
-        ),
-        (
-            "a star twice",
-            Box::new(move |value| {
-                let star = value["pieces"][&twice]["stars"][0].clone();
-                value["pieces"][&twice]["stars"].as_array_mut().expect("stars").push(star);
-            }),
-        ),
-        (
-            "a piece that is not there",
-            Box::new(|value| {
-                let piece = value["pieces"].as_object().expect("pieces").values().next().expect("a piece").clone();
-                value["pieces"]["100000"] = piece;
-            }),
-        ),
-        ("an unknown key", Box::new(|value| value["more"] = 1.into())),
-    ];
-    for (what, damage) in damages {
-        let mut damaged = value.clone();
-        damage(&mut damaged);
-        fs::write(&file, sealed(&damaged.to_string())).expect("written");
-        let message = search(&seven, &options()).expect_err(what).to_string();
-        assert!(message.contains("remove it to search afresh"), "{what}: {message}");
-    }
+    assert_eq!(names.len(), 1, "nothing is left beside the file");
 }
 
 fn crankstar(arguments: &str) -> (Option<i32>, String, String) {
@@ -437,8 +326,8 @@ fn crankstar(arguments: &str) -> (Option<i32>, String, String) {
 fn impossible_questions_are_answered_with_words() {
     let questions = [
         ("--cylinders 0 --cycle two-stroke", 1, "without cylinders"),
-        ("--cylinders 40 --cycle two-stroke", 1, "up to 18 cylinders in line"),
-        ("--cylinders 42 --cycle four-stroke --bank-angle 60", 1, "up to 36 cylinders in V"),
+        ("--cylinders 40 --cycle two-stroke", 1, "up to 20 cylinders in line"),
+        ("--cylinders 42 --cycle four-stroke --bank-angle 60", 1, "up to 40 cylinders in V"),
         ("--cylinders 4 --cycle six-stroke", 2, "two-stroke, four-stroke"),
         ("--cylinders 7 --cycle four-stroke --bank-angle 60", 1, "7 is odd"),
         ("--cylinders 6 --cycle four-stroke --bank-angle 720", 1, "between 0 and 360"),
@@ -479,7 +368,7 @@ fn impossible_questions_are_answered_with_words() {
         ("--cylinders 3 --cycle two-stroke --minor-orders 1 --mode-shape 1,2", 1, "2 values for 3 cylinders"),
         ("--cylinders 3 --cycle two-stroke --minor-orders 1 --mode-shape 1,2.00001,7.3", 1, "round the mode shape"),
         ("--cylinders 3 --cycle two-stroke --mode-shape 1,2,3", 1, "add --torsion or --minor-orders"),
-        ("--cylinders 6 --cycle two-stroke --resume /dev/null/state", 1, "cannot read"),
+        ("--cylinders 6 --cycle two-stroke --resume /dev/null/state", 1, "cannot write"),
     ];
     for (arguments, status, words) in questions {
         let (code, out, err) = crankstar(arguments);
