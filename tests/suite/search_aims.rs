@@ -7,7 +7,8 @@ use crankstar::exact::Turn;
 use crankstar::file;
 use crankstar::page::{self, Format, Language};
 use crankstar::report;
-use crankstar::search::{FoundStar, Front, Options, Problem, Way, document, search};
+use crankstar::search::{FoundStar, Front, Options, Pieces, Problem, Way, document, search};
+use crankstar::shard::{Merged, Shard, Store};
 use num_rational::BigRational;
 
 const CYCLES: [Cycle; 2] = [Cycle::TwoStroke, Cycle::FourStroke];
@@ -235,7 +236,7 @@ fn a_search_by_minor_orders_goes_on_from_its_state_file_and_refuses_a_firing_ord
     let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("search-minor-state");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join("state.json");
+    let file = folder.join("state.shard");
     // Not the same end for end, so that a star and its reversal are two points.
     let shape = [9, 7, 6, 2, 1, -4].map(|value: i64| BigRational::from_integer(value.into()));
     let asked = Problem {
@@ -249,22 +250,26 @@ fn a_search_by_minor_orders_goes_on_from_its_state_file_and_refuses_a_firing_ord
         let options = || Options { way, threads: 1, resume: Some(file.clone()), ..Options::default() };
         let whole = told(&search(&asked, &options()).expect("a front"));
         assert_eq!(told(&search(&asked, &options()).expect("read again")), whole);
-        let text = std::fs::read_to_string(&file).expect("a state");
-        let body = text.lines().next().expect("a line");
-        let mut value: serde_json::Value = serde_json::from_str(body).expect("JSON");
-        let pieces = value["pieces"].as_object_mut().expect("pieces");
+        let question = Pieces::new(&asked, way).expect("a question").question();
+        let kept = Merged::open(std::slice::from_ref(&file), &question).expect("a file");
+        let read = |piece| serde_json::from_slice(&kept.read(piece).expect("a piece")).expect("JSON");
+        let mut pieces: Vec<serde_json::Value> = kept.pieces().map(read).collect();
         let is_full = |piece: &&mut serde_json::Value| !piece["stars"].as_array().expect("stars").is_empty();
-        let piece = pieces.values_mut().find(is_full).expect("a star");
+        let piece = pieces.iter_mut().find(is_full).expect("a star");
         piece["stars"][0]["firing_order"] = serde_json::json!([0, 1, 2, 3, 5, 4]);
-        let body = value.to_string();
-        std::fs::write(&file, format!("{body}\ncrc32 {:08x}\n", crc32fast::hash(body.as_bytes()))).expect("written");
+        std::fs::remove_file(&file).expect("the file");
+        let mut altered = Store::open(&file, &question, Shard::WHOLE).expect("a file");
+        for (number, piece) in pieces.iter().enumerate() {
+            altered.put(number, piece.to_string().as_bytes()).expect("written");
+        }
+        altered.finish().expect("written");
         let refused = search(&asked, &options()).expect_err("no such firing order").to_string();
         assert!(refused.contains("does not fit this search"), "{refused}");
     }
     // Another mode is another search.
     let other = Problem { mode_shape: None, ..asked };
     let refused = search(&other, &Options { resume: Some(file), ..Options::default() }).expect_err("another question");
-    assert!(refused.to_string().contains("belongs to another search"), "{refused}");
+    assert!(refused.to_string().contains("belongs to another question"), "{refused}");
 }
 
 #[test]
