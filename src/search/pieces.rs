@@ -72,15 +72,18 @@ impl<'a> Pieces<'a> {
         Done { points: own.points().iter().filter(|point| point.classes > 0).cloned().collect(), counts }
     }
 
-    /// Judges pieces on several threads, and takes each in the order of the list.
+    /// Judges pieces on several threads, and takes each in the order of the list; so many others were done before.
     fn each(
         &self,
         list: &[usize],
+        before: usize,
         options: &Options,
         take: &mut dyn FnMut(usize, &Done) -> Result<(), SearchError>,
     ) -> Result<(), SearchError> {
-        let all = self.plan.len();
-        let mut progress = Progress { done: all - list.len(), pieces: all, judged: 0 };
+        if list.is_empty() {
+            return Ok(());
+        }
+        let mut progress = Progress { done: before, pieces: before + list.len(), judged: 0 };
         let first = self.first();
         let make = |number| Ok(first.done.get(number).cloned().unwrap_or_else(|| self.judge(number, &first.front)));
         in_order(options.threads, list, &make, &mut |number, done: Done| {
@@ -98,7 +101,7 @@ impl<'a> Pieces<'a> {
     pub(super) fn front(&self, options: &Options) -> Result<Front, SearchError> {
         let mut sum = Sum::default();
         let all: Vec<usize> = (0..self.plan.len()).collect();
-        self.each(&all, options, &mut |_, done| {
+        self.each(&all, 0, options, &mut |_, done| {
             sum.add(done, &self.space).ok_or_else(|| unreachable!("so many stars exist"))
         })?;
         Ok(self.answer(sum))
@@ -113,7 +116,7 @@ impl<'a> Pieces<'a> {
         let there: BTreeSet<usize> = store.pieces();
         let of_shard = (0..self.plan.len()).filter(|piece| shard.takes(*piece));
         let list: Vec<usize> = of_shard.filter(|piece| !there.contains(piece)).collect();
-        self.each(&list, options, &mut |number, done| {
+        self.each(&list, there.len(), options, &mut |number, done| {
             let text = written::text(done).map_err(|error| SearchError::NotWritten(error.to_string()))?;
             store.put(number, text.as_bytes()).map_err(SearchError::Pieces)
         })?;

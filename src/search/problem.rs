@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
 
-/// More throws than this are not searched: eighteen have 3.6e14 stars.
+/// More throws than this are not searched: twenty have 1.2e17 stars.
 pub const MOST_THROWS: u32 = 20;
 /// Finer grids than this are not searched.
 pub const FINEST_GRID: u32 = 360;

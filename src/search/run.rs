@@ -15,7 +15,7 @@ use crate::shard::{Shard, ShardError, cores};
 pub struct Progress {
     /// Pieces finished, those of earlier runs too.
     pub done: usize,
-    /// Pieces in all.
+    /// Pieces in all, of a shard those that it has.
     pub pieces: usize,
     /// Stars judged in this run.
     pub judged: u64,

@@ -79,6 +79,18 @@ fn merged_shards_are_the_answer_of_one_search_in_any_number_order_and_grouping()
 }
 
 #[test]
+fn two_shards_of_every_small_engine_are_its_search() {
+    let folder = scratch("search-shards-small");
+    for (cylinders, cycle) in (1..=10).flat_map(|n| [(n, Cycle::TwoStroke), (n, Cycle::FourStroke)]) {
+        let problem = Problem { neighbours: cylinders % 3 == 0, ..Problem::inline(cylinders, cycle, &[1, 2, 4]) };
+        let Ok(pieces) = Pieces::new(&problem, Way::default()) else { continue };
+        let whole = json(&search(&problem, &Options::default()).expect("a front"));
+        let folder = folder.join(format!("{cylinders}-{cycle:?}"));
+        assert_eq!(json(&pieces.merged(&shards(&pieces, &folder, 2)).expect("a front")), whole, "{problem:?}");
+    }
+}
+
+#[test]
 fn a_shard_that_is_stopped_after_any_piece_goes_on_to_the_same_bytes() {
     let folder = scratch("search-shards-stopped");
     let problem = Problem::inline(10, Cycle::TwoStroke, &[1, 2]);
