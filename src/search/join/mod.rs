@@ -109,7 +109,7 @@ impl Join<'_> {
             let aims = point.values.iter().zip(&self.inner.cells);
             for (reach, (value, cells)) in reach.iter_mut().zip(aims) {
                 *reach = (value.high as u128).isqrt() as i64 + 1 + self.tables.doubt;
-                // Below 2^48 for the inner throws of eighteen, so that the square has room for 30 bits more.
+                // Below 2^48 for the inner throws of twenty, so that the square has room for 30 bits more.
                 let extent = cells.extent();
                 effort += ((*reach).min(extent) as u128).pow(2) * (1 << 30) / (extent as u128).pow(2).max(1);
             }
