@@ -170,7 +170,7 @@ def divided(when, polynomial):
             whole = multiplied(whole, factor)
     due = [(total, dict(polynomial).get(n, {})) for n, total in enumerate(whole)]
     for (total, of_sum), certificate in each("equalities", claim.equalities, due):
-        certify([*total.items(), *((t, -w) for t, w in of_sum.items())], certificate, True)
+        certify([*of_sum.items(), *((t, -w) for t, w in total.items())], certificate, True)
     return [(n, total) for n, total in enumerate(once) if total]
 
 

@@ -114,7 +114,10 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
             let target =
                 if path.is_empty() { text(file) } else { fs::read_to_string(folder.join(path)).unwrap_or_default() };
             assert!(folder.join(path).exists(), "{file} leads to {link}");
-            let is_there = |line: &str| line.trim_start_matches('#').trim().to_lowercase().replace(' ', "-") == heading;
+            // As GitHub names headings: in small letters, without points, spaces as hyphens.
+            let anchor =
+                |line: &str| line.trim_start_matches('#').trim().to_lowercase().replace('.', "").replace(' ', "-");
+            let is_there = |line: &str| anchor(line) == heading;
             assert!(heading.is_empty() || target.lines().any(is_there), "{file} leads to {link}");
             found += 1;
         }

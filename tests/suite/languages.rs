@@ -266,4 +266,4 @@ fn words_of(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Words that are German too.
-const IN_BOTH: [&str; 3] = ["cos", "sin", "min"];
+const IN_BOTH: [&str; 4] = ["cos", "sin", "min", "irrational"];
