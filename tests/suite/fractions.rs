@@ -12,7 +12,7 @@ fn whole(dice: &mut Dice, bits: u64) -> BigInt {
     let size = match dice.below(6) {
         0 => BigInt::from(dice.below(13)),
         1 => (BigInt::one() << dice.below(bits + 1)) - dice.below(3) as i64 + 1,
-        2 => BigInt::from(dice.below(u64::MAX)) * dice.below(u64::MAX) >> (128 - bits),
+        2 => (BigInt::from(dice.below(u64::MAX)) * dice.below(u64::MAX)) >> (128 - bits),
         _ => BigInt::from(dice.below(1 << bits.min(63))),
     };
     if dice.below(2) == 0 { size } else { -size }
