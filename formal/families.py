@@ -8,7 +8,7 @@ from verify import CHECKED, SENSES, beside, certify, check_asked, collect, deman
 # When a sum over open angles is zero, and how many parts of it are then not zero.
 MANY = 1_000_000
 WHENS = {"always": [0], "never": [1], "unequal-lengths": [2], "equal-lengths": [2], "where": [2, 3], "cosine": [3], "coprime": range(2, MANY),
-         "circle": range(2, MANY), "triangle": [3], "classes": range(2, MANY), "quadratic": range(3, MANY), "product": range(4, MANY),
+         "circle": range(2, MANY), "triangle": [3], "classes": range(2, MANY), "quadratic": range(3, MANY), "product": range(4, MANY), "boxes": range(3, MANY),
          "not-solved": range(3, MANY)}
 
 keys("""format title masses orders quantities reference_plane cylinders open_verdicts;
@@ -18,7 +18,7 @@ keys("""format title masses orders quantities reference_plane cylinders open_ver
         kind phi delta bits mirrored from arcs | divided; without coprime powers equalities; phi delta conductor prime root scale u v;
         phi delta bits mirrored from arcs; kind to; kind to at certificates;
         kind phi delta second squares circle meetings; kind certificates; kind first turn certificate; kind first;
-        kind phi delta second third coefficients circle roots; kind lengths at; kind lengths first shape at; turn certificate;
+        kind phi delta second third coefficients lengths circle roots; kind phi delta tree zeros; s t reach certificate; kind lengths at; kind lengths first shape at; turn certificate;
         kind groups certificates group firsts""")
 
 # ---- 1. The sum taken apart by what is open --------------------------------------------------------------------------------
@@ -104,6 +104,8 @@ def check_when(when, left, notes):
             coprime(when, polynomial)
         else:
             circle(when, divided(when, polynomial) if when.divided else polynomial, notes)
+    elif when.kind == "boxes":
+        notes.add("an answer in boxes of two open angles")
     elif when.kind in ("triangle", "product", "classes", "quadratic"):
         beside("two_angles").check(when, left, notes)
 

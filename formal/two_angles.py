@@ -120,7 +120,10 @@ def quadratic(claim, left, notes):
     A, B, C = split(claim, left, [claim.second, claim.third])
     D, E = laurent([(A, A, 1), (C, C, -1)]), laurent([(A, B, 1), (B, C, -1)])
     is_there, turns = real_zeros(claim, "coefficients", laurent([(D, D, 1), (E, E, -1)]), notes)
-    demand(is_there, "every coefficient is zero, so that nothing follows from them")
+    # On a curve, where D² = |E|² for every y, the certificates tell for which of them D is zero.
+    due = [] if is_there else [total for power, total in sorted(D.items()) if power >= 0]
+    for total, certificate in each("lengths", claim["lengths"], due):
+        certify(total, certificate)
     for turn, roots in each("roots", claim.roots, turns):
         a, b, c = (collect(at(of, turn)) for of in (A, B, C))
         demand(roots.kind in ("all", "none", "one", "mirror"), "roots are of no such kind")

@@ -40,7 +40,7 @@ keys("""format title masses orders quantities reference_plane cylinders all_orde
         quantity order sense outcome; not-zero-by-enclosure; not-decided; bits; below;
         quantity order shape | certificate mirror bits; sign certificates""")
 TRUTH = ("vanishes", "all_orders", "order_one")
-WORDS = ("title", "name", "of", "symbol")  # which may look like numbers
+WORDS = ("title", "name", "of", "symbol", "tree")  # which may look like numbers
 PLACE = []  # where the checker is, for its answer
 CHECKED = [0]  # certificates so far
 
