@@ -105,7 +105,7 @@ def check_when(when, left, notes):
         else:
             circle(when, divided(when, polynomial) if when.divided else polynomial, notes)
     elif when.kind == "boxes":
-        notes.add("an answer in boxes of two open angles")
+        beside("boxes").check(when, left, notes)
     elif when.kind in ("triangle", "product", "classes", "quadratic"):
         beside("two_angles").check(when, left, notes)
 

@@ -3,7 +3,7 @@
 use crankstar::proof::{BoxesClaim, Certificate, OpenDocument, WhenClaim, check_open_document, read_document};
 use num_rational::BigRational;
 
-use crate::plane_cheats::{Cheat, forged, half, refused, tried};
+use crate::plane_cheats::{Cheat, forged, half, tried};
 use crate::support::second;
 use crate::support::two_angles::torus_documents;
 
@@ -94,7 +94,6 @@ fn every_cheat_with_boxes_is_caught() {
         assert_eq!(&read, document);
         check_open_document(&read).expect("it holds");
     }
-    // The second checker takes these claims for not checked, and so does not see a change in them.
     second::accepts(&documents, &[]);
     for (name, cheat) in CHEATS {
         let change = |when: &mut WhenClaim| match when {
@@ -104,7 +103,7 @@ fn every_cheat_with_boxes_is_caught() {
         // Only the first has open boxes, of which there are many, and exact zeros.
         let (open, whole) = documents.split_at(1);
         let fitting = if ["an open box as free", "forged evidence of a zero"].contains(&name) { open } else { whole };
-        assert!(!refused(fitting, name, is_boxes, change).is_empty(), "never tried: {name}");
+        assert!(tried(fitting, name, is_boxes, change) > 0, "never tried: {name}");
     }
     for other in [WhenClaim::Always, WhenClaim::Never] {
         let change = |when: &mut WhenClaim| {

@@ -247,7 +247,7 @@ pub fn tried(
 }
 
 /// A few documents with a changed claim of a kind, after the first checker has refused each.
-pub fn refused<'a>(
+fn refused<'a>(
     documents: &[OpenDocument],
     name: &'a str,
     is_it: impl Fn(&WhenClaim) -> bool,
