@@ -98,7 +98,7 @@ pub fn coefficient_bounds(
     Ok([bounds(&number.re), bounds(&number.im)])
 }
 
-/// How many bits below 1 the bound of a coefficient stands.
+/// About how many bits below 1 a coefficient stands: enclosures start from there, and nothing rests on it.
 pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) -> Result<u64, Refusal> {
     let strip = match coefficient {
         Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),

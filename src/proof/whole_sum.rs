@@ -136,7 +136,7 @@ pub(super) fn are_unequally_long(judged: &Judged, bits: u32, motion: &Motion<'_>
 struct Enclosure {
     bits: u32,
     scale: BigInt,
-    /// No coefficient is larger than `2^−below_one`.
+    /// The coefficients are about `2^−below_one`, by how fast the harmonics of the motion fall.
     below_one: u64,
 }
 
@@ -148,7 +148,7 @@ impl Enclosure {
         }
     }
 
-    /// Bits are counted from the bound of the largest coefficient on: those of high orders are small.
+    /// Bits are counted from about the size of the largest coefficient on: those of high orders are small.
     fn new(judged: &Judged, senses: &[usize], bits: u32, motion: &Motion<'_>) -> Result<Self, Reason> {
         let left: Vec<(&JudgedGroup, usize)> =
             senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect();
@@ -162,7 +162,7 @@ impl Enclosure {
         Ok(Enclosure { bits: bits.ok_or(Reason::TooManySteps)?, scale: scale(sums, motion.audit())?, below_one })
     }
 
-    /// The terms of these senses end to end, each times the bound of the coefficients: no sum is larger.
+    /// The terms of these senses end to end, each times about the size of the largest coefficient.
     fn largest(&self, judged: &Judged, senses: &[usize]) -> BigRational {
         let left = senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense)));
         let weights: BigRational = left.flat_map(|(group, sense)| group.sums[sense].0.values()).map(Signed::abs).sum();
