@@ -201,7 +201,8 @@ impl<'a> Ground<'a> {
             let vectors = self.vectors(&self.centred(), end)?;
             Ok::<Complex, Reason>(vectors.iter().fold(Complex::zero(), |sum, (_, vector)| sum.plus(vector)))
         });
-        let across = low?.conjugate().times(&high?, self.bits).re;
+        // In units of 2^(−2 bits): near a zero the product of both is small.
+        let across = low?.conjugate().times(&high?, 0).re;
         match across.excludes_zero() {
             true => Ok(across.middle.is_positive()),
             false => Err("on which side of 0 its ends are is left open by so many bits".into()),

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crankstar::family::{
     self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When,
 };
+use crankstar::file::{self, Layout};
 use crankstar::proof::check_open_document;
 use crankstar::report;
 use num_rational::BigRational;
@@ -400,4 +401,22 @@ fn three_classes_vanish_at_all_turns_or_none_or_some_where_their_lengths_say_so(
     assert_eq!([told.not_solved, told.open], [0, 2], "{told:?}");
     let [all, none, one, mirrors @ ..] = told.roots;
     assert!(all > 0 && none > 0 && one > 0 && mirrors.iter().all(|count| *count > 0), "{told:?}");
+}
+
+/// What is small at both ends of an arc is smaller still as a product: the checker once lost its sign in rounding.
+#[test]
+fn the_checker_tells_the_sides_of_small_ends_apart() {
+    let cylinder = |(position, [throw, pins, banks]): (usize, &[i32; 3])| {
+        format!("[[cylinder]]\nthrow = \"{throw} + {pins} delta\"\nbank = \"{banks} phi\"\nposition = {position}\n")
+    };
+    let engines: [&[[i32; 3]]; 2] = [
+        &[[345, 1, 0], [225, 2, 3], [210, 0, 2], [150, 1, 1], [60, 1, 1]],
+        &[[300, 2, 2], [90, 2, 2], [315, 0, 2], [105, 0, 3], [270, 1, 2], [90, 2, 1], [240, 1, 2]],
+    ];
+    for engine in engines {
+        let text: String = engine.iter().enumerate().map(cylinder).collect();
+        let Ok(Layout::Open(family)) = file::parse_layout("test", &text) else { panic!("not a family: {text}") };
+        let verdicts = family::classify(&family, &[1, 2]).expect("orders");
+        check_open_document(&report::open_document(&family, &verdicts)).expect("it holds");
+    }
 }

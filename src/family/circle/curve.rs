@@ -14,6 +14,9 @@ use super::polynomial::Polynomial;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
 
+/// A checker that rounds otherwise may be in doubt by more: what is decided here holds by so many times the doubt.
+const SLACK: u32 = 64;
+
 /// A complex number in units of `2^−bits`, either part off by `doubt` at most.
 #[derive(Clone, Debug)]
 pub(super) struct Spot {
@@ -54,12 +57,12 @@ impl Spot {
         (&self.re * &self.re + &self.im * &self.im).sqrt() + 1
     }
 
-    /// The sign of the real part of `conj(self)·other`; `None` where the doubt leaves it open.
+    /// The sign of the real part of `conj(self)·other`; `None` where the doubt, or a larger one, leaves it open.
     pub fn sign_against(&self, other: &Spot) -> Option<bool> {
         let product = &self.re * &other.re + &self.im * &other.im;
         let off = |a: &Spot, b: &Spot| (a.re.abs() + a.im.abs()) * &b.doubt;
         let doubt = off(self, other) + off(other, self) + &self.doubt * &other.doubt * 2;
-        (product.abs() > doubt).then(|| product.is_positive())
+        (product.abs() > doubt * SLACK).then(|| product.is_positive())
     }
 }
 
@@ -96,7 +99,7 @@ impl Ground {
             each.map(|(&exponent, sum)| (doubled(exponent), sum.scaled(&factor(exponent)))).unzip();
         let bend = doubled.iter().zip(&vectors).map(|(m, vector)| {
             let squared = BigInt::from(*m) * *m;
-            (vector.size() + &vector.doubt * 2) * squared
+            (vector.size() + &vector.doubt * SLACK) * squared
         });
         let bend = bend.sum();
         Curve { ground: self, doubled, vectors, bend }
@@ -147,8 +150,8 @@ impl Curve<'_> {
         let reach = &half * BigRational::new(355.into(), 113.into());
         let beyond = |factor: BigRational, units: &BigInt| (factor * BigRational::from_integer(units.clone())).ceil();
         let bend = beyond(&half * &half * BigRational::from_integer(5.into()), &self.bend);
-        let off = bend + beyond(reach.clone(), &(&slope.doubt * 2));
-        let off = off.to_integer() + &value.doubt * 2 + 1;
+        let off = bend + beyond(reach.clone(), &(&slope.doubt * SLACK));
+        let off = off.to_integer() + &value.doubt * SLACK + 1;
         // The derivative points along i times the slope.
         let along = (-&slope.im, slope.re.clone());
         let parallel = (&value.re * &along.0 + &value.im * &along.1).abs();
