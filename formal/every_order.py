@@ -2,32 +2,35 @@
 from fractions import Fraction
 from math import prod
 
-from verify import SENSES, beside, certify, collect, demand, each, equal, groups, keys, plain, primes_of, rod_of
+from verify import SENSES, beside, certify, collect, demand, each, equal, groups, plain, primes_of, rod_of, types
 
-keys("""quantity sense period survivors verdicts; order_one modulus residues; order vanishes certificate;
-        quantity sense first even odd; sums | outcome; vanishes certificate; of factors; terms period judged zeros;
-        per_order fixed weight; modulus residues""")
+types("""order-verdict: order=count vanishes=truth certificate; survivors: order_one=truth modulus=count residues=[count];
+    theorem: quantity sense period=integer survivors verdicts=[order-verdict];
+    sum-verdict: vanishes=truth certificate; first-order: sums=[sum-verdict] outcome?; ray: per_order fixed weight; zeros: modulus=count residues=[count];
+    factor: terms=[ray] period=integer judged=[order-verdict] zeros; order-class: of=[text] factors=[factor];
+    recurrence: quantity sense first=first-order even=[order-class] odd=[order-class]""")
 
 
 def check(document, engine):
-    """Four theorems, or recurrences in their place."""
+    """Four theorems, or recurrences in their place. Cylinders that the verdicts are not about are held to the same."""
+    rods = {rod_of(c.rod) for c in document.cylinders}
     asked = [(quantity, sense) for quantity in document.quantities for sense in SENSES[quantity] if len(SENSES[quantity]) == 2]
+    turns_faster = any(c.speed for c in document.cylinders) or any(mass.order > 1 for mass in document.turning_masses)
+    demand(not asked or not turns_faster and all(rod[0] != "link" for rod in rods), "a link, or something turns faster than the crank")
     if document.recurrences:
         demand(document.theorems == [], "what is said class by class stands in `recurrences` alone")
         for about, entry in each("recurrences", document.recurrences, asked):
             check_recurrence(entry, *about, engine)
     else:
         for about, entry in each("theorems", document.theorems, asked):
-            check_theorem(entry, *about, engine)
+            check_theorem(entry, *about, engine, document.cylinders, rods)
 
 
-def check_theorem(entry, quantity, sense, engine):
+def check_theorem(entry, quantity, sense, engine, cylinders, rods):
     """Every angle is a multiple of 1/period and order k multiplies it, so the verdicts of one period hold for every order."""
     equal(entry, quantity=quantity, sense=sense)
-    cylinders, turning, _ = engine
-    rods, period = {rod_of(c.rod) for c in cylinders}, entry.period
-    demand(len(rods) <= 1 and all(rod[0] == "unknown" or rod[0] == "rod" and rod[2] == 0 for rod in rods), "rods are not equal and centric")
-    demand(not any(c.speed for c in cylinders) and all(mass.order == 1 for mass in turning), "something turns faster than the crank")
+    period = entry.period
+    demand(len(rods) == 1 and all(rod[0] == "unknown" or rod[2] == 0 for rod in rods), "rods are not equal and centric")
     demand(period > 0 and period % 2 == 0, "the period is positive and even")
     demand(all((angle * period).denominator == 1 for c in cylinders for angle in (c.throw, c.bank)), "an angle is not whole in it")
     demand(2 * len(entry.verdicts) == period + 2, "there is not one verdict for each order of the period")
@@ -52,9 +55,7 @@ def check_recurrence(entry, quantity, sense, engine):
     """Every order class by class: the cylinders before one number, even and odd orders apart. From order 2 on, order k of a cylinder
     stands at k·per_order + fixed, and its weight depends on the parity of k alone."""
     equal(entry, quantity=quantity, sense=sense)
-    cylinders, turning, _ = engine
-    demand(all(rod_of(c.rod)[0] != "link" and not c.speed for c in cylinders), "a link, or something turns faster than the crank")
-    demand(all(mass.order == 1 for mass in turning), "something turns faster than the crank")
+    cylinders, _, _ = engine
     found, left = groups(engine, quantity, 1), {}
     for (number, (is_zero, sums)), one in each("first.sums", entry.first.sums, list(found.items())):
         if not certify(plain(sums[sense]), one.certificate, one.vanishes) and not is_zero:
@@ -93,7 +94,7 @@ def check_factor(factor, parity, first):
     rays, period = [((one.per_order, one.fixed), one.weight) for one in factor.terms], factor.period
     angles = [ray for ray, _ in rays]
     demand(angles == sorted(set(angles)) and all(0 <= x < 1 for ray in angles for x in ray) and all(w for _, w in rays), "the terms are not collected")
-    demand(period.denominator == 1 and 2 <= period <= 1_000_000 and period % 2 == 0, "the period is even, at most 1,000,000")
+    demand(2 <= period <= 1_000_000 and period % 2 == 0, "the period is even, at most 1,000,000")
     demand(all((s - angles[0][0]) * period % 1 == 0 for s, _ in angles), "an angle is not whole in the period")
     due = range(first, first + int(period), 2)
     if len(factor.judged) != len(due):

@@ -2,14 +2,16 @@
 from fractions import Fraction
 
 from enclosures import check_shown
-from verify import certify, collect, demand, each, equal, keys, read, rod_of, terms_of
+from verify import certify, collect, demand, each, equal, read, rod_of, terms_of, types
 
-keys("""format title cycle cylinders orders verdicts pattern; name throw bank firing_angle crank_radius deflection rod;
-        order vanishes terms modulus angle_deg certificate | of; order vanishes certificate; period verdicts""")
+types("""cycle = two-stroke four-stroke; firing-cylinder: name=text throw bank firing_angle crank_radius deflection rod;
+    star: order of?=[text] vanishes=truth terms=[vector] modulus=decimal angle_deg=decimal? certificate; pattern-star: order vanishes=truth certificate;
+    pattern: period=count verdicts=[pattern-star];
+    firing: format=text title=text cycle cylinders=[firing-cylinder] orders=[exact] verdicts=[star] pattern=pattern?""")
 
 
 def check(tree, notes):
-    document = read(tree)
+    document = read(tree, "firing")
     turns, stars = {"two-stroke": 1, "four-stroke": 2}[document.cycle], {}
     cylinders, orders = document.cylinders, document.orders
     centre = lambda c: (c.firing_angle - c.bank + c.throw) % 1

@@ -1,103 +1,43 @@
 #!/usr/bin/env python3
 """Does a document of crankstar prove what it says of an engine? A second checker; it needs the standard library only.
 
-    python3 formal/verify.py FILE…      answers 0: all verified, 1: one is refused, 2: one is no document of crankstar
+    python3 formal/verify.py [--engine DOCUMENT] FILE…
+
+It answers 0: all verified, 1: one is refused, 2: one is no document of crankstar. With --engine a document about another engine than
+that of DOCUMENT is refused (reference.py).
 
 Every verdict is about a sum  S = Σ weight · e^(2πi·angle)  with rational weights and angles (in turns). The checker rebuilds S
 from the engine that the document names, and then believes nothing but arithmetic with whole numbers: it never searches. The
 format is told in src/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
 
-This file suffices for verdicts on an engine. It loads those beside it (`beside`) where a document calls for them: articulated
+This file and reading.py suffice for verdicts on an engine. It loads those beside it (`beside`) where a document calls for them: articulated
 rods, several crankshafts, sums before different numbers, every order at once, and the other kinds of documents.
 """
 import importlib
 import json
-import re
 import sys
 from fractions import Fraction
 from math import gcd
 
-# ---- 1. Reading: every key is known, no key stands twice, every number is exact --------------------------------------------
+from reading import PLACE, Decimal, NoDocument, Refused, demand, each, equal, harmless, no_key_twice, read, types
 
-SHAPES, OPTIONAL = [], set()  # what an object may hold, and which of it may be left out
+# ---- 1. What a document on an engine holds ---------------------------------------------------------------------------------
 
-def keys(text):
-    """One object between semicolons; after a bar what may be left out."""
-    for shape in text.split(";"):
-        needed, more = [part.split() for part in (shape + "|").split("|")[:2]]
-        SHAPES.append((set(needed), set(needed + more)))
-        OPTIONAL.update(more)
-
-
-keys("""format title masses orders quantities reference_plane cylinders all_orders turning_masses verdicts wholes shapes theorems | recurrences;
-        name throw bank position reciprocating_mass crank_radius rod | speed knuckle_weight crankshaft;
-        name order sense position angle mass_radius | coefficient_of axis;
-        known; ratio offset; link; master knuckle angle ratio | correction; sense axis; angle weight;
-        quantity order sense vanishes terms modulus angle_deg certificate | of;
-        kind polygons; sides rotation weight;
-        kind conductor prime root scale residue;
-        kind steps; class; angle modulus; compare; prime first second;
-        quantity order sense outcome; not-zero-by-enclosure; not-decided; bits; below;
-        quantity order shape | certificate mirror bits; sign certificates""")
-TRUTH = ("vanishes", "all_orders", "order_one")
-WORDS = ("title", "name", "of", "symbol", "tree")  # which may look like numbers
-PLACE = []  # where the checker is, for its answer
+types("""masses = reciprocating rotating counterweights all; quantity = force moment torque roll; sense = direct reverse;
+    form = balanced rotating counter-rotating planar elliptical not-decided; vector: angle weight; known: ratio offset;
+    link: master knuckle angle ratio correction?; rod = unknown; rod: known; rod: link; crankshaft: sense axis=[vector];
+    polygon: sides=count rotation weight; class: angle modulus=integer; compare: prime=count first=count second=count; step: class; step: compare;
+    certificate polygons: polygons=[polygon]; certificate splitting: steps=[step];
+    certificate residue: conductor=integer prime=integer root=integer scale=integer residue=integer;
+    not-zero-by-enclosure: bits=count; not-decided: below=decimal;
+    outcome = zero not-zero open; outcome: not-zero-by-enclosure; outcome: not-decided; mirror: sign=sign certificates=[certificate];
+    cylinder: name=text throw bank position reciprocating_mass crank_radius rod speed?=count knuckle_weight? crankshaft?;
+    mass: name=text order=count sense position angle mass_radius coefficient_of?=rod axis?=[vector];
+    verdict: quantity order=count sense=sense? of?=[text] vanishes=truth terms=[vector] modulus=decimal angle_deg=decimal? certificate;
+    whole: quantity order=count sense=sense? outcome; shape: quantity order=count shape=form certificate? mirror? bits?=count;
+    classify: format=text title=text masses orders=[count] quantities=[quantity] reference_plane cylinders=[cylinder] all_orders=truth
+        turning_masses=[mass] verdicts=[verdict] wholes=[whole] shapes=[shape] theorems=[theorem] recurrences?=[recurrence]""")
 CHECKED = [0]  # certificates so far
-
-class Refused(Exception):
-    """A claim that does not hold."""
-
-class NoDocument(Exception):
-    """A file that is no document of crankstar, or outside of what is checked."""
-
-def demand(holds, why):
-    if not holds:
-        raise Refused(why)
-
-class Entry(dict):
-    """An object of a document: its keys as attributes, None for one that may be left out and is."""
-    def __getattr__(self, key):
-        return self.get(key) if key in OPTIONAL else self[key]
-
-def read(value, key=""):
-    """The value with exact numbers as fractions; refused if it is written in another way than the format has it."""
-    if isinstance(value, dict):
-        if "1" in value:  # a linear expression of a family: symbols with their coefficients
-            return {symbol: read(number) for symbol, number in value.items()}
-        demand(any(needed <= set(value) <= may for needed, may in SHAPES), f"{key or 'it'} has the keys {', '.join(value)}, or lacks one")
-        return Entry((inner, read(entry, inner)) for inner, entry in value.items())
-    if isinstance(value, list):
-        return [read(one, key) for one in value]
-    if isinstance(value, str) and key not in WORDS and re.match("[-+0-9]", value):
-        demand(re.fullmatch("-?[0-9]{1,5000}(/[1-9][0-9]{0,4999})?", value), f"{value!r} is no number")
-        demand(str(Fraction(value)) == value, f"{value} is not in lowest terms")
-        return Fraction(value)
-    demand((type(value) is bool) == (key in TRUTH) and (key not in ("title", "name") or type(value) is str), f"{key} is {value!r}")
-    return value
-
-def no_key_twice(pairs):
-    if len(dict(pairs)) < len(pairs):
-        raise ValueError("a key stands twice")
-    return dict(pairs)
-
-class Decimal:
-    """A number with a point, which no verdict is made from."""
-    def __init__(self, text):
-        self.text = text
-
-def each(name, entries, due=None):
-    """The entries of a list, or each thing that is due with its entry; keeps the place."""
-    due = entries if due is None else due
-    demand(type(entries) is list and len(entries) == len(due), f"{len(entries)} {name} where {len(due)} are due")
-    PLACE.append("")
-    for index, (one, entry) in enumerate(zip(due, entries)):
-        PLACE[-1] = f"{name}[{index}]"
-        yield entry if due is entries else (one, entry)
-    PLACE.pop()
-
-def equal(entry, **due):
-    for key, value in due.items():
-        demand(entry[key] == value, f"{key} is {entry[key]}, and {value} is due")
 
 
 # ---- 2. Sums and certificates ----------------------------------------------------------------------------------------------
@@ -136,7 +76,6 @@ def primes_of(number):
 
 def certify(terms, certificate, vanishes=None):
     """Checks the certificate of a sum and returns whether it is zero, which has to be `vanishes` where that is given."""
-    demand(isinstance(certificate, Entry) and certificate.kind in ("polygons", "residue", "splitting"), "a certificate is missing")
     is_zero = certificate.kind == "polygons"
     demand(vanishes is None or vanishes is is_zero, "the certificate proves the contrary of the verdict")
     check = {"polygons": polygons, "residue": residue}.get(certificate.kind) or beside("splitting").check
@@ -149,6 +88,7 @@ def polygons(total, certificate):
     corners = []
     for one in certificate.polygons:
         demand(2 <= one.sides <= 100_000 - len(corners), "a polygon has from 2 to 100,000 sides, all together")
+        demand(one.weight, "a polygon has no weight")
         corners += [(one.rotation + Fraction(j, one.sides), one.weight) for j in range(one.sides)]
     demand(collect(corners) == total, "the polygons do not add up to the terms")
 
@@ -157,10 +97,8 @@ def residue(total, certificate):
 
     It respects products where Φ_N(g) ≡ 0: g^N − 1 is the product of all Φ_d(g), d | N, and those with d < N divide some
     g^(N/q) − 1, which has no factor in common with ℓ."""
-    numbers = [certificate[key] for key in ("conductor", "prime", "root", "scale", "residue")]
-    demand(all(x.denominator == 1 for x in numbers), "a residue is told by whole numbers")
-    N, modulus, g, scale, claimed = map(int, numbers)
-    demand(1 <= N <= 1_000_000 and modulus >= 2 and scale >= 1, "conductor, modulus or scale is out of range")
+    N, modulus, g, scale, claimed = (certificate[key] for key in ("conductor", "prime", "root", "scale", "residue"))
+    demand(1 <= N <= 1_000_000 and 2 <= modulus < 2**64 and scale >= 1, "conductor, modulus or scale is out of range")
     demand(pow(g, N, modulus) == 1, "the root to the conductor is not 1")
     for q in primes_of(N):
         demand(gcd(pow(g, N // q, modulus) - 1, modulus) == 1, f"the root has a smaller order: see {N}/{q}")
@@ -190,8 +128,8 @@ def check_engine(cylinders, turning):
     demand(rods and len({rod == ("unknown",) for rod in rods + shafts}) == 1, "there is no rod, or some are known and some are not")
     demand(all(rod[0] != "link" for rod in shafts), "a shaft takes the number of a link, which has several")
     demand(all(rod[0] == "link" or not c.knuckle_weight for c, rod in zip(cylinders, rods)), "a knuckle weight without a link")
-    demand(all(c.speed is None or type(c.speed) is int and c.speed > 1 and rod[0] != "link" for c, rod in zip(cylinders, rods)), "a speed is out of place")
-    demand(all(mass.order >= 1 and mass.sense in SENSES["force"] for mass in turning), "a mass turns in no order or sense")
+    demand(all(c.speed is None or c.speed > 1 and rod[0] != "link" for c, rod in zip(cylinders, rods)), "a speed is out of place")
+    demand(all(mass.order >= 1 for mass in turning), "a mass turns in no order")
 
 def phase(throw, bank, k, sense):
     """Order k of a cylinder: its force is direct at kβ − (k−1)α, reverse at −kβ + (k+1)α; its torque stands at k(β − α)."""
@@ -259,20 +197,22 @@ def plain(terms):
 # ---- 4. Verdicts on an engine ----------------------------------------------------------------------------------------------
 
 def check_classify(tree, notes):
-    """Returns {(quantity, order): [whether the whole is zero, per sense; None if that is not decided]}, and the shapes."""
+    """Returns {(quantity, order): [whether it is zero, per sense; None if that is not decided]}, and the shapes."""
     if tree.get("all_orders"):
         beside("every_order")
-    document = read(tree)
+    document = read(tree, "classify")
     cylinders, turning, quantities = document.cylinders, document.turning_masses, document.quantities
     check_asked(document, list(SENSES))
     check_engine(cylinders, turning)
-    demand(document.masses in ("reciprocating", "rotating", "counterweights", "all"), "masses are not those of the format")
     demand(document.masses != "reciprocating" or not turning, "the verdicts are about the reciprocating masses alone")
     names = [one.name for one in cylinders + turning] + [f"knuckle of cylinder {c.name}" for c in cylinders if c.knuckle_weight]
     demand(len(set(names)) == len(names), "two sources have the same name")
-    demand("roll" in quantities or not any(one.crankshaft or one.axis for one in cylinders + turning), "an axis without roll moment")
-    demand(all(c.crankshaft is None or c.crankshaft.sense in SENSES["force"] for c in cylinders), "a crankshaft has no such sense")
-    is_linked = any(rod_of(c.rod)[0] == "link" for c in cylinders)
+    rods = [rod_of(c.rod) for c in cylinders]
+    if "roll" in quantities:
+        demand(not any(rod[0] == "rod" and rod[1] == 0 != rod[2] for rod in rods), "an endless rod with an offset has no arm")
+    else:
+        demand(not any(one.crankshaft or one.axis for one in cylinders + turning), "an axis without roll moment")
+    is_linked = any(rod[0] == "link" for rod in rods)
     demand(not is_linked or set(quantities) <= {"force", "moment"}, "torque and roll moment of links are not judged")
     engine = cylinders if document.masses in ("reciprocating", "all") else [], turning, document.reference_plane
     plan = {(quantity, k): groups(engine, quantity, k) for k in document.orders for quantity in quantities}
@@ -294,11 +234,13 @@ def check_classify(tree, notes):
         beside("every_order").check(document, engine)
     else:
         demand(not document.theorems and not document.recurrences, "nothing was asked of every order")
-    return judged, {(entry.quantity, entry.order): entry.shape for entry in document.shapes}
+    # An order whose numbers are all zero is zero, whatever its sums are.
+    whole = {about: [True] * len(zero) if all(is_zero for is_zero, _ in plan[about].values()) else zero for about, zero in judged.items()}
+    return whole, {(entry.quantity, entry.order): entry.shape for entry in document.shapes}
 
 def check_asked(document, allowed):
     orders, quantities = document.orders, document.quantities
-    demand(orders and all(type(k) is int and k >= 1 for k in orders) and sorted(set(orders)) == orders, "orders rise from 1 on")
+    demand(orders and orders[0] >= 1 and sorted(set(orders)) == orders, "orders rise from 1 on")
     demand(quantities and quantities == [one for one in allowed if one in quantities], f"quantities stand in the order {allowed}")
 
 def check_verdict(entry, quantity, k, number, sense, found):
@@ -333,40 +275,66 @@ def beside(name):
     return importlib.import_module(name)
 
 
+LARGEST = 4 << 20  # bytes
 CHECKS = {"classify 2": None, "family 2": "families", "remedy 2": "remedies", "firing 1": "firing",
           "loads 2": "evidence", "compare 2": "evidence", "sweep 2": "evidence"}
 
-def verify(path):
+def integer_of(text):
+    return Decimal(text) if text == "-0" else int(text)
+
+def opened(path):
+    """What a file holds, as JSON has it."""
+    try:
+        with open(path, "rb") as file:
+            text = file.read(LARGEST + 1)
+        demand_document(len(text) <= LARGEST, "it is larger than 4 MiB, which is not read")
+        tree = json.loads(text.decode("utf-8"), object_pairs_hook=no_key_twice, parse_float=Decimal, parse_int=integer_of, parse_constant=Decimal)
+    except (ValueError, RecursionError) as error:
+        raise NoDocument(f"not read as JSON: {error}")
+    name = tree.get("format") if isinstance(tree, dict) else None
+    demand_document(type(name) is str and name[:10] == "crankstar " and name[10:] in CHECKS, "it has no `format` that this checker knows")
+    return tree
+
+def demand_document(holds, why):
+    if not holds:
+        raise NoDocument(why)
+
+def verify(path, references):
     """Returns how many certificates hold, and what is not checked."""
     CHECKED[0] = 0
     PLACE.clear()
-    with open(path, encoding="utf-8") as text:
-        try:
-            tree = json.load(text, object_pairs_hook=no_key_twice, parse_float=Decimal, parse_constant=Decimal)
-        except (ValueError, RecursionError) as error:
-            raise NoDocument(f"not read as JSON: {error}")
-    name = tree.get("format") if isinstance(tree, dict) else None
-    if type(name) is not str or name[:10] != "crankstar " or name[10:] not in CHECKS:
-        raise NoDocument("it has no `format` that this checker knows")
-    file, notes = CHECKS[name[10:]], {"titles and names"}
+    tree, notes = opened(path), {"titles and names"}
+    file = CHECKS[tree["format"][10:]]
     try:
         beside(file).check(tree, notes) if file else check_classify(tree, notes)
+        if references:
+            beside("reference").compare(tree, references)
+        else:
+            notes.add("whether the engine is yours; --engine compares it")
     except (KeyError, IndexError, TypeError, AttributeError, ValueError, ArithmeticError) as error:
         raise Refused(f"it is not as the format says: {error!r}")
     return CHECKED[0], sorted(notes)
 
-def main(paths):
+def main(arguments):
+    paths, references = [], []
+    while arguments:
+        one = arguments.pop(0)
+        if one == "--engine" and arguments:
+            references.append(arguments.pop(0))
+        else:
+            paths.append(one)
     answer = 0 if paths else 2
     for path in paths:
         try:
-            certificates, notes = verify(path)
-            print(f"{path}: verified, {certificates} certificates", *(f"not checked: {note}" for note in notes), sep="\n  ")
+            certificates, notes = verify(path, references)
+            said = [f"{path}: verified, {certificates} certificates", *(f"  not checked: {note}" for note in notes)]
         except Refused as refused:
             answer = max(answer, 1)
-            print(f"{path}: refused at {'.'.join(PLACE) or 'the document'}: {refused}")
-        except (NoDocument, OSError, UnicodeDecodeError) as error:
+            said = [f"{path}: refused at {'.'.join(PLACE) or 'the document'}: {refused}"]
+        except (NoDocument, OSError) as error:
             answer = 2
-            print(f"{path}: {error}")
+            said = [f"{path}: {error}"]
+        print(*map(harmless, said), sep="\n")
     return answer
 
 
