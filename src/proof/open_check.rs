@@ -139,7 +139,7 @@ fn check_verdict(document: &OpenDocument, verdict: &OpenVerdictClaim, audit: &Au
 }
 
 fn same_terms(claim: &PartClaim, terms: &[Vector]) -> bool {
-    let same = |(a, b): (&Vector, &Vector)| a.weight == b.weight && turn(&a.angle) == turn(&b.angle);
+    let same = |(a, b): (&Vector, &Vector)| a.weight == b.weight && a.angle == turn(&b.angle);
     claim.terms.len() == terms.len() && claim.terms.iter().zip(terms).all(same)
 }
 

@@ -114,8 +114,8 @@ fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reaso
         return Err(format!("{} terms for {} sources", terms.len(), right.len()).into());
     }
     for (term, (name, Vector { angle, weight })) in terms.iter().zip(right) {
-        if turn(&term.angle) != turn(angle) {
-            let right = turn(angle);
+        let right = turn(angle);
+        if term.angle != right {
             return Err(format!("the angle of {name} is {}, it should be {right}", term.angle).into());
         }
         if term.weight != *weight {
