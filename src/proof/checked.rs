@@ -43,7 +43,7 @@ const OUTSIDE: &str = "the numbers outside of `evidence`, such as newtons and de
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`, and arcs and boxes that are `open`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
-const LEFT_OUT: &str = "the orders and senses in `left_out`, which are said to be below a millionth of the load: their sums need not vanish";
+const LEFT_OUT: &str = "that the sums in `left_out` are zero: they are not, and all of an order together are below a millionth of the load";
 const ONE_LAW: &str =
     "the pressure: a star that vanishes is about every law that all its cylinders share, with pistons of one size";
 const TWIST: &str = "the twist of the crankshaft, which is taken to be rigid";

@@ -31,6 +31,7 @@ mod firing_check;
 mod fraction;
 mod judged;
 mod knuckle;
+mod left_out;
 mod link;
 mod open;
 mod open_check;

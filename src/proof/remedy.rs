@@ -1,6 +1,6 @@
 //! What does a remedy claim, and does it hold? The engine, the weights, and the corrected sums with their evidence.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -19,6 +19,7 @@ use super::engine::{
     own_order, power, rods,
 };
 use super::fraction;
+use super::left_out::{Left, check_left_out};
 use super::reading::Format;
 use super::source::turned;
 use super::verdict::{Vector, phase};
@@ -171,12 +172,15 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
         check_weight(document, weight, &audit).map_err(|reason| Fault { place: place(), reason })?;
     }
     let mut found = document.sums.iter().enumerate();
+    let mut left = Vec::new();
     for &order in &document.orders {
         for quantity in [Quantity::Force, Quantity::Moment] {
             for sense in Sense::BOTH {
                 let about = format!("({}, order {order}, {})", quantity.name(), sense.name());
                 let expected = document.expected(quantity, order, sense, &audit);
-                for (coefficient, sum) in expected.map_err(|reason| Fault::new(about.clone(), reason))? {
+                for (coefficient, Expected { sum, is_own }) in
+                    expected.map_err(|reason| Fault::new(about.clone(), reason))?
+                {
                     let Some((index, claim)) = found.next() else {
                         return Err(Fault::new(format!("sums {about}"), "this sum is left out"));
                     };
@@ -187,15 +191,26 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                         return Err(Fault::new(place, "another sum stands here"));
                     }
                     let may_stay = document.left_out.contains(&LeftOutClaim { order, sense });
-                    check_sum(claim, sum, may_stay, &audit).map_err(|reason| Fault { place, reason })?;
+                    check_sum(claim, &sum, may_stay, &audit)
+                        .map_err(|reason| Fault { place: place.clone(), reason })?;
+                    if !claim.certificate.claims_zero() {
+                        if !is_own {
+                            return Err(Fault::new(
+                                place,
+                                "what is left is multiplied by a number that the engine does not have",
+                            ));
+                        }
+                        left.push(Left { quantity, order, sense, coefficient, sum });
+                    }
                 }
             }
         }
     }
-    match found.next() {
-        None => Ok(Checked::remedy(document, rods_known, audit.counts())),
-        Some(_) => Err(Fault::new("sums", "there are more than the orders have")),
+    if found.next().is_some() {
+        return Err(Fault::new("sums", "there are more than the orders have"));
     }
+    check_left_out(document, &left, &audit)?;
+    Ok(Checked::remedy(document, rods_known, audit.counts()))
 }
 
 /// Whether the rods are known.
@@ -245,12 +260,19 @@ fn check_weight(document: &RemedyDocument, weight: &WeightClaim, audit: &Audit) 
     Ok(())
 }
 
-fn check_sum(claim: &CorrectedClaim, expected: Collected, may_stay: bool, audit: &Audit) -> Result<(), Reason> {
-    certify(&expected, !may_stay || claim.certificate.claims_zero(), &claim.certificate, audit)?;
-    match vectors(expected) == claim.terms {
+fn check_sum(claim: &CorrectedClaim, expected: &Collected, may_stay: bool, audit: &Audit) -> Result<(), Reason> {
+    certify(expected, !may_stay || claim.certificate.claims_zero(), &claim.certificate, audit)?;
+    match vectors(expected.clone()) == claim.terms {
         true => Ok(()),
         false => Err("its terms are not those of the engine and the weights, collected".into()),
     }
+}
+
+/// A sum of the corrected engine.
+struct Expected {
+    sum: Collected,
+    /// Whether the engine has terms before this coefficient itself, be there a weight or not.
+    is_own: bool,
 }
 
 impl RemedyDocument {
@@ -262,7 +284,7 @@ impl RemedyDocument {
         order: u32,
         sense: Sense,
         audit: &Audit,
-    ) -> Result<BTreeMap<Coefficient, Collected>, Reason> {
+    ) -> Result<BTreeMap<Coefficient, Expected>, Reason> {
         let mut sums: BTreeMap<Coefficient, Vec<(BigRational, BigRational)>> = BTreeMap::new();
         let arm = |position: &BigRational| match quantity {
             Quantity::Moment => position - &self.reference_plane,
@@ -303,6 +325,7 @@ impl RemedyDocument {
             let weight = &double * &mass.mass_radius * arm(&mass.position) * sign;
             sums.entry(coefficient).or_default().push((mass.angle.clone(), weight));
         }
+        let own: BTreeSet<Coefficient> = sums.keys().cloned().chain([Coefficient::One]).collect();
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
             let share = &double * arm(&weight.position);
             for part in &weight.parts {
@@ -310,13 +333,14 @@ impl RemedyDocument {
                 sums.entry(part.coefficient.clone()).or_default().extend(terms);
             }
         }
-        let mut left: BTreeMap<Coefficient, Collected> = BTreeMap::new();
+        let mut left: BTreeMap<Coefficient, Expected> = BTreeMap::new();
         for (coefficient, terms) in sums {
-            left.insert(coefficient, collect(terms, audit)?);
+            let is_own = own.contains(&coefficient);
+            left.insert(coefficient, Expected { sum: collect(terms, audit)?, is_own });
         }
-        left.retain(|_, sum| !sum.is_empty());
+        left.retain(|_, expected| !expected.sum.is_empty());
         if left.is_empty() {
-            left.insert(Coefficient::One, Collected::new());
+            left.insert(Coefficient::One, Expected { sum: Collected::new(), is_own: true });
         }
         Ok(left)
     }

@@ -124,6 +124,14 @@ pub(super) fn are_nearly_equally_long(judged: &Judged, motion: &Motion<'_>) -> R
     Ok(BigRational::from_integer(difference) <= &largest * &largest * doubtful() * unit)
 }
 
+/// A bound of the length of the whole in one sense: no less than that, and hardly more.
+pub(super) fn longest(judged: &Judged, sense: usize, motion: &Motion<'_>) -> Result<BigRational, Reason> {
+    let whole = Enclosure::of_bits(judged, &[sense], BITS_OF_DOUBT, motion)?;
+    let sum = whole.sum(judged, sense, motion)?;
+    let [[_, re], [_, im]] = [sum.re.sizes(), sum.im.sizes()];
+    Ok(BigRational::new((&re * &re + &im * &im).sqrt() + 1, whole.scale << whole.bits))
+}
+
 /// Whether an enclosure tells `|direct|²` from `|reverse|²`.
 pub(super) fn are_unequally_long(judged: &Judged, bits: u32, motion: &Motion<'_>) -> Result<bool, Reason> {
     let common = Enclosure::of_bits(judged, &[0, 1], bits, motion)?;

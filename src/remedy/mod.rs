@@ -25,7 +25,7 @@ pub use counterweights::{bay_by_bay, one_plane, two_planes};
 pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
-pub use shafts::{Kind, LEAST, Shaft, is_slight, shaft, shafts};
+pub use shafts::{Kind, LEAST, Shaft, are_slight, shaft, shafts, without_slight};
 pub use weight::{Weight, with_counterweights};
 
 use crate::engine::{Engine, GearedCrank, throws};
@@ -60,7 +60,8 @@ pub struct Remedy {
     pub crankshaft: Option<Shaft>,
     /// Balancer shafts for all the rest.
     pub shafts: Vec<Shaft>,
-    /// What would take away less than [`LEAST`] of the load, and is left out; the orders and senses keep what they have.
+    /// What would take away less than [`LEAST`] of the load, all of an order together, and is left out; these orders and senses keep what
+    /// they have.
     pub left_out: Vec<Shaft>,
     /// Heights at which the Lanchester pairs take away the roll moment of their order too.
     pub heights: Vec<PairHeight>,
@@ -187,10 +188,10 @@ pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, RemedyError> {
         wish.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, wish.planes.is_some()));
     let crankshaft = crankshaft.flatten();
     let shafts = shafts(&subject, &wish.orders, &planes);
-    let (slight, crankshaft): (Vec<Shaft>, Vec<Shaft>) =
-        crankshaft.into_iter().partition(|one| is_slight(&subject, one));
-    let (slighter, shafts): (Vec<Shaft>, Vec<Shaft>) = shafts.into_iter().partition(|one| is_slight(&subject, one));
-    let (crankshaft, left_out) = (crankshaft.into_iter().next(), [slight, slighter].concat());
+    let [needed, left_out] = without_slight(&subject, crankshaft.into_iter().chain(shafts).collect());
+    let (on_the_crank, shafts): (Vec<Shaft>, Vec<Shaft>) =
+        needed.into_iter().partition(|shaft| (shaft.order, shaft.sense) == (1, Sense::Direct));
+    let crankshaft = on_the_crank.into_iter().next();
     let pairs = shafts.iter().filter(|shaft| shaft.lanchester && shaft.sense == Sense::Direct);
     let heights = pairs.filter_map(|shaft| pair_height(engine, shaft.order)).collect();
     let mut remedy = Remedy {

@@ -1,15 +1,18 @@
 //! Which weight in decimals stands for one that no layout file can name? Links on a master rod move by numbers without a closed form.
 
+use std::collections::BTreeSet;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::comparable_engine::ComparableEngine;
-use super::shafts::{is_slight, shaft};
+use super::shafts::{Shaft, are_slight, shaft};
 use super::weight::Weight;
 use super::{Remedy, usual_planes};
 use crate::engine::Engine;
 use crate::exact::Turn;
 use crate::order::Factor;
+use crate::proof::Sense;
 
 /// Decimal places of the directions, in degrees.
 const PLACES: u32 = 8;
@@ -55,9 +58,13 @@ fn to_digits(value: f64) -> Option<BigRational> {
 pub(super) fn leaves_little(remedy: &Remedy, read: &Engine) -> bool {
     let Ok(subject) = ComparableEngine::new(read) else { return false };
     let planes = usual_planes(read);
-    remedy.weights().iter().filter(|weight| is_of_link(weight)).all(|weight| {
-        let (order, sense) = (weight.order, weight.sense);
-        let (force, moment) = (subject.force(order, sense), subject.moment(order, sense));
-        shaft(order, sense, &force, &moment, &planes).is_none_or(|left| is_slight(&subject, &left))
+    let weights = remedy.weights();
+    let rounded = weights.iter().filter(|weight| is_of_link(weight));
+    let rounded: BTreeSet<(u32, Sense)> = rounded.map(|weight| (weight.order, weight.sense)).collect();
+    rounded.iter().all(|(order, _)| {
+        let left = rounded.iter().filter(|one| one.0 == *order).filter_map(|&(order, sense)| {
+            shaft(order, sense, &subject.force(order, sense), &subject.moment(order, sense), &planes)
+        });
+        are_slight(&subject, &left.collect::<Vec<Shaft>>().iter().collect::<Vec<_>>())
     })
 }

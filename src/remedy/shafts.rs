@@ -9,7 +9,7 @@ use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
 use super::weight::Weight;
 use crate::numbers;
-use crate::order::{self, MassGroup, OrderSum};
+use crate::order::{self, OrderSum};
 use crate::proof::Sense;
 
 /// What a shaft takes away.
@@ -78,25 +78,65 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
     shafts
 }
 
-/// A shaft whose weights make less than this part of the load is left out.
+/// What is left in an order and makes less than this part of the load is left out: of the force of all pistons at order 1, end to end,
+/// and for the moment of that at the end of an arm as long as the engine is.
 pub const LEAST: f64 = 1e-6;
 
-/// Whether the force of each weight of a shaft is below [`LEAST`] of the load: of what pistons, rods, pins and webs make at
-/// order 1, end to end. Where c_k is not known it counts 1.
-pub fn is_slight(subject: &ComparableEngine, shaft: &Shaft) -> bool {
+/// Decimals decide what is left out, and the checker of the document encloses it: they keep this far from the limit.
+const MARGIN: f64 = 0.999;
+
+/// The shafts that are needed, and those that are left out: of each order as many, the smallest first, as make less than [`LEAST`] of the
+/// load all together.
+pub fn without_slight(subject: &ComparableEngine, shafts: Vec<Shaft>) -> [Vec<Shaft>; 2] {
+    let [mut needed, mut left_out]: [Vec<Shaft>; 2] = Default::default();
+    let mut rest = shafts;
+    while let Some(order) = rest.first().map(|shaft| shaft.order) {
+        let (of_order, others): (Vec<Shaft>, Vec<Shaft>) = rest.into_iter().partition(|shaft| shaft.order == order);
+        rest = others;
+        let largest = |shaft: &&Shaft| {
+            let [force, moment] = part_of_load(subject, shaft);
+            force.max(moment)
+        };
+        let mut rising: Vec<&Shaft> = of_order.iter().collect();
+        rising.sort_by(|one, other| largest(one).total_cmp(&largest(other)));
+        let count = (1..=rising.len()).rev().find(|&count| are_slight(subject, &rising[..count])).unwrap_or(0);
+        let slight: Vec<Shaft> = rising[..count].iter().copied().cloned().collect();
+        let (out, kept): (Vec<Shaft>, Vec<Shaft>) = of_order.into_iter().partition(|shaft| slight.contains(shaft));
+        left_out.extend(out);
+        needed.extend(kept.into_iter().map(|shaft| Shaft { lanchester: shaft.lanchester && count == 0, ..shaft }));
+    }
+    [needed, left_out]
+}
+
+/// Whether what these shafts of one order take away is less than [`LEAST`] of the load, all together.
+pub fn are_slight(subject: &ComparableEngine, shafts: &[&Shaft]) -> bool {
+    let parts: Vec<[f64; 2]> = shafts.iter().map(|shaft| part_of_load(subject, shaft)).collect();
+    [0, 1].into_iter().all(|quantity| parts.iter().map(|part| part[quantity]).sum::<f64>() < MARGIN * LEAST)
+}
+
+/// Force and moment that a shaft takes away, in parts of the load. A vector is a force of half its length; a c_k that is not known counts
+/// as 2, which none is above.
+fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
     let engine = subject.engine();
-    let pistons = engine.cylinders().iter().map(|cylinder| numbers::float(&order::mass_radius(engine, cylinder)));
-    let turning = order::turning_masses(engine).into_iter().filter(|mass| match mass.source.group() {
-        MassGroup::Rotating | MassGroup::Crankshaft => true,
-        MassGroup::Reciprocating | MassGroup::Counterweights | MassGroup::Balancers => false,
-    });
-    let load = pistons.sum::<f64>() + turning.map(|mass| numbers::float(&mass.mass_radius).abs()).sum::<f64>();
-    let square = f64::from(shaft.order) * f64::from(shaft.order);
-    let force = |weight: &Weight| {
-        let bare = || weight.vector.parts().values().map(|sum| numbers::evaluate(sum).norm()).sum();
-        square * weight.decimals(subject).map_or_else(bare, |[size, _]| size)
+    let cylinders = engine.cylinders();
+    let load: f64 = cylinders.iter().map(|cylinder| numbers::float(&order::mass_radius(engine, cylinder)).abs()).sum();
+    let masses = order::turning_masses(engine);
+    let positions = cylinders.iter().map(|cylinder| &cylinder.position).chain(masses.iter().map(|mass| &mass.position));
+    let positions: Vec<&BigRational> = positions.chain([engine.reference_plane()]).collect();
+    let length = positions
+        .iter()
+        .max()
+        .zip(positions.iter().min())
+        .map_or(0.0, |(last, first)| numbers::float(&(*last - *first)));
+    let force = |weight: &Weight| weight.adds();
+    let moment = |weight: &Weight| weight.adds().scaled(&(&weight.position - engine.reference_plane()));
+    let part = |of_weight: &dyn Fn(&Weight) -> OrderSum, unit: f64| {
+        let sum = shaft.weights.iter().map(of_weight).fold(OrderSum::default(), |sum, more| sum.plus(&more));
+        let bare = || sum.parts().values().map(|sum| 2.0 * numbers::evaluate(sum).norm()).sum();
+        let vector = subject.value(&sum, shaft.order, shaft.sense).map_or_else(bare, |value| value.norm());
+        if sum.vanishes() { 0.0 } else { vector / 2.0 / unit }
     };
-    shaft.weights.iter().all(|weight| force(weight) < LEAST * load)
+    [part(&force, load), part(&moment, load * length)]
 }
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {

@@ -105,10 +105,10 @@ fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
 fn left_out(shaft: &Shaft) -> Text {
     let words = match shaft.sense {
         Sense::Direct => {
-            "Nothing is proposed for what turns with the crank at order {}: a weight against it would make less than 10⁻⁶ of the load, which is the force of pistons, rods, pins and webs at order 1, end to end."
+            "Nothing is proposed for what turns with the crank at order {}: what this order leaves is below 10⁻⁶ of the load, which is the force of the pistons at order 1, end to end."
         }
         Sense::Reverse => {
-            "Nothing is proposed for what turns against the crank at order {}: a weight against it would make less than 10⁻⁶ of the load, which is the force of pistons, rods, pins and webs at order 1, end to end."
+            "Nothing is proposed for what turns against the crank at order {}: what this order leaves is below 10⁻⁶ of the load, which is the force of the pistons at order 1, end to end."
         }
     };
     phrase!(words, shaft.order)

@@ -1,0 +1,111 @@
+//! Is what a remedy leaves out too little for a weight?
+//!
+//! The force that is left in an order, both senses end to end, is below a millionth of the load: of the force that all pistons make
+//! at order 1, end to end. The moment that is left is below a millionth of the load at the end of an arm as long as the engine is. A
+//! vector S is a force of half its length, so the load is the vector that is twice all weights long.
+
+use std::collections::BTreeSet;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use super::audit::{Audit, Fault, Reason};
+use super::coefficient::Coefficient;
+use super::collected::Collected;
+use super::engine::{Quantity, Sense};
+use super::judged::{Judged, JudgedGroup};
+use super::remedy::RemedyDocument;
+use super::rod::Motion;
+use super::whole_sum::longest;
+
+/// The part of the load that what is left has to stay below.
+const SLIGHT: (i64, i64) = (1, 1_000_000);
+
+/// The c_k of rods that are not known counts as so much: its size rises with λ up to that of |cos| at λ = 1, which is at most
+/// 16/(3π).
+const MOST_COMMON: i64 = 2;
+
+/// A sum of the corrected engine that is not zero.
+pub(super) struct Left {
+    pub quantity: Quantity,
+    pub order: u32,
+    pub sense: Sense,
+    pub coefficient: Coefficient,
+    pub sum: Collected,
+}
+
+/// Checks that `left_out` names the orders and senses in which something is left, each once, and that it is little.
+pub(super) fn check_left_out(document: &RemedyDocument, left: &[Left], audit: &Audit) -> Result<(), Fault> {
+    let named: BTreeSet<(u32, Sense)> = document.left_out.iter().map(|one| (one.order, one.sense)).collect();
+    let found: BTreeSet<(u32, Sense)> = left.iter().map(|one| (one.order, one.sense)).collect();
+    if named.len() < document.left_out.len() || named != found {
+        return Err(Fault::new(
+            "left_out",
+            "it names orders and senses in which nothing is left, or one of them twice",
+        ));
+    }
+    let load: BigRational = document.cylinders.iter().map(|cylinder| cylinder.weight.abs()).sum();
+    let orders: BTreeSet<u32> = named.into_iter().map(|(order, _)| order).collect();
+    for order in orders {
+        for (quantity, unit) in [(Quantity::Force, load.clone()), (Quantity::Moment, &load * length(document))] {
+            let place = || format!("left_out (order {order}, {})", quantity.name());
+            let of_order = left.iter().filter(|one| (one.quantity, one.order) == (quantity, order));
+            let of_order: Vec<&Left> = of_order.collect();
+            if of_order.is_empty() {
+                continue;
+            }
+            let most = end_to_end(&of_order, order, audit).map_err(|reason| Fault { place: place(), reason })?;
+            if most >= unit * BigRational::new((2 * SLIGHT.0).into(), SLIGHT.1.into()) {
+                return Err(Fault::new(place(), "what is left is no less than a millionth of the load"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// From the first to the last of what the engine is made of, and the reference plane.
+fn length(document: &RemedyDocument) -> BigRational {
+    let cylinders = document.cylinders.iter().map(|cylinder| &cylinder.position);
+    let masses = document.turning_masses.iter().map(|mass| &mass.position);
+    let all = || cylinders.clone().chain(masses.clone()).chain([&document.reference_plane]);
+    let ends = all().max().zip(all().min());
+    ends.map_or_else(BigRational::zero, |(last, first)| last - first)
+}
+
+/// The lengths of the vectors of both senses, added.
+fn end_to_end(left: &[&Left], order: u32, audit: &Audit) -> Result<BigRational, Reason> {
+    let motion = Motion::new(audit);
+    let mut most = BigRational::zero();
+    for (place, sense) in Sense::BOTH.into_iter().enumerate() {
+        let of_sense = || left.iter().filter(|one| one.sense == sense);
+        let known: Vec<(Coefficient, &Collected)> = of_sense()
+            .filter(|one| !one.coefficient.is_open())
+            .map(|one| (one.coefficient.clone(), &one.sum))
+            .collect();
+        most += longest_of(&known, order, place, &motion)?;
+        for open in of_sense().filter(|one| one.coefficient.is_open()) {
+            let bare = longest_of(&[(Coefficient::One, &open.sum)], order, place, &motion)?;
+            most += bare * BigRational::from_integer(BigInt::from(MOST_COMMON));
+        }
+    }
+    Ok(most)
+}
+
+fn longest_of(
+    sums: &[(Coefficient, &Collected)],
+    order: u32,
+    place: usize,
+    motion: &Motion<'_>,
+) -> Result<BigRational, Reason> {
+    if sums.is_empty() {
+        return Ok(BigRational::zero());
+    }
+    let group = |(coefficient, sum): &(Coefficient, &Collected)| {
+        let mut of_senses = vec![(Collected::new(), true); Sense::BOTH.len()];
+        of_senses[place] = ((*sum).clone(), false);
+        JudgedGroup { coefficient: coefficient.clone(), is_zero: false, sums: of_senses }
+    };
+    let groups = sums.iter().map(group).collect();
+    longest(&Judged { quantity: Quantity::Force, order, groups, wholes: Vec::new() }, place, motion)
+}
