@@ -7,12 +7,13 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use crankstar::page::{Document, File};
+use crankstar::report::Question;
 use crankstar::table;
 
 use super::failure::Failure;
 use super::pages::{self, Look, Measures};
 use super::tables::{Tables, Wanted};
-use super::{tables, write};
+use super::{tables, written_json, write};
 
 /// What a person may say of an answer that is a page or data.
 #[derive(clap::Args)]
@@ -82,6 +83,25 @@ impl ValueEnum for Format {
 }
 
 impl Answer {
+    /// Asks a question and gives its answer: as tables or as JSON where that is asked for, else in short, with the page in the folder.
+    ///
+    /// # Errors
+    /// What cannot be had, before anything is computed; what the question refuses.
+    pub fn give<Q: Question>(
+        &self,
+        question: &'static str,
+        is_json: bool,
+        ask: impl FnOnce() -> Result<Q, Failure>,
+    ) -> Result<(), Failure> {
+        let wanted = self.wanted(question)?;
+        let asked = ask()?;
+        match wanted {
+            Some(wanted) => wanted.give(asked.tables()),
+            None if is_json || self.is_json() => self.show_json(question, written_json(asked.json())?),
+            None => self.show(&asked.answer(), || asked.page()),
+        }
+    }
+
     /// The tables that are wanted of this question; none where no table is.
     ///
     /// # Errors

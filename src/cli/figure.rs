@@ -106,7 +106,7 @@ impl Figure {
     /// The drawings of the sweep where a range is given, else those of the layout.
     fn figures(&self) -> Result<Vec<NamedPicture>, Failure> {
         if self.ranges.are_given() {
-            let sweep = self.ranges.sweep(&self.about.layout, &self.about.asked()?, &[])?;
+            let sweep = self.ranges.sweep(&self.about.layout, &self.about.asked()?, &[], &[])?;
             return Ok(report::sweep_figures(report::sweep_page(&sweep)));
         }
         let (layout, mut orders) = self.about.read()?;

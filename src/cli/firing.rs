@@ -8,9 +8,9 @@ use crankstar::firing::Weights;
 use crankstar::report::{self, FiringStudy, OpenFiringStudy};
 use num_rational::BigRational;
 
+use super::answer::Answer;
 use super::failure::Failure;
 use super::layouts;
-use super::pages::Pages;
 
 /// Arguments of `firing`.
 #[derive(clap::Args)]
@@ -26,7 +26,7 @@ pub struct Firing {
     #[command(flatten)]
     mode: ModeShape,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 /// A mode of torsional vibration that the stars are weighed by.
@@ -41,25 +41,34 @@ impl Firing {
     /// Prints the verdicts, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let Some(layout) = &self.layout else {
+            self.has_no_tables("the catalogue")?;
             let engines = file::catalogue()?;
             let answer = report::firing_catalogue_answer(&engines, self.cycle.into());
-            return self.pages.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
+            return self.answer.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
         };
         match layouts::read(layout)? {
             Layout::Known(engine, _) => {
-                let study = study(&engine, &self.orders, &self.mode)?;
-                self.pages.show(&report::firing_answer(&study), || report::firing_page(&study))
+                self.answer.give("firing", false, || study(&engine, &self.orders, &self.mode))
             }
             Layout::Open(family) => {
+                self.has_no_tables("a layout with unknowns")?;
                 let study = open_study(&family, &self.orders, &self.mode)?;
-                self.pages.show(&report::open_firing_answer(&study), || report::open_firing_page(&study))
+                self.answer.show(&report::open_firing_answer(&study), || report::open_firing_page(&study))
             }
+        }
+    }
+
+    /// Data are of one engine.
+    fn has_no_tables(&self, of: &str) -> Result<(), Failure> {
+        match self.answer.wanted("firing")?.is_none() && !self.answer.is_json() {
+            true => Ok(()),
+            false => Err(Failure::misuse(format!("{of} has no tables of firing stars; name an engine without unknowns"))),
         }
     }
 }
 
 /// Judges the stars that are asked for.
-pub fn study<'a>(engine: &'a Engine, orders: &[CycleOrder], mode: &ModeShape) -> Result<FiringStudy<'a>, Failure> {
+pub fn study(engine: &Engine, orders: &[CycleOrder], mode: &ModeShape) -> Result<FiringStudy, Failure> {
     FiringStudy::new(engine, orders, mode.read()?).map_err(Failure::new)
 }
 

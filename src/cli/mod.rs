@@ -31,6 +31,7 @@ mod sweep;
 mod tables;
 mod torque;
 mod torsion;
+mod values;
 mod verify;
 mod write;
 
@@ -89,6 +90,8 @@ enum Command {
     Torque(torque::Torque),
     /// Find the speeds at which the crankshaft twists
     Torsion(torsion::Torsion),
+    /// Tabulate any values of engines, by their names
+    Values(values::Values),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel what is left
@@ -198,6 +201,7 @@ pub fn run() -> ExitCode {
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Firing(firing) => firing.run().map(done),
         Command::Torque(torque) => torque.run().map(done),
+        Command::Values(values) => values.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
@@ -246,8 +250,12 @@ fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
 
 /// A document as a text that does nothing to a terminal.
 fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
-    let json = serde_json::to_string_pretty(document).map_err(Failure::new)?;
-    Ok(text::json(&json) + "\n")
+    written_json(serde_json::to_string_pretty(document))
+}
+
+/// The same of a document that is a text already.
+fn written_json(json: serde_json::Result<String>) -> Result<String, Failure> {
+    Ok(text::json(&json.map_err(Failure::new)?) + "\n")
 }
 
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {

@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crankstar::engine::CycleOrder;
+use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file::{Beside, Template};
 use crankstar::page::File;
-use crankstar::report::{self, data};
+use crankstar::report::{self, ValueName, data, values_of};
 use crankstar::shard::Question;
-use crankstar::sweep::{self, Geometry, Parameter, Stream};
+use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
 
 use super::answer::Answer;
 use super::failure::Failure;
@@ -28,6 +28,9 @@ pub struct Sweep {
     /// Judge the firing stars, the orders of the gas torque, too: 1/2,1,3/2
     #[arg(long, value_delimiter = ',', value_name = "ORDERS")]
     firing_orders: Vec<CycleOrder>,
+    /// A value of any question by its name, beside each point of the tables: bearings.worst.force, torsion.modes.1.frequency
+    #[arg(long, value_name = "NAME")]
+    value: Vec<ValueName>,
     #[command(flatten)]
     pieces: Pieces,
     #[command(flatten)]
@@ -65,23 +68,23 @@ impl Sweep {
     pub fn run(&self) -> Result<(), Failure> {
         if let Some(shard) = self.pieces.shard()? {
             let output = self.answer.nothing_but_output("--shard")?;
-            return self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, |stream, question| {
+            return self.streamed(|stream, question| {
                 self.pieces.keep(stream, question, shard, output)
             });
         }
         let wanted = self.answer.wanted("sweep")?;
         if let Some(output) = self.pieces.merged_into_one(self.answer.output()) {
-            return self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, |_, question| {
+            return self.streamed(|_, question| {
                 self.pieces.merge(question, output)
             });
         }
         if let Some(wanted) = wanted.as_ref().filter(|wanted| wanted.is_streamed("points")) {
-            return self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, |stream, question| {
+            return self.streamed(|stream, question| {
                 self.pieces.write(stream, question, wanted)
             });
         }
         self.pieces.are_for_tables()?;
-        let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders)?;
+        let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders, &self.value)?;
         if let Some(wanted) = wanted {
             return wanted.give(data::sweep(&sweep));
         }
@@ -95,6 +98,30 @@ impl Sweep {
     }
 }
 
+impl Sweep {
+    /// Sweeps for a table of any length, which `then` writes.
+    fn streamed(&self, then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>) -> Result<(), Failure> {
+        let (name, text) = layouts::source(&self.layout)?;
+        let read = |path: &str| layouts::beside(&self.layout, path);
+        let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
+        let parameters = self.ranges.parameters(&template)?;
+        let (orders, firing) = (rising(&self.orders), rising(&self.firing_orders));
+        let stream = Stream::new(&template, &parameters, &orders, &firing, &Geometry::default());
+        let (names, find) = (columns(&self.value), |engine: &Engine| values_of(engine, &self.value));
+        let stream = stream.and_then(|stream| match self.value.is_empty() {
+            true => Ok(stream),
+            false => stream.observing(Observer { names: &names, find: &find }),
+        });
+        let stream = stream.map_err(Failure::new)?;
+        then(&stream, &stream.question(&text))
+    }
+}
+
+/// The names of the columns of these values.
+fn columns(values: &[ValueName]) -> Vec<String> {
+    values.iter().map(ValueName::column).collect()
+}
+
 impl Ranges {
     /// Whether some value is swept.
     pub fn are_given(&self) -> bool {
@@ -102,7 +129,13 @@ impl Ranges {
     }
 
     /// Sweeps a layout.
-    pub fn sweep(&self, layout: &Path, orders: &[u32], firing: &[CycleOrder]) -> Result<sweep::Sweep, Failure> {
+    pub fn sweep(
+        &self,
+        layout: &Path,
+        orders: &[u32],
+        firing: &[CycleOrder],
+        values: &[ValueName],
+    ) -> Result<sweep::Sweep, Failure> {
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
@@ -115,28 +148,14 @@ impl Ranges {
             if !firing.is_empty() {
                 sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing)?);
             }
+            if !values.is_empty() {
+                let (names, find) = (columns(values), |engine: &Engine| values_of(engine, values));
+                sweep.observed = Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find })?);
+            }
             Ok(sweep)
         });
         spinner.finish_and_clear();
         sweep.map_err(Failure::new)
-    }
-
-    /// The same for a table of any length, which `then` writes.
-    fn streamed(
-        &self,
-        layout: &Path,
-        orders: &[u32],
-        firing: &[CycleOrder],
-        then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
-        let (name, text) = layouts::source(layout)?;
-        let read = |path: &str| layouts::beside(layout, path);
-        let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
-        let parameters = self.parameters(&template)?;
-        let (orders, firing) = (rising(orders), rising(firing));
-        let stream = Stream::new(&template, &parameters, &orders, &firing, &Geometry::default());
-        let stream = stream.map_err(Failure::new)?;
-        then(&stream, &stream.question(&text))
     }
 
     fn flags(&self) -> [(&'static str, Option<&String>); 6] {

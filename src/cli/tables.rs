@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use crankstar::page::Units;
-use crankstar::report::data::TABLES;
+use crankstar::report::data::tables_of;
 use crankstar::table::{Format, Stream, Table};
 use crankstar::text::harmless;
 
@@ -60,7 +60,7 @@ impl Tables {
                 ));
             }
         }
-        let known = TABLES.iter().find(|(name, _)| *name == question).map_or(&[][..], |(_, tables)| *tables);
+        let known = tables_of(question);
         if let Some(table) = table.filter(|table| !known.contains(table)) {
             let message = format!("`{question}` has no table `{}`; it has {}", harmless(table), known.join(", "));
             return Err(Failure::misuse(message));

@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 
 use crankstar::file::Layout;
-use crankstar::report;
-use crankstar::torque::torque;
+use crankstar::report::TorqueStudy;
 
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::Pages;
-use super::{layouts, print_json};
+use super::layouts;
 
 /// Arguments of `torque`.
 #[derive(clap::Args)]
@@ -16,23 +15,20 @@ pub struct Torque {
     /// The path of a layout file with [gas]
     layout: PathBuf,
     /// Print the torque as JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 impl Torque {
     /// Prints the answer, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let Layout::Known(engine, _) = layouts::read(&self.layout)? else {
-            return Err(Failure::new("the torque needs an engine without unknowns; give them values below [values]"));
-        };
-        let torque = torque(&engine).map_err(Failure::new)?;
-        if self.json {
-            return print_json(&report::torque_document(&engine, &torque));
-        }
-        let answer = report::torque_answer(&engine, &torque);
-        self.pages.show(&answer, || report::torque_page(&engine, &torque))
+        self.answer.give("torque", self.json, || match layouts::read(&self.layout)? {
+            Layout::Known(engine, _) => TorqueStudy::new(&engine).map_err(Failure::new),
+            Layout::Open(_) => {
+                Err(Failure::new("the torque needs an engine without unknowns; give them values below [values]"))
+            }
+        })
     }
 }

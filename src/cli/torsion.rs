@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use crankstar::engine::CycleOrder;
 use crankstar::file::Layout;
-use crankstar::report::{self, TorsionStudy};
+use crankstar::report::TorsionStudy;
 
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::Pages;
-use super::{layouts, print_json};
+use super::layouts;
 
 /// Arguments of `torsion`.
 #[derive(clap::Args)]
@@ -19,27 +19,20 @@ pub struct Torsion {
     #[arg(long, value_delimiter = ',')]
     orders: Vec<CycleOrder>,
     /// Print modes and critical speeds as JSON
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 impl Torsion {
     /// Prints the critical speeds, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let engine = match layouts::read(&self.layout)? {
-            Layout::Known(engine, _) => engine,
-            Layout::Open(_) => {
-                return Err(Failure::new(
-                    "a shaft that twists needs an engine without unknowns; give them values below [values]",
-                ));
-            }
-        };
-        let study = TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)?;
-        if self.json {
-            return print_json(&report::torsion_document(&study));
-        }
-        self.pages.show(&report::torsion_answer(&study), || report::torsion_page(&study))
+        self.answer.give("torsion", self.json, || match layouts::read(&self.layout)? {
+            Layout::Known(engine, _) => TorsionStudy::new(&engine, &self.orders).map_err(Failure::new),
+            Layout::Open(_) => Err(Failure::new(
+                "a shaft that twists needs an engine without unknowns; give them values below [values]",
+            )),
+        })
     }
 }

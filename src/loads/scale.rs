@@ -7,6 +7,8 @@ use num_traits::ToPrimitive;
 
 use crate::engine::{Engine, LengthUnit};
 use crate::order;
+use crate::proof::Quantity;
+use crate::table::Unit;
 
 /// What the multiples are multiples of.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,4 +63,17 @@ pub fn scale(engine: &Engine) -> Option<Scale> {
         crank_radius: mechanism.crank_radius.clone()?,
         speed: mechanism.speed.clone()?,
     })
+}
+
+/// What forces, moments or torques of a layout are counted in: newtons where the scale is known, else multiples.
+pub fn unit(engine: &Engine, scale: Option<&Scale>, quantity: Quantity) -> Unit {
+    match (scale, quantity, Arm::of(engine)) {
+        (Some(_), Quantity::Force, _) => Unit::NEWTON,
+        (Some(_), Quantity::Moment, Arm::Spacing) => Unit::NEWTON_SPACING,
+        (Some(_), Quantity::Moment, Arm::Metre) | (Some(_), Quantity::Torque | Quantity::Roll, _) => Unit::NEWTON_METRE,
+        (None, Quantity::Force, _) => Unit::MULTIPLE,
+        (None, Quantity::Moment, Arm::Spacing) => Unit::MULTIPLE_SPACING,
+        (None, Quantity::Moment, Arm::Metre) => Unit::MULTIPLE_METRE,
+        (None, Quantity::Torque | Quantity::Roll, _) => Unit::TORQUE_MULTIPLE,
+    }
 }

@@ -22,6 +22,17 @@ pub enum Outcome {
     },
 }
 
+impl Outcome {
+    /// Whether it is proved to be zero; none where that is not decided.
+    pub fn vanishes(&self) -> Option<bool> {
+        match self {
+            Outcome::Zero => Some(true),
+            Outcome::NotZero => Some(false),
+            Outcome::Undecided { .. } => None,
+        }
+    }
+}
+
 /// A rotating vector: `Σ coefficient · sum`.
 #[derive(Clone, Debug)]
 pub struct Vector {

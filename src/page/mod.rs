@@ -28,6 +28,7 @@ pub use symbols::Symbols;
 pub(crate) use text::phrase;
 pub use text::{Piece, Text};
 pub use tikz::tikz;
-pub use unit::{Unit, Units};
+pub use crate::table::Unit;
+pub use unit::Units;
 pub(crate) use write::say;
 pub use write::{Alone, File, Format, Math, Options, blocks_in, text_in, write};

@@ -3,14 +3,7 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-/// A unit: its name on a page, and in TeX.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Unit {
-    /// As plain text: `N·m`.
-    pub name: &'static str,
-    /// Inside `\mathrm{}`.
-    pub tex: &'static str,
-}
+use crate::table::Unit;
 
 /// Newton metres from which on kilonewton metres are read more easily.
 const LARGE: f64 = 100_000.0;
@@ -50,82 +43,6 @@ impl Units {
 }
 
 impl Unit {
-    /// Newtons.
-    pub const NEWTON: Unit = Unit { name: "N", tex: "N" };
-    /// Newton metres.
-    pub const NEWTON_METRE: Unit = Unit { name: "N·m", tex: "N\\,m" };
-    /// Kilonewton metres, of the torque of large engines.
-    pub const KILONEWTON_METRE: Unit = Unit { name: "kN·m", tex: "kN\\,m" };
-    /// Kilograms.
-    pub const KILOGRAM: Unit = Unit { name: "kg", tex: "kg" };
-    /// Kilogram metres, of a mass at a radius.
-    pub const KILOGRAM_METRE: Unit = Unit { name: "kg·m", tex: "kg\\,m" };
-    /// Kilogram millimetres, of a mass at a radius.
-    pub const KILOGRAM_MILLIMETRE: Unit = Unit { name: "kg·mm", tex: "kg\\,mm" };
-    /// Metres.
-    pub const METRE: Unit = Unit { name: "m", tex: "m" };
-    /// Millimetres.
-    pub const MILLIMETRE: Unit = Unit { name: "mm", tex: "mm" };
-    /// Metres a second.
-    pub const METRE_PER_SECOND: Unit = Unit { name: "m/s", tex: "m/s" };
-    /// Metres a second, each second.
-    pub const METRE_PER_SQUARE_SECOND: Unit = Unit { name: "m/s²", tex: "m/s^2" };
-    /// Joules.
-    pub const JOULE: Unit = Unit { name: "J", tex: "J" };
-    /// Kilowatts.
-    pub const KILOWATT: Unit = Unit { name: "kW", tex: "kW" };
-    /// Bars.
-    pub const BAR: Unit = Unit { name: "bar", tex: "bar" };
-    /// Kilograms times square metres, of a moment of inertia.
-    pub const KILOGRAM_SQUARE_METRE: Unit = Unit { name: "kg·m²", tex: "kg\\,m^2" };
-    /// Degrees of crank angle.
-    pub const DEGREE: Unit = Unit { name: "°", tex: "^\\circ" };
-    /// Oscillations a second.
-    pub const HERTZ: Unit = Unit { name: "Hz", tex: "Hz" };
-    /// Revolutions a minute.
-    pub const PER_MINUTE: Unit = Unit { name: "1/min", tex: "min^{-1}" };
-    /// Parts of a hundred.
-    pub const PERCENT: Unit = Unit { name: "%", tex: "\\%" };
-
-    /// Newtons times the spacing of the cylinders.
-    pub const NEWTON_SPACING: Unit = Unit { name: "N·a", tex: "N\\,a" };
-    /// Cubic centimetres.
-    pub const CUBIC_CENTIMETRE: Unit = Unit { name: "cm³", tex: "cm^3" };
-    /// Pounds-force.
-    pub const POUND_FORCE: Unit = Unit { name: "lbf", tex: "lbf" };
-    /// Pounds-force times feet, of a moment.
-    pub const POUND_FORCE_FOOT: Unit = Unit { name: "lbf·ft", tex: "lbf\\,ft" };
-    /// Pounds-force times the spacing of the cylinders.
-    pub const POUND_FORCE_SPACING: Unit = Unit { name: "lbf·a", tex: "lbf\\,a" };
-    /// Pounds.
-    pub const POUND: Unit = Unit { name: "lb", tex: "lb" };
-    /// Ounces times inches, of a mass at a radius.
-    pub const OUNCE_INCH: Unit = Unit { name: "oz·in", tex: "oz\\,in" };
-    /// Pounds times square feet, of a moment of inertia.
-    pub const POUND_SQUARE_FOOT: Unit = Unit { name: "lb·ft²", tex: "lb\\,ft^2" };
-    /// Inches.
-    pub const INCH: Unit = Unit { name: "in", tex: "in" };
-    /// Cubic inches.
-    pub const CUBIC_INCH: Unit = Unit { name: "in³", tex: "in^3" };
-    /// Feet times pounds-force, of work.
-    pub const FOOT_POUND: Unit = Unit { name: "ft·lbf", tex: "ft\\,lbf" };
-    /// Horsepower of 550 feet times pounds-force a second.
-    pub const HORSEPOWER: Unit = Unit { name: "hp", tex: "hp" };
-    /// Pounds-force on a square inch.
-    pub const PSI: Unit = Unit { name: "psi", tex: "psi" };
-    /// Feet a second.
-    pub const FOOT_PER_SECOND: Unit = Unit { name: "ft/s", tex: "ft/s" };
-    /// Feet a second, each second.
-    pub const FOOT_PER_SQUARE_SECOND: Unit = Unit { name: "ft/s²", tex: "ft/s^2" };
-    /// Newton metres a radian, of a shaft that twists.
-    pub const NEWTON_METRE_PER_RADIAN: Unit = Unit { name: "N·m/rad", tex: "N\\,m/rad" };
-    /// Pounds-force times feet a radian.
-    pub const POUND_FORCE_FOOT_PER_RADIAN: Unit = Unit { name: "lbf·ft/rad", tex: "lbf\\,ft/rad" };
-    /// Moments in multiples of m r ω² at an arm of one metre.
-    pub const MULTIPLE_METRE: Unit = Unit { name: "m r ω²·1 m", tex: "m\\,r\\,\\omega^2\\,m" };
-    /// The same at an arm of one inch.
-    pub const MULTIPLE_INCH: Unit = Unit { name: "m r ω²·1 in", tex: "m\\,r\\,\\omega^2\\,in" };
-
     /// What stands in its place where inches are asked for, and how much of this unit that is, exactly; none for what both
     /// systems share.
     pub fn inch(self) -> Option<(Unit, BigRational)> {

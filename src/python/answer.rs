@@ -5,23 +5,12 @@ use std::sync::OnceLock;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use super::error::told;
 use super::{columns, documents, notebook, pages};
-use crate::page::{Document, Format, Options};
+use crate::page::{Format, Options};
+use crate::report::Question;
 use crate::table::Table;
-
-/// A question that was asked, and what answers it: each part is made when it is wanted.
-pub(super) trait Question: Send + Sync {
-    /// The command that gives the same answer.
-    fn command(&self) -> &'static str;
-    /// The columns, the main table first.
-    fn tables(&self) -> Vec<Table>;
-    /// What the command prints with `--json`.
-    fn json(&self) -> PyResult<String>;
-    /// What the command prints.
-    fn answer(&self) -> Document;
-    /// The page that the command writes.
-    fn page(&self) -> Document;
-}
+use crate::text;
 
 /// An answer: its columns, its document, its page.
 #[pyclass(frozen, subclass, module = "crankstar")]
@@ -64,7 +53,7 @@ impl Answer {
     /// What the command line prints with `--json`, as a str; where it has certificates, `verify` takes it.
     #[getter]
     fn json(&self, py: Python<'_>) -> PyResult<String> {
-        py.detach(|| self.question.json())
+        py.detach(|| Ok(text::json(&self.question.json().map_err(told)?) + "\n"))
     }
 
     /// The same as dicts and lists.

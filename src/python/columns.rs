@@ -37,7 +37,7 @@ pub(super) fn about<'py>(py: Python<'py>, tables: &[Table]) -> PyResult<Bound<'p
     for table in tables {
         let columns = PyDict::new(py);
         for column in table.columns() {
-            columns.set_item(column.name(), (column.unit().shown, column.about()))?;
+            columns.set_item(column.name(), (column.unit().name, column.about()))?;
         }
         dict.set_item(table.name(), columns)?;
     }

@@ -14,7 +14,7 @@ use super::{asked, keys, notebook, pages};
 use crate::engine::{self, Family};
 use crate::loads;
 use crate::page::Format;
-use crate::report;
+use crate::report::{self, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
 use crate::verdict;
 
 /// An engine: its cylinders with exact angles and positions, and what else its layout says.
@@ -156,7 +156,7 @@ impl Engine {
     #[pyo3(signature = (orders=None))]
     fn loads(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let orders = asked::orders(orders)?;
-        py.detach(|| questions::loads(&self.engine, &self.orders(orders)))
+        py.detach(|| Ok(Answer::new(LoadsStudy::new(&self.engine, &self.orders(orders), None).map_err(told)?)))
     }
 
     /// What the main bearings feel, whose positions the layout gives; with the gas where it has `effects = ["gas"]`.
@@ -164,7 +164,10 @@ impl Engine {
     fn bearings(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let orders = asked::orders(orders)?;
         let usual = || loads::usual_bearing_orders(&self.engine);
-        py.detach(|| questions::bearings(&self.engine, &asked::rising(orders.unwrap_or_else(usual))))
+        py.detach(|| {
+            let orders = asked::rising(orders.unwrap_or_else(usual));
+            Ok(Answer::new(BearingsStudy::new(&self.engine, &orders).map_err(told)?))
+        })
     }
 
     /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
@@ -201,12 +204,21 @@ impl Engine {
         mode_shape: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
         let (orders, weights) = (asked::cycle_orders(orders)?, asked::weights(mode_shape)?);
-        py.detach(|| questions::firing(&self.engine, &orders, weights))
+        py.detach(|| Ok(Answer::new(FiringStudy::new(&self.engine, &orders, weights).map_err(told)?)))
     }
 
     /// The torque of gas and inertia, power and flywheel; needs `[gas]` in the layout.
     fn torque(&self, py: Python<'_>) -> PyResult<Answer> {
-        py.detach(|| questions::torque(&self.engine))
+        py.detach(|| Ok(Answer::new(TorqueStudy::new(&self.engine).map_err(told)?)))
+    }
+
+    /// The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout.
+    ///
+    /// orders: such as [0.5, 1, "3/2"]; those up to 12 where left out.
+    #[pyo3(signature = (orders=None))]
+    fn torsion(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
+        let orders = asked::cycle_orders(orders)?;
+        py.detach(|| Ok(Answer::new(TorsionStudy::new(&self.engine, &orders).map_err(told)?)))
     }
 
     /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.

@@ -30,6 +30,7 @@ mod multiples;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod poster;
+mod question;
 mod recurrence_claims;
 mod recurrence_words;
 mod remedy;
@@ -43,6 +44,8 @@ mod theorem;
 mod theorem_words;
 mod torque;
 mod torsion;
+mod value;
+mod values;
 mod views;
 
 pub use views::{end_view, side_view};
@@ -56,8 +59,8 @@ pub use accuracy::{
 };
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, Atlas};
-pub use bearings::{BearingsDocument, bearings_answer, bearings_document, bearings_page};
-pub use calculation::{Numbers, loads_answer, loads_page};
+pub use bearings::{BearingsStudy, bearings_answer, bearings_page};
+pub use calculation::{LoadsStudy, Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_evidence, claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
@@ -75,7 +78,8 @@ pub use firing::{
     FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,
     firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
-pub use journal::{CycleLoadsDocument, complete_bearings_answer, complete_bearings_page, without_gas};
+pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas};
+pub use question::{Question, Unanswered, ask, questions};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
@@ -92,5 +96,7 @@ pub use residual::{
 pub use search::{search_answer, search_layouts, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
-pub use torque::{TorqueDocument, torque_answer, torque_document, torque_page};
-pub use torsion::{NoTorsion, TorsionDocument, TorsionStudy, torsion_answer, torsion_document, torsion_page};
+pub use torque::{TorqueStudy, torque_answer, torque_page};
+pub use value::{ValueName, values_of};
+pub use values::ValuesStudy;
+pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};

@@ -9,6 +9,7 @@ use num_rational::BigRational;
 
 use super::envelope::Geometry;
 use super::firing::FiringSweep;
+use super::observed::ObservedSweep;
 use super::parameter::Parameter;
 use super::range::{MOST_COUNTED, MOST_POINTS};
 use super::swept_engine::{Motions, SweptEngine, judge_with};
@@ -43,6 +44,8 @@ pub struct Sweep {
     pub zeros: Option<Vec<ZeroSet>>,
     /// The firing stars, where they are asked for: see [`super::firing_stars`].
     pub firing: Option<FiringSweep>,
+    /// Values of other questions, where they are asked for: see [`super::observed`].
+    pub observed: Option<ObservedSweep>,
     /// What moments are counted in.
     pub arm: Arm,
     /// Whether the amplitudes hold the coefficients c_k; else they are in multiples of them.
@@ -82,7 +85,7 @@ pub fn sweep(
     let first = reader.engine(&reader.values(0))?;
     let usual = loads::usual_orders(&first);
     let orders = if orders.is_empty() { usual.as_slice() } else { orders };
-    let points = all(count, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
+    let points = on_all_cores(count, 64, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
     let zeros = match parameters {
         [one] => zeros(template, one, orders).map(|mut sets| {
             sets.iter_mut().for_each(|set| set.take_from(&points));
@@ -95,7 +98,7 @@ pub fn sweep(
             let finer = Parameter { range: one.range.finer(SMOOTH.div_ceil(one.range.count() - 1)), ..one.clone() };
             let finer = [finer];
             let between = Reader::new(template, &finer);
-            let finer = all(finer[0].range.count(), &|index, motions| {
+            let finer = on_all_cores(finer[0].range.count(), 64, &|index, motions| {
                 between.point(&between.values(index), orders, geometry, motions)
             });
             // Between whole numbers there may be no engine.
@@ -122,6 +125,7 @@ pub fn sweep(
         curve,
         zeros,
         firing: None,
+        observed: None,
         arm: Arm::of(&first),
         rods_known: !first.mechanisms().is_empty(),
         geometry: geometry.clone(),
@@ -209,22 +213,24 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Computes so many points on all cores; the first that fails is the one to tell.
-fn all(
+/// Computes `count` points on all cores, of which each has at least `fewest`; the first that fails is the one to tell. What a core
+/// knows of the points before is handed to the next.
+pub(super) fn on_all_cores<K: Default, P: Send>(
     count: usize,
-    point: &(dyn Fn(usize, &mut Motions) -> Result<SweptEngine, SweepError> + Sync),
-) -> Result<Vec<SweptEngine>, SweepError> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(64)).max(1);
+    fewest: usize,
+    point: &(dyn Fn(usize, &mut K) -> Result<P, SweepError> + Sync),
+) -> Result<Vec<P>, SweepError> {
+    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(fewest)).max(1);
     let failed = AtomicBool::new(false);
     let part = |thread: usize| {
-        let mut motions = Motions::default();
+        let mut known = K::default();
         let (from, to) = (count * thread / threads, count * (thread + 1) / threads);
         let mut points = Vec::with_capacity(to - from);
         for index in from..to {
             if thread > 0 && failed.load(Ordering::Relaxed) {
                 break;
             }
-            match point(index, &mut motions) {
+            match point(index, &mut known) {
                 Ok(point) => points.push(point),
                 Err(error) => {
                     failed.store(true, Ordering::Relaxed);
@@ -234,7 +240,7 @@ fn all(
         }
         Ok(points)
     };
-    let parts: Vec<Result<Vec<SweptEngine>, SweepError>> = thread::scope(|scope| {
+    let parts: Vec<Result<Vec<P>, SweepError>> = thread::scope(|scope| {
         let part = &part;
         let others: Vec<_> = (1..threads).map(|thread| scope.spawn(move || part(thread))).collect();
         let first = part(0);

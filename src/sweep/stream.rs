@@ -6,6 +6,7 @@ use crate::loads::{self, Arm};
 use crate::shard::Question;
 
 use super::firing::{FiringSweep, can_be_judged, lengths};
+use super::observed::{ObservedSweep, Observer};
 use super::parameter::Parameter;
 use super::run::{Reader, Sweep, count};
 use super::swept_engine::Motions;
@@ -23,6 +24,7 @@ pub struct Stream<'a> {
     reader: Reader<'a>,
     parameters: &'a [Parameter],
     firing: Vec<CycleOrder>,
+    observer: Option<Observer<'a>>,
     count: usize,
     /// Points of a piece: a number that follows from the question alone.
     points: usize,
@@ -59,12 +61,32 @@ impl<'a> Stream<'a> {
             curve: Vec::new(),
             zeros: None,
             firing: (!firing.is_empty()).then_some(star),
+            observed: None,
             arm: Arm::of(&first),
             rods_known: !first.mechanisms().is_empty(),
             geometry: geometry.clone(),
         };
         let points = count.div_ceil(PIECES).clamp(FEWEST, MOST);
-        Ok(Stream { reader, parameters, firing: firing.to_vec(), count, points, geometry: geometry.clone(), empty })
+        Ok(Stream {
+            reader,
+            parameters,
+            firing: firing.to_vec(),
+            observer: None,
+            count,
+            points,
+            geometry: geometry.clone(),
+            empty,
+        })
+    }
+
+    /// The same with values of other questions beside each point.
+    ///
+    /// # Errors
+    /// A first point that lacks one.
+    pub fn observing(mut self, observer: Observer<'a>) -> Result<Self, SweepError> {
+        self.empty.observed = Some(ObservedSweep::new(&observer, &self.reader.engine(&self.reader.values(0))?)?);
+        self.observer = Some(observer);
+        Ok(self)
     }
 
     /// How many points it has.
@@ -90,8 +112,9 @@ impl<'a> Stream<'a> {
         let firing: Vec<String> = self.firing.iter().map(ToString::to_string).collect();
         let (orders, geometry) = (&self.empty.orders, &self.geometry);
         let (ranges, firing, points) = (ranges.join("; "), firing.join(","), self.points);
+        let values = self.observer.map_or_else(String::new, |observer| format!("values {}; ", observer.names.join(", ")));
         let words = format!(
-            "{VERSION}: {ranges}; orders {orders:?}; firing orders {firing}; {points} points a piece; {geometry:?}; {file}"
+            "{VERSION}: {ranges}; orders {orders:?}; firing orders {firing}; {values}{points} points a piece; {geometry:?}; {file}"
         );
         Question { words, pieces: self.count.div_ceil(self.points) }
     }
@@ -122,6 +145,9 @@ impl<'a> Stream<'a> {
             let point = self.reader.point(&values, &sweep.orders, &self.geometry, &mut motions)?;
             if let Some(firing) = &mut sweep.firing {
                 firing.points.push(lengths(&self.reader, &values, &self.firing)?);
+            }
+            if let (Some(observed), Some(observer)) = (&mut sweep.observed, self.observer) {
+                observed.points.push((observer.find)(&self.reader.engine(&values)?));
             }
             sweep.points.push(point);
         }

@@ -70,6 +70,35 @@ impl Values {
         self.len() == 0
     }
 
+    /// The value of one row, as values of one row.
+    pub(super) fn alone(&self, row: usize) -> Values {
+        match self {
+            Values::Words(values) => Values::Words(vec![values[row].clone()]),
+            Values::Exact(values) => Values::Exact(vec![values[row].clone()]),
+            Values::Person(values) => Values::Person(vec![values[row].clone()]),
+            Values::Whole(values) => Values::Whole(vec![values[row]]),
+            Values::Decimal(values) => Values::Decimal(vec![values[row]]),
+            Values::Truth(values) => Values::Truth(vec![values[row]]),
+        }
+    }
+
+    /// Adds those of the same type; nothing said where they are of another.
+    pub(super) fn append(&mut self, other: Option<&Values>) {
+        match (self, other) {
+            (Values::Words(values), Some(Values::Words(more))) => values.extend_from_slice(more),
+            (Values::Exact(values), Some(Values::Exact(more))) => values.extend_from_slice(more),
+            (Values::Person(values), Some(Values::Person(more))) => values.extend_from_slice(more),
+            (Values::Whole(values), Some(Values::Whole(more))) => values.extend_from_slice(more),
+            (Values::Decimal(values), Some(Values::Decimal(more))) => values.extend_from_slice(more),
+            (Values::Truth(values), Some(Values::Truth(more))) => values.extend_from_slice(more),
+            (Values::Words(values) | Values::Exact(values), _) => values.push(None),
+            (Values::Person(values), _) => values.push(None),
+            (Values::Whole(values), _) => values.push(None),
+            (Values::Decimal(values), _) => values.push(None),
+            (Values::Truth(values), _) => values.push(None),
+        }
+    }
+
     /// None, of the same type.
     pub(super) fn none_of_its_kind(&self) -> Values {
         match self {

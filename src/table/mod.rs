@@ -4,6 +4,8 @@
 
 mod column;
 mod csv;
+mod json;
+mod named;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod stream;
@@ -14,6 +16,8 @@ mod xlsx;
 
 pub use column::{Column, Kind, Values, filled};
 pub use csv::{csv, from_rows, rows};
+pub use json::Named;
+pub use named::{NotNamed, Single, Value};
 pub use stream::Stream;
 pub use unit::Unit;
 pub use write::{DataFile, Format, Unwritable};
@@ -24,13 +28,24 @@ pub struct Table {
     name: &'static str,
     about: &'static str,
     rows: usize,
+    keys: usize,
     columns: Vec<Column>,
 }
 
 impl Table {
     /// A table without columns, of so many rows; `about` says what a row is.
     pub fn new(name: &'static str, about: &'static str, rows: usize) -> Self {
-        Table { name, about, rows, columns: Vec::new() }
+        Table { name, about, rows, keys: 1, columns: Vec::new() }
+    }
+
+    /// The same whose rows are named by their first `keys` columns; by none where it has one row.
+    pub fn keyed(self, keys: usize) -> Self {
+        Table { keys, ..self }
+    }
+
+    /// How many of its first columns name a row.
+    pub fn keys(&self) -> usize {
+        self.keys
     }
 
     /// The same with one more column.

@@ -80,7 +80,7 @@ fn field(column: &Column) -> Result<TypePtr, ParquetError> {
 fn metadata(table: &Table) -> Vec<KeyValue> {
     let told = |name: String, words: &str| KeyValue::new(name, words.to_owned());
     let columns = table.columns().iter().flat_map(|column| {
-        let unit = told(format!("unit:{}", column.name()), column.unit().shown);
+        let unit = told(format!("unit:{}", column.name()), column.unit().name);
         [unit, told(format!("meaning:{}", column.name()), column.about())]
     });
     [told("table".to_owned(), table.about())].into_iter().chain(columns).collect()

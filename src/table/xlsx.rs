@@ -86,7 +86,7 @@ fn columns(sheet: &mut Worksheet, heading: &Style, tables: &[Table]) -> Result<(
     }
     let all = tables.iter().flat_map(|table| table.columns().iter().map(move |column| (table, column)));
     for (row, (table, column)) in (1..).zip(all) {
-        let told = [table.name(), column.name(), column.unit().shown, column.values().kind().name(), column.about()];
+        let told = [table.name(), column.name(), column.unit().name, column.values().kind().name(), column.about()];
         for (place, words) in (0..).zip(told) {
             sheet.write_string(row, place, words)?;
         }

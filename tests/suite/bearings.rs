@@ -528,43 +528,48 @@ fn the_document_holds_the_exact_sums_that_its_amplitudes_come_from() {
     let file = file("bearings-json.toml", I3);
     let output = crankstar(&["bearings", &file, "--orders", "1,2,3", "--json"]);
     let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a document");
-    let factor = document["newtons_per_multiple"].as_f64().expect("newtons");
+    let engine = parse("i3.toml", I3).expect("it reads");
+    let newtons = crankstar::loads::scale(&engine).expect("a scale").force();
     let fraction = |value: &serde_json::Value| {
         let number: BigRational = value.as_str().expect("a fraction").parse().expect("a fraction");
         number.to_f64().expect("a number")
     };
-    let mut compared = 0;
-    for bearing in document["continuous"]["bearings"].as_array().expect("bearings") {
-        let order = &bearing["orders"][0];
+    let rows = |table: &str| document[table].as_array().expect("rows").clone();
+    let (terms, mut compared) = (rows("terms"), 0);
+    for order in rows("orders").iter().filter(|order| order["method"] == "continuous" && order["order"] == 1) {
         for sense in ["direct", "reverse"] {
-            let sums = order[sense]["sums"].as_array().expect("sums");
             // n_1 = 1 − 1/√(1−λ²), beside the 1 of the force along the axis.
             let n_1 = 1.0 - 1.0 / (1.0_f64 - 0.0625).sqrt();
-            let vector = sums.iter().flat_map(|sum| {
-                let number = match sum["coefficient"].as_str() {
+            let is_of = |term: &&serde_json::Value| {
+                term["bearing"] == order["bearing"] && term["order"] == 1 && term["sense"] == sense
+            };
+            let vector = terms.iter().filter(is_of).map(|term| {
+                let number = match term["coefficient"].as_str() {
                     Some("1") => 1.0,
                     Some("n_k of λ = 1/4, δ = 0") => n_1,
                     other => panic!("{other:?}"),
                 };
-                sum["terms"].as_array().expect("terms").iter().map(move |term| {
-                    let turn = fraction(&term["turn"]) * std::f64::consts::TAU;
-                    Complex::from_polar(fraction(&term["weight"]) * number, turn)
-                })
+                let turn = fraction(&term["angle_turns"]) * std::f64::consts::TAU;
+                Complex::from_polar(fraction(&term["weight"]) * number, turn)
             });
-            let length = vector.sum::<Complex<f64>>().norm() / 2.0 * factor;
-            assert!((length - order[sense]["amplitude"].as_f64().expect("a number")).abs() < 1e-9 * factor);
+            let length = vector.sum::<Complex<f64>>().norm() / 2.0 * newtons;
+            let told = order[format!("{sense}_zero_to_peak_N")].as_f64().expect("a number");
+            assert!((length - told).abs() < 1e-9 * newtons, "{length} {told}");
             compared += 1;
         }
-        let third = &bearing["orders"][2]["direct"]["sums"];
-        assert_eq!(third[0]["coefficient"], "n_k of λ = 1/4, δ = 0");
     }
-    let pins = document["pins"].as_array().expect("pins");
-    let peak = |pin: &serde_json::Value| pin["peak"]["value"].as_f64().expect("newtons");
-    assert!(pins.len() == 3 && pins.iter().all(|pin| (peak(pin) - peak(&pins[0])).abs() < 1e-6));
     assert_eq!(compared, 8);
-    assert_eq!(document["continuous"]["worst"], serde_json::json!([2, 3]));
-    let left_out = &document["continuous"]["left_out"];
-    assert!(left_out["part"].as_f64().expect("a part") < 0.01 && left_out["at_most"].as_f64().expect("newtons") > 0.0);
+    let third = terms.iter().filter(|term| term["order"] == 3);
+    assert!(third.clone().count() > 0 && third.clone().all(|term| term["coefficient"] == "n_k of λ = 1/4, δ = 0"));
+    let pins = rows("pins");
+    let peak = |pin: &serde_json::Value| pin["force_zero_to_peak_N"].as_f64().expect("newtons");
+    assert!(pins.len() == 3 && pins.iter().all(|pin| (peak(pin) - peak(&pins[0])).abs() < 1e-6));
+    let bearings = rows("bearings");
+    let is_worst = |row: &&serde_json::Value| row["method"] == "continuous" && row["worst"] == true;
+    let worst: Vec<_> = bearings.iter().filter(is_worst).map(|row| row["bearing"].as_u64()).collect();
+    assert_eq!(worst, [Some(2), Some(3)]);
+    assert_eq!(document["worst"]["bearing"], 2);
+    assert!(bearings.iter().all(|row| row["left_out_N"].as_f64().expect("newtons") > 0.0));
 }
 
 #[test]

@@ -10,6 +10,7 @@ use crankstar::engine::{Cycle, CycleOrder, Engine};
 use crankstar::exact::Turn;
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
+use crankstar::report::{BearingsStudy, Question};
 use crankstar::search::Problem;
 use crankstar::table::{Column, Format, Kind, Table, Unit, Values, csv};
 use crankstar::text::{self, Untrusted};
@@ -22,6 +23,7 @@ use crate::support::program::{call, scratch};
 use crate::support::tables::{self, Answered, decimals, texts, truths};
 
 const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
+const I6_TORSION: &str = include_str!("../../reports/examples/i6-torsion/layout.toml");
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const TWO_RODS: &str = include_str!("../../reports/examples/i6-two-rods/layout.toml");
 const V6: &str =
@@ -58,9 +60,10 @@ fn every_answer() -> &'static [Answered] {
 
 fn answer_all() -> Vec<Answered> {
     let mut all = Vec::new();
-    for text in [V8_GAS, I3, TWO_RODS, GEARED, V6] {
+    for text in [V8_GAS, I3, TWO_RODS, GEARED, V6, I6_TORSION] {
         all.extend(tables::of_engine(&known(text), &[1, 2, 4]));
     }
+    all.push(tables::valued(&known(V8_GAS), "torque.cycle.mean"));
     all.push(tables::swept(V6, &["vee.bank_angle=0..180:20"], &[1, 2], &["1", "3/2"]).1);
     all.push(tables::swept(V8_GAS, &["speed=1000..3000:1000"], &[1], &[]).1);
     let vee = Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]);
@@ -121,6 +124,7 @@ fn is_consistent(table: &Table) {
                 || rest == unit
                 || rest == format!("zero_to_peak_{unit}")
                 || rest == format!("modulus_{unit}")
+                || rest == format!("length_{unit}")
         };
         let mut found = 0;
         for size in table.columns().iter().filter(of) {
@@ -182,7 +186,7 @@ fn same(found: Option<f64>, told: &Value, what: &str) {
 fn the_tables_of_loads_are_the_document() {
     for text in [V8_GAS, I3, TWO_RODS, GEARED] {
         let engine = known(text);
-        let answer = tables::loads(&engine, &[1, 2, 4]).expect("numbers");
+        let answer = tables::asked("loads", &engine, &[1, 2, 4]).expect("numbers");
         let orders = answer.table("orders");
         let entries = answer.document["orders"].as_array().expect("entries");
         let mut compared = 0;
@@ -234,7 +238,7 @@ fn forces_and_moments_over_the_crank_angle_are_those_of_pistons_on_their_paths()
                 [mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n";
     let engine = known(text);
     let orders: Vec<u32> = (1..=24).collect();
-    let answer = tables::loads(&engine, &orders).expect("numbers");
+    let answer = tables::asked("loads", &engine, &orders).expect("numbers");
     let theta = answer.table("theta");
     let columns = ["force_y_N", "force_x_N", "moment_y_N_m", "moment_x_N_m"].map(|name| decimals(theta, name));
     let omega = 3000.0 / 60.0 * TAU;
@@ -376,34 +380,32 @@ fn the_tables_of_verdicts_are_the_documents() {
 }
 
 #[test]
-fn the_tables_of_bearings_are_the_document() {
-    let answer = tables::bearings(&known(V8_GAS), &[1, 2, 3]).expect("bearings");
-    let told = |method: &str| answer.document[method]["bearings"].as_array().expect("bearings").clone();
-    let all: Vec<Value> = [told("continuous"), told("determinate")].concat();
-    let peaks = decimals(answer.table("bearings"), "force_zero_to_peak_N");
-    assert_eq!(peaks.len(), all.len());
-    for (peak, entry) in peaks.into_iter().zip(&all) {
-        same(peak, &entry["peak"]["value"], "peak");
+fn the_tables_of_bearings_are_the_loads() {
+    let engine = known(V8_GAS);
+    let study = BearingsStudy::new(&engine, &[1, 2, 3]).expect("bearings");
+    let table = |name: &str| study.table(name).expect("a table");
+    let newtons = study.continuous.scale.as_ref().expect("newtons").force();
+    let all: Vec<_> = study.continuous.bearings.iter().chain(&study.determinate.bearings).collect();
+    let peaks = decimals(&table("bearings"), "force_zero_to_peak_N");
+    assert_eq!(peaks, all.iter().map(|bearing| Some(bearing.peak.value * newtons)).collect::<Vec<_>>());
+    let (orders, told) = (table("orders"), all.iter().flat_map(|bearing| &bearing.orders));
+    for (row, order) in told.enumerate() {
+        let direct = order.swing.direct.value.norm() / 2.0 * newtons;
+        assert_eq!(decimals(&orders, "direct_zero_to_peak_N")[row], Some(direct));
+        assert_eq!(truths(&orders, "reverse_vanishes")[row], order.swing.reverse.outcome.vanishes());
     }
-    let orders = answer.table("orders");
-    let entries = all.iter().flat_map(|entry| entry["orders"].as_array().expect("orders"));
-    for (row, entry) in entries.enumerate() {
-        same(decimals(orders, "direct_zero_to_peak_N")[row], &entry["direct"]["amplitude"], "direct");
-        assert_eq!(truths(orders, "reverse_vanishes")[row], entry["reverse"]["vanishes"].as_bool());
-    }
-    let gas = answer.table("gas_bearings");
-    let entry = &answer.document["with_gas"]["continuous"]["bearings"][0]["peak"];
-    same(decimals(gas, "force_zero_to_peak_N")[0], &entry["value"], "with gas");
+    let [gas, _] = study.with_gas().and_then(|loads| loads.bearings.as_ref()).expect("gas");
+    let peak = &gas.bearings[0].peak;
+    assert_eq!(decimals(&table("gas_bearings"), "force_zero_to_peak_N")[0], Some(peak.value));
     // The largest load over the crank angle is that of the table, as near as a degree comes.
-    let theta = answer.table("gas_theta");
+    let theta = table("gas_theta");
     assert_eq!(theta.rows(), 720);
-    let tips = decimals(theta, "bearing_1_y_N").into_iter().zip(decimals(theta, "bearing_1_x_N"));
+    let tips = decimals(&theta, "bearing_1_y_N").into_iter().zip(decimals(&theta, "bearing_1_x_N"));
     let sampled = tips.map(|(y, x)| y.expect("y").hypot(x.expect("x"))).fold(0.0, f64::max);
-    let peak = entry["value"].as_f64().expect("a peak");
-    assert!(sampled <= peak * (1.0 + 1e-9) && sampled > 0.98 * peak, "{sampled} of {peak}");
-    let at = entry["crank_angle_deg"].as_f64().expect("an angle").round() as usize % 720;
-    let y = decimals(theta, "bearing_1_y_N")[at].expect("y");
-    assert!((y - entry["y"].as_f64().expect("y")).abs() < 0.02 * peak, "{y}");
+    assert!(sampled <= peak.value * (1.0 + 1e-9) && sampled > 0.98 * peak.value, "{sampled} of {}", peak.value);
+    let at = peak.angle.round() as usize % 720;
+    let y = decimals(&theta, "bearing_1_y_N")[at].expect("y");
+    assert!((y - peak.vector.re).abs() < 0.02 * peak.value, "{y}");
 }
 
 /// What stands before the tables that a test writes.
@@ -416,7 +418,7 @@ fn unit_told(column: &Column) -> &'static str {
         _ if column.pattern().contains("{unit}") => "in the name",
         Unit::MASS_RADIUS => "m r",
         unit if unit.suffix.starts_with("mrw2") => "multiples",
-        unit => unit.shown,
+        unit => unit.name,
     }
 }
 
@@ -474,9 +476,9 @@ fn the_documentation_explains_every_unit_in_a_name() {
     let mut found = BTreeSet::new();
     for answer in every_answer() {
         for column in answer.tables.iter().flat_map(Table::columns) {
-            let Unit { suffix, shown } = column.unit();
+            let Unit { suffix, name, .. } = column.unit();
             if !suffix.is_empty() && found.insert(suffix) {
-                assert!(page.contains(&format!("| `{suffix}` | {shown} |")), "| `{suffix}` | {shown} | is not told");
+                assert!(page.contains(&format!("| `{suffix}` | {name} |")), "| `{suffix}` | {name} | is not told");
             }
         }
     }

@@ -275,9 +275,8 @@ fn hostile_sizes_end_in_numbers_or_a_message() {
         let text = SPARK.replace("rod_length = '143 mm'", "rod_ratio = 0.3").replace(from, to);
         let text = if from.starts_with("rod") { SPARK.replace(from, to) } else { text };
         let text = format!("speed = 3000\n{text}dead_centre = 'piston'\n[flywheel]\ninertia = '1e-30'");
-        if let Ok(torque) = crankstar::torque::torque(&engine(&text)) {
-            let document = crankstar::report::torque_document(&engine(&text), &torque);
-            let json = serde_json::to_string(&document).expect("a document");
+        if let Ok(study) = crankstar::report::TorqueStudy::new(&engine(&text)) {
+            let (json, torque) = (crankstar::report::Question::json(&study).expect("a document"), &study.torque);
             assert!(torque.mean.is_finite() && torque.highest.value.is_finite(), "{text}\n{json}");
             assert!(torque.balance < 1e-6, "{} {text}", torque.balance);
         }

@@ -520,11 +520,14 @@ fn the_command_shows_the_gas_only_where_it_is_asked_for() {
     let document: serde_json::Value = serde_json::from_str(&run(&with, &["--json"])).expect("a document");
     let loads = loads_of(&self::layout(&with));
     let [bearings, _] = loads.bearings.as_ref().expect("bearings");
-    let told = &document["with_gas"]["continuous"]["bearings"][2]["peak"]["value"];
-    assert_eq!(told.as_f64(), Some(bearings.bearings[2].peak.value));
-    assert_eq!(document["with_gas"]["continuous"]["bearings"][2]["orders"][0]["vanishes"], true);
+    let told = &document["gas_bearings"][2];
+    assert_eq!((&told["method"], &told["bearing"]), (&"continuous".into(), &3.into()));
+    assert_eq!(told["force_zero_to_peak_N"].as_f64(), Some(bearings.bearings[2].peak.value));
+    let orders = document["gas_orders"].as_array().expect("orders");
+    let first = orders.iter().find(|order| order["bearing"] == 3).expect("an order");
+    assert_eq!(first["force_vanishes"], true);
     let plain: serde_json::Value = serde_json::from_str(&run(&without, &["--json"])).expect("a document");
-    assert!(plain.get("with_gas").is_none() && plain["continuous"] == document["continuous"]);
+    assert!(plain.get("gas_bearings").is_none() && plain["bearings"] == document["bearings"]);
     // A layout that lacks something keeps the loads of its masses, and is told.
     let slow = run(&with.replace("speed = 3000\n", ""), &[]);
     assert!(

@@ -115,6 +115,7 @@ mod torque;
 mod torsion;
 mod two_angles;
 mod v_angles;
+mod values;
 mod views;
 #[cfg(feature = "web")]
 mod web;

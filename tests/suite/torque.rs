@@ -407,9 +407,9 @@ fn the_command_reads_the_table_beside_the_layout_and_writes_the_page() {
     }
     let output = call(&["torque", layout, "--json"]);
     let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a document");
-    assert_eq!(document["orders"][3]["order"], "2");
-    assert_eq!(document["orders"][2]["vanishes"], true);
-    assert!(document["energy_balance"].as_f64().expect("a number") < 1e-9);
+    assert_eq!(document["orders"][3]["order"], 2.0);
+    assert_eq!(document["orders"][2]["gas_vanishes"], true);
+    assert!(document["cycle"]["energy_balance"].as_f64().expect("a number") < 1e-9);
     std::fs::remove_file(folder.join("indicator.csv")).expect("it was there");
     let output = call(&["torque", layout]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();

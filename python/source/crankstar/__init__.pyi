@@ -247,6 +247,8 @@ class Engine:
         *,
         mode_shape: _Numbers | None = None,
     ) -> Answer: ...
+    def torsion(self, orders: _Number | _Numbers | None = None) -> Answer:
+        """The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout."""
     def torque(self) -> Answer:
         """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
     def sweep(

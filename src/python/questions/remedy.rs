@@ -8,12 +8,11 @@ use crate::engine::{Engine, LengthUnit};
 use crate::exact::Turn;
 use crate::file::{Beside, parse_length};
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
-use crate::python::documents;
+use crate::python::answer::Answer;
 use crate::python::error::told;
 use crate::python::reading::Source;
 use crate::remedy::{self, Weight, Wish};
-use crate::report;
+use crate::report::{self, Question};
 use crate::table::{Column, Table, Unit, Values};
 
 /// What is wanted of a remedy, as it was written.
@@ -78,12 +77,20 @@ impl Question for Cured {
         "remedy"
     }
 
+    fn title(&self) -> &str {
+        self.0.subject.engine().title().written()
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        self.tables().into_iter().find(|table| table.name() == name)
+    }
+
     fn tables(&self) -> Vec<Table> {
         vec![weights(&self.0)]
     }
 
-    fn json(&self) -> PyResult<String> {
-        documents::json(&report::remedy_document(&self.0))
+    fn json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(&report::remedy_document(&self.0))
     }
 
     fn answer(&self) -> Document {
@@ -133,8 +140,8 @@ fn weights(remedy: &remedy::Remedy) -> Table {
         Column::new("mass_radius_{unit}", Unit::MASS_RADIUS, "its mass times radius; empty without rods", polar(0)),
         Column::new("angle_{unit}", Unit::DEGREE, "its direction where the crank angle is 0", polar(1)),
         Column::new(
-            "mass_radius_kg_m",
-            Unit { suffix: "", shown: "kg·m" },
+            "mass_radius_{unit}",
+            Unit::KILOGRAM_METRE,
             "its mass times radius, where the layout gives masses and a crank radius",
             decimals(&|weight| weight.mass_radius(&remedy.subject)),
         ),

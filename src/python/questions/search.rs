@@ -8,10 +8,9 @@ use num_rational::BigRational;
 use pyo3::prelude::*;
 
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
-use crate::python::documents;
+use crate::python::answer::Answer;
 use crate::python::error::told;
-use crate::report;
+use crate::report::{self, Question};
 use crate::report::data;
 use crate::search::{self, Front, Options, Problem, SearchError, Torsion};
 use crate::table::Table;
@@ -64,13 +63,21 @@ impl Question for Searched {
         "search"
     }
 
+    fn title(&self) -> &str {
+        "search"
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        self.tables().into_iter().find(|table| table.name() == name)
+    }
+
     fn tables(&self) -> Vec<Table> {
         data::search(&self.front, self.torsion.as_ref())
     }
 
-    fn json(&self) -> PyResult<String> {
+    fn json(&self) -> serde_json::Result<String> {
         let document = search::document(&self.front);
-        documents::json(&match &self.torsion {
+        serde_json::to_string_pretty(&match &self.torsion {
             Some(torsion) => document.with_torsion(torsion),
             None => document,
         })

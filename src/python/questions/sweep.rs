@@ -7,11 +7,10 @@ use pyo3::prelude::*;
 use crate::engine::CycleOrder;
 use crate::file::{Beside, Template};
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
-use crate::python::documents;
+use crate::python::answer::Answer;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
-use crate::report;
+use crate::report::{self, Question};
 use crate::report::data;
 use crate::sweep::{self, Geometry, Parameter, Sweep};
 use crate::table::Table;
@@ -52,12 +51,20 @@ impl Question for Swept {
         "sweep"
     }
 
+    fn title(&self) -> &str {
+        self.0.title.written()
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        self.tables().into_iter().find(|table| table.name() == name)
+    }
+
     fn tables(&self) -> Vec<Table> {
         data::sweep(&self.0)
     }
 
-    fn json(&self) -> PyResult<String> {
-        documents::json(&report::sweep_document(&self.0))
+    fn json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(&report::sweep_document(&self.0))
     }
 
     fn answer(&self) -> Document {

@@ -26,13 +26,8 @@ pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
 
 /// What a page counts a load in, and how many of it are one multiple.
 pub(super) fn page_unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
-    let (name, factor) = unit(engine, quantity);
-    // The document has the names of layout files.
-    let unit = match name {
-        "N m" => Unit::NEWTON_METRE,
-        "m r ω² · 1 m" => Unit::MULTIPLE_METRE,
-        other => Unit { name: other, tex: other },
-    };
+    let factor = unit(engine, quantity).1;
+    let unit = loads::unit(engine, loads::scale(engine).as_ref(), quantity);
     (unit, factor)
 }
 

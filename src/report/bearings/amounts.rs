@@ -13,7 +13,7 @@ pub(super) fn unit_of(loads: &BearingLoads) -> Unit {
 
 /// The size of a peak: a decimal, or 0.
 pub(super) fn size(peak: &Peak, unit: Unit) -> Text {
-    if peak.value == 0.0 { Text::zero() } else { Text::measured(peak.value * unit.factor, unit.shown()) }
+    if peak.value == 0.0 { Text::zero() } else { Text::measured(peak.value * unit.factor, unit.unit) }
 }
 
 /// The crank angle of a peak.

@@ -70,7 +70,7 @@ const PINS: &str = "What the rod of each cylinder loads its crankpin with in a r
     rod; all orders shown together.";
 
 /// The orders that are shown, but for the constant force.
-pub(super) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
+pub(in crate::report) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
     let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
     orders.iter().map(|order| order.order).filter(|order| *order > 0).collect()
 }

@@ -32,7 +32,7 @@ fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
         number
     );
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in {}").counted_in(unit.shown()));
+    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in {}").counted_in(unit.unit));
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         let point = |(step, tip): (usize, &(f64, f64))| (step as f64 * 360.0 / STEPS as f64, value(tip));
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
@@ -52,7 +52,7 @@ fn polar(convention: Convention, number: usize, bearing: &BearingLoad, tips: Vec
     let caption = phrase!(said(convention, PATH), number);
     let label = "Force in {}; 0° is the reference direction";
     let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())])
-        .counted_in(unit.shown());
+        .counted_in(unit.unit);
     polar.mark_quarters(&tips, STEPS);
     let tip = bearing.peak.vector * unit.factor;
     if let Some(angle) = bearing.peak.angle {

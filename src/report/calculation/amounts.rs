@@ -1,9 +1,9 @@
 //! How are newtons shown? Decimals of six digits after ≈, in the unit that the layout file allows; 0 is proved.
 
 use crate::engine::Engine;
-use crate::loads::{Arm, Loads, Outcome, Scale, Swing, Vector};
+use crate::loads::{self, Loads, Outcome, Scale, Swing, Vector};
 use crate::numbers;
-use crate::page::{Piece, Text, number as typeset, phrase};
+use crate::page::{self, Piece, Text, number as typeset, phrase};
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
@@ -12,10 +12,8 @@ const DIGITS: usize = 6;
 /// The unit of one quantity: its name, and how many of it are one multiple of the loads.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
-    /// As plain text: `N·m`.
-    pub name: &'static str,
-    /// Inside `\mathrm{}`.
-    pub tex: &'static str,
+    /// What it is counted in.
+    pub unit: page::Unit,
     /// Units a multiple.
     pub factor: f64,
 }
@@ -23,41 +21,25 @@ pub(crate) struct Unit {
 impl Unit {
     /// Its name on a page, in the units of the reader.
     pub fn label(self) -> Text {
-        self.shown().into()
-    }
-
-    /// As a page shows it.
-    pub fn shown(self) -> crate::page::Unit {
-        crate::page::Unit { name: self.name, tex: self.tex }
+        self.unit.into()
     }
 
     /// The unit of forces: newtons where the scale is known.
     pub fn of_force(scale: Option<&Scale>) -> Self {
         match scale {
-            Some(scale) => Unit { name: "N", tex: "N", factor: scale.force() },
-            None => Unit { name: "m r ω²", tex: "m\\,r\\,\\omega^2", factor: 1.0 },
+            Some(scale) => Unit { unit: page::Unit::NEWTON, factor: scale.force() },
+            None => Unit { unit: page::Unit::MULTIPLE, factor: 1.0 },
         }
     }
 
     /// The unit of forces, moments or the torque of a layout.
-    pub fn of(engine: &Engine, loads: &Loads, quantity: Quantity) -> Self {
-        let arm = Arm::of(engine);
-        if quantity == Quantity::Force {
-            return Unit::of_force(loads.scale.as_ref());
-        }
-        let Some(scale) = &loads.scale else {
-            let (name, tex) = match (quantity, arm) {
-                (Quantity::Torque | Quantity::Roll, _) => ("m r² ω²", "m\\,r^2\\,\\omega^2"),
-                (_, Arm::Metre) => ("m r ω²·1 m", "m\\,r\\,\\omega^2\\,m"),
-                (_, Arm::Spacing) => ("m r ω² a", "m\\,r\\,\\omega^2\\,a"),
-            };
-            return Unit { name, tex, factor: 1.0 };
+    pub fn of(engine: &Engine, of: &Loads, quantity: Quantity) -> Self {
+        let factor = match quantity {
+            Quantity::Force | Quantity::Moment => Scale::force,
+            Quantity::Torque | Quantity::Roll => Scale::torque,
         };
-        match (quantity, arm) {
-            (Quantity::Torque | Quantity::Roll, _) => Unit { name: "N·m", tex: "N\\,m", factor: scale.torque() },
-            (_, Arm::Metre) => Unit { name: "N·m", tex: "N\\,m", factor: scale.force() },
-            (_, Arm::Spacing) => Unit { name: "N·a", tex: "N\\,a", factor: scale.force() },
-        }
+        let scale = of.scale.as_ref();
+        Unit { unit: loads::unit(engine, scale, quantity), factor: scale.map_or(1.0, factor) }
     }
 }
 
@@ -69,7 +51,7 @@ pub(crate) fn digits(value: f64) -> String {
 
 /// A value of six digits, whose unit stands beside it.
 pub(crate) fn in_digits(value: f64, unit: Unit) -> Text {
-    Piece::Measured(value, unit.shown(), digits).into()
+    Piece::Measured(value, unit.unit, digits).into()
 }
 
 /// A value in its unit, which the heading of the column names.
@@ -77,7 +59,7 @@ pub(crate) fn amount(value: f64, unit: Unit) -> Text {
     match unit.factor == 0.0 {
         // At rest, and without masses, every force is exactly zero.
         true => Text::zero(),
-        false => Text::measured(value * unit.factor, unit.shown()),
+        false => Text::measured(value * unit.factor, unit.unit),
     }
 }
 

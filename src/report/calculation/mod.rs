@@ -12,6 +12,7 @@ mod page;
 mod plots;
 mod results;
 mod roll;
+mod study;
 mod summary;
 mod tables;
 mod words;
@@ -20,6 +21,7 @@ pub(super) use amounts::{Unit, in_digits, largest, vector};
 pub use largest::Numbers;
 pub(super) use largest::percent;
 pub use page::loads_page;
+pub use study::LoadsStudy;
 pub use summary::loads_answer;
 
 use super::bearings;

@@ -110,7 +110,7 @@ fn curves(
     left.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)).then(a.0.cmp(&b.0)));
     let plot = |heading: &str| {
         let angle = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-        Plot::new(heading, angle, Axis::linear(drawing.axis).counted_in(drawing.unit.shown()))
+        Plot::new(heading, angle, Axis::linear(drawing.axis).counted_in(drawing.unit.unit))
     };
     let mut first = plot(heading);
     if left.len() > 1 {
@@ -193,7 +193,7 @@ fn path(drawing: &Drawing, [heading, caption]: [&'static str; 2]) -> Picture {
     };
     let tips: Vec<(f64, f64)> = (0..=STEPS).map(tip).collect();
     let curve = Curve::new(0, "", tips.clone());
-    let mut polar = Polar::new(heading, drawing.axis, vec![curve]).counted_in(drawing.unit.shown());
+    let mut polar = Polar::new(heading, drawing.axis, vec![curve]).counted_in(drawing.unit.unit);
     polar.mark_quarters(&tips, STEPS);
     Picture { name: format!("{}-path", drawing.name), caption: caption.into(), figure: polar.figure() }
 }

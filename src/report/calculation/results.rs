@@ -159,7 +159,7 @@ fn halved(loads: &Loads, inner: Expression) -> Expression {
 
 /// The largest and, where it differs and is not zero, the smallest length of an order.
 fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
-    let unit = Unit::of(engine, loads, of).tex;
+    let unit = Unit::of(engine, loads, of).unit.tex;
     let letter = force_letter(of);
     let vector = |sense, vector: &Vector| quantity(vector_symbol(order, of, sense), vector.value.norm());
     let (direct, reverse) = (vector(Sense::Direct, &swing.direct), vector(Sense::Reverse, &swing.reverse));
@@ -203,7 +203,7 @@ fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, sw
     Some(Line {
         symbol: format!("\\hat {}_{{2}}^{{c_2 = \\lambda}}", force_letter(of)),
         expression: halved(loads, inner),
-        unit: Unit::of(engine, loads, of).tex,
+        unit: Unit::of(engine, loads, of).unit.tex,
     })
 }
 
@@ -222,13 +222,13 @@ pub(super) fn peak(engine: &Engine, loads: &Loads, of: Quantity) -> Option<Group
             continue;
         }
         let expression = if let [only] = terms.as_slice() { only.clone() } else { Expression::Sum(terms) };
-        let line = Line { symbol: format!("{letter}_{{{mark}}}(\\theta^{{*}})"), expression, unit: unit.tex };
+        let line = Line { symbol: format!("{letter}_{{{mark}}}(\\theta^{{*}})"), expression, unit: unit.unit.tex };
         squares.push(power(quantity(line.symbol.clone(), line.value()), 2));
         lines.push(line);
     }
     if squares.len() > 1 {
         let expression = Expression::Root(Box::new(Expression::Sum(squares)));
-        lines.push(Line { symbol: format!("\\hat {letter}"), expression, unit: unit.tex });
+        lines.push(Line { symbol: format!("\\hat {letter}"), expression, unit: unit.unit.tex });
     }
     Some(Group { heading: Text::default(), lines })
 }
@@ -282,7 +282,7 @@ pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
     if let Some(scale) = &loads.scale {
         let factors =
             vec![quantity("K", scale.force()), quantity("r", scale.crank_radius.to_f64().unwrap_or(f64::INFINITY))];
-        lines.push(Line { symbol: "K\\,r".to_owned(), expression: Expression::Product(factors), unit: unit.tex });
+        lines.push(Line { symbol: "K\\,r".to_owned(), expression: Expression::Product(factors), unit: unit.unit.tex });
     }
     for order in torque.orders.iter().filter(|order| order.vector.outcome != Outcome::Zero) {
         let k = order.order;
@@ -296,7 +296,7 @@ pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
             None => factors.push(quantity(format!("\\left|t_{{{k}}} Q_{{{k}}}\\right|"), order.vector.value.norm())),
         }
         let symbol = format!("\\hat T_{{{k}}}");
-        lines.push(Line { symbol, expression: Expression::Product(factors), unit: unit.tex });
+        lines.push(Line { symbol, expression: Expression::Product(factors), unit: unit.unit.tex });
     }
     Some(Group { heading: "Inertia torque".into(), lines })
 }

@@ -24,7 +24,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
             match loads.map(|loads| [&loads.force, &loads.moment][place]) {
                 Some(waveform) if peak.value == 0.0 || waveform.harmonics().is_empty() => Text::zero(),
                 Some(waveform) => {
-                    phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.shown()), unit.label())
+                    phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label())
                 }
                 None => "–".into(),
             }

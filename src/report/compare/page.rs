@@ -117,7 +117,7 @@ fn largest(engine: &Compared) -> Option<Text> {
     let of = |quantity: Quantity, value: fn(&OrderLoads) -> f64| {
         let largest = loads.orders.iter().max_by(|one, other| value(one).total_cmp(&value(other)))?;
         let unit = Unit::of(engine.engine, loads, quantity);
-        let size = phrase!("{} {}", Text::measured(value(largest) * unit.factor, unit.shown()), unit.label());
+        let size = phrase!("{} {}", Text::measured(value(largest) * unit.factor, unit.unit), unit.label());
         (value(largest) * unit.factor > 0.0).then_some((size, largest.order))
     };
     let (name, speed) = (&engine.name, rows::speed(engine));

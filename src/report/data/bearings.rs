@@ -1,18 +1,21 @@
-//! Which columns hold what the main bearings feel? A row a bearing, an order, a crank angle, a crankpin.
+//! Which columns hold what the main bearings feel of the masses? A row a bearing, an order, a crank angle, a crankpin, a part of a load.
 
 use num_complex::Complex;
+use num_rational::BigRational;
 
-use super::super::bearings::before;
-use super::super::bearings::document::{Bearing, BearingsDocument, LeftOut, Order, PeakEntry, Pin, Turning};
 use super::cells::exact_number;
 use super::filling::Filling;
 use super::gas_loads;
 use super::loads::Units;
-use crate::engine::{Cylinder, Engine};
-use crate::journal::CycleLoads;
-use crate::loads::{Arm, BearingLoads, Circle};
+use crate::engine::{Engine, Mechanism};
+use crate::exact::PhasorSum;
+use crate::loads::{
+    Arm, BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, Vector, left_out_of_bearings, pin_loads,
+};
 use crate::numbers;
-use crate::order::OrderSum;
+use crate::order::{Factor, OrderSum};
+use crate::report::BearingsStudy;
+use crate::report::bearings::{before, orders_of};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 
@@ -24,96 +27,72 @@ pub(super) fn position_unit(engine: &Engine) -> Unit {
     }
 }
 
-/// Where a main bearing stands, by its number.
-pub(super) fn position(engine: &Engine, number: usize) -> Option<String> {
-    number.checked_sub(1).and_then(|index| engine.bearings().get(index)).map(exact_number)
+/// A table of the bearing loads: of the masses, or of gas and masses where the layout asks for the gas.
+pub fn bearings(study: &BearingsStudy, name: &str) -> Option<Table> {
+    let units = Units::new(&study.engine, study.continuous.scale.as_ref());
+    Some(match name {
+        "bearings" => of_bearings(study, units),
+        "worst" => worst(study, units)?,
+        "orders" => orders(study, units),
+        "terms" => terms(study),
+        "theta" => theta(&study.continuous, units),
+        "pins" => pins(study, units)?,
+        "pin_orders" => pin_orders(study, units)?,
+        "parts" => parts(study),
+        _ => return gas_loads::table(&study.engine, study.with_gas()?, name),
+    })
 }
 
-/// The tables of the bearing loads: those of the masses, and those of gas and masses where the layout asks for the gas.
-pub fn bearings(
-    engine: &Engine,
-    both: [&BearingLoads; 2],
-    document: &BearingsDocument,
-    with_gas: Option<&CycleLoads>,
-) -> Vec<Table> {
-    let unit = Units::new(engine, both[0].scale.as_ref());
-    let solutions = [("continuous", &document.continuous), ("determinate", &document.determinate)];
-    let rows: Vec<Row> = solutions
-        .into_iter()
-        .zip(both)
-        .flat_map(|((method, solution), loads)| {
-            let left_out = solution.left_out.as_ref();
-            let row = move |(index, bearing)| Row {
-                method,
-                bearing,
-                is_worst: loads.worst.contains(&index),
-                left_out,
-                sums: loads.bearings[index].orders.iter().map(|order| &order.sums).collect(),
-            };
-            solution.bearings.iter().enumerate().map(row)
-        })
-        .collect();
-    let masses = [
-        of_bearings(engine, &rows, unit),
-        orders(&rows, unit),
-        theta(both[0], unit),
-        pins(engine, &document.pins, unit),
-    ];
-    let gas = document.with_gas.as_ref().zip(with_gas);
-    let gas = gas.into_iter().flat_map(|(document, loads)| gas_loads::tables(engine, document, loads));
-    masses.into_iter().chain(gas).collect()
+/// Both ways to share a load, by their names in tables.
+fn methods(study: &BearingsStudy) -> [(&'static str, &BearingLoads); 2] {
+    [("continuous", &study.continuous), ("determinate", &study.determinate)]
 }
 
-/// A bearing by one of the methods.
-struct Row<'a> {
-    method: &'static str,
-    bearing: &'a Bearing,
-    is_worst: bool,
-    left_out: Option<&'a LeftOut>,
-    sums: Vec<&'a [OrderSum; 2]>,
-}
+pub(super) const METHOD: &str = "continuous: one beam on all bearings; determinate: each span a beam of its own";
+pub(super) const NUMBER: &str = "its number in the file, from 1";
+pub(super) const PLACE: &str = "where it stands along the shaft, exact";
 
-const METHOD: &str = "continuous: one beam on all bearings; determinate: each span a beam of its own";
-
-fn of_bearings(engine: &Engine, rows: &[Row], unit: Units) -> Table {
-    let mut table = Filling::new(
-        "bearings",
-        "a main bearing: the largest load of the masses in a revolution, all orders together",
-        rows,
-    );
-    table.words("method", METHOD, |row| Some(row.method.to_owned()));
-    table.whole("bearing", "its number in the file, from 1", |row| row.bearing.bearing);
-    table.exact("position_{unit}", position_unit(engine), "where it stands along the shaft, exact", |row| {
-        position(engine, row.bearing.bearing)
+/// Each bearing by each method.
+fn each(study: &BearingsStudy) -> Vec<(&'static str, usize, &BearingLoad)> {
+    let all = methods(study).into_iter().flat_map(|(method, loads)| {
+        loads.bearings.iter().enumerate().map(move |(index, bearing)| (method, index + 1, bearing))
     });
-    peak(
-        &mut table,
-        ["force_zero_to_peak_{unit}", "theta_{unit}"],
-        unit.force,
-        "largest force that the bearing feels",
-        |row| &row.bearing.peak,
-    );
-    peak(
-        &mut table,
-        ["force_y_zero_to_peak_{unit}", "force_y_theta_{unit}"],
-        unit.force,
-        "largest size of its component along the reference direction y",
-        |row| &row.bearing.y,
-    );
-    peak(
-        &mut table,
-        ["force_x_zero_to_peak_{unit}", "force_x_theta_{unit}"],
-        unit.force,
-        "largest size of its component across it, along x",
-        |row| &row.bearing.x,
-    );
-    table.truth("worst", "whether no bearing feels more by this method", |row| Some(row.is_worst));
-    table.decimal(
-        "left_out_{unit}",
-        unit.force,
-        "the orders that are not listed add at most this to the load; empty where they add nothing",
-        |row| row.left_out.map(|bound| bound.at_most),
-    );
+    all.collect()
+}
+
+fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
+    let left_out = methods(study).map(|(_, loads)| left_out_of_bearings(&study.engine, loads).ok().flatten());
+    let of_method = |method: &str| usize::from(method != "continuous");
+    let rows = each(study);
+    let about = "a main bearing: the largest load of the masses in a revolution, all orders together";
+    let mut table = Filling::new("bearings", about, &rows).keyed(2);
+    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
+    table.whole("bearing", NUMBER, |(_, number, _)| *number);
+    let unit = position_unit(&study.engine);
+    table.exact("position_{unit}", unit, PLACE, |(.., bearing)| Some(exact_number(&bearing.position)));
+    let peaks: [([&str; 2], &str, fn(&BearingLoad) -> &Peak); 3] = [
+        (["force_zero_to_peak_{unit}", "theta_{unit}"], "largest force that the bearing feels", |one| &one.peak),
+        (
+            ["force_y_zero_to_peak_{unit}", "force_y_theta_{unit}"],
+            "largest size of its component along the reference direction y",
+            |one| &one.along,
+        ),
+        (
+            ["force_x_zero_to_peak_{unit}", "force_x_theta_{unit}"],
+            "largest size of its component across it, along x",
+            |one| &one.across,
+        ),
+    ];
+    for (names, about, of) in peaks {
+        peak(&mut table, names, units, about, |(.., bearing)| of(bearing));
+    }
+    table.truth("worst", "whether no bearing feels more by this method", |(method, number, _)| {
+        Some(methods(study)[of_method(method)].1.worst.contains(&(number - 1)))
+    });
+    let about = "the orders that are not listed add at most this to the load; empty where they add nothing";
+    table.decimal("left_out_{unit}", units.force, about, |(method, ..)| {
+        left_out[of_method(method)].as_ref().map(|bound| bound.most * units.newtons)
+    });
     table.done()
 }
 
@@ -123,76 +102,103 @@ const THETA: &str = "crank angle where it stands; empty where it stands at all, 
 fn peak<R>(
     table: &mut Filling<R>,
     [size, angle]: [&'static str; 2],
-    unit: Unit,
+    units: Units,
     about: &'static str,
-    of: impl Fn(&R) -> &PeakEntry,
+    of: impl Fn(&R) -> &Peak,
 ) {
-    table.decimal(size, unit, about, |row| Some(of(row).value));
-    table.decimal(angle, Unit::DEGREE, THETA, |row| of(row).crank_angle_deg);
+    table.decimal(size, units.force, about, |row| Some(of(row).value * units.newtons));
+    table.decimal(angle, Unit::DEGREE, THETA, |row| of(row).angle.filter(|_| of(row).value > 0.0));
 }
 
-fn orders(rows: &[Row], unit: Units) -> Table {
-    let rows: Vec<(&Row, &Order, &[OrderSum; 2])> = rows
-        .iter()
-        .flat_map(|row| row.bearing.orders.iter().zip(&row.sums).map(move |(order, sums)| (row, order, *sums)))
-        .collect();
-    let mut table = Filling::new(
-        "orders",
-        "an order k of what a main bearing feels of the masses; order 0 is a constant force",
-        &rows,
-    );
-    table.words("method", METHOD, |(row, ..)| Some(row.method.to_owned()));
-    table.whole("bearing", "its number in the file, from 1", |(row, ..)| row.bearing.bearing);
-    table.whole("order", "the order k", |(_, order, _)| order.order as usize);
-    table.decimal("force_zero_to_peak_{unit}", unit.force, "largest length in a revolution", |(_, order, _)| {
-        Some(order.largest)
+/// The most loaded bearing of the continuous beam; none where no bearing feels anything.
+fn worst(study: &BearingsStudy, units: Units) -> Option<Table> {
+    let of_masses = || {
+        let index = *study.continuous.worst.first()?;
+        let peak = &study.continuous.bearings[index].peak;
+        Some((index, peak.value * units.newtons, peak.angle))
+    };
+    let of_all = study.with_gas().and_then(|loads| loads.bearings.as_ref()).map(|[continuous, _]| {
+        let peak = &continuous.bearings[continuous.worst].peak;
+        (continuous.worst, peak.value, Some(peak.angle))
     });
-    let both: [(usize, [&'static str; 4], &'static str); 2] = [
+    let with_gas = of_all.is_some();
+    let rows = [of_all.or_else(of_masses)?];
+    let about = "the main bearing with the largest load, of gas and masses where the layout asks for the gas";
+    let mut table = Filling::new("worst", about, &rows).keyed(0);
+    table.whole("bearing", "its number in the file, from 1; the first of equal ones", |(index, ..)| index + 1);
+    table.decimal("force_zero_to_peak_{unit}", units.force, "its largest load, on a continuous beam", |(_, force, _)| {
+        Some(*force)
+    });
+    table.decimal("theta_{unit}", Unit::DEGREE, THETA, |(.., angle)| *angle);
+    table.truth("with_gas", "whether the gas is in it", |_| Some(with_gas));
+    Some(table.done())
+}
+
+/// The largest length of an order, and its two vectors.
+fn vectors<R>(table: &mut Filling<R>, units: Units, of: impl Fn(&R) -> (u32, &[OrderSum; 2], &Swing)) {
+    table.decimal("force_zero_to_peak_{unit}", units.force, "largest length in a revolution", |row| {
+        Some(of(row).2.largest() * units.newtons)
+    });
+    type Pick = fn(&Swing) -> &Vector;
+    let both: [(usize, [&'static str; 4], &'static str, Pick); 2] = [
         (
             0,
             ["direct_zero_to_peak_{unit}", "direct_exact", "direct_angle_{unit}", "direct_vanishes"],
             "½|P⁺|, the vector that turns with the crank",
+            |swing| &swing.direct,
         ),
         (
             1,
             ["reverse_zero_to_peak_{unit}", "reverse_exact", "reverse_angle_{unit}", "reverse_vanishes"],
             "½|P⁻|, the vector that turns against the crank",
+            |swing| &swing.reverse,
         ),
     ];
-    for (place, [size, exact, angle, vanishes], about) in both {
-        table.decimal(size, unit.force, about, |(_, order, _)| Some(turning(order, place).amplitude));
+    for (place, [size, exact, angle, zero], about, vector) in both {
+        table.decimal(size, units.force, about, |row| Some(vector(of(row).2).value.norm() / 2.0 * units.newtons));
         table.exact(
             exact,
             Unit::MASS_RADIUS,
-            "the length |P| in closed form, in multiples of m r, each sum with the number of the motion that it stands before: c_k, n_k or u_k; empty where one has none",
-            |(_, order, sums)| lengths(&sums[place], order.order),
+            "the length |P| in closed form, in multiples of m r, each sum with the number of the motion that it is multiplied by: c_k, n_k or u_k; empty where one has none",
+            |row| lengths(&of(row).1[place], of(row).0),
         );
         table.decimal(
             angle,
             Unit::DEGREE,
             "where it points at θ = 0, from y in the sense of rotation; empty where it is 0",
-            |(_, order, _)| turning(order, place).angle_deg,
+            |row| {
+                let value = vector(of(row).2).value;
+                (value.norm_sqr() > 0.0).then(|| numbers::degrees(value))
+            },
         );
-        table.truth(vanishes, "whether it is proved to be 0; empty where that is not decided", |(_, order, _)| {
-            turning(order, place).vanishes
+        table.truth(zero, "whether it is proved to be 0; empty where that is not decided", |row| {
+            vector(of(row).2).outcome.vanishes()
         });
     }
+}
+
+fn orders(study: &BearingsStudy, units: Units) -> Table {
+    let rows: Vec<_> = each(study)
+        .into_iter()
+        .flat_map(|(method, number, bearing)| bearing.orders.iter().map(move |order| (method, number, order)))
+        .collect();
+    let about = "an order k of what a main bearing feels of the masses; order 0 is a constant force";
+    let mut table = Filling::new("orders", about, &rows).keyed(3);
+    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
+    table.whole("bearing", NUMBER, |(_, number, _)| *number);
+    table.whole("order", "the order k", |(.., order)| order.order as usize);
+    vectors(&mut table, units, |(.., order)| (order.order, &order.sums, &order.swing));
     table.done()
 }
 
-/// The direct vector, or the reverse one.
-fn turning(order: &Order, place: usize) -> &Turning {
-    [&order.direct, &order.reverse][place]
-}
-
-/// The length of each sum in closed form, with what it stands before: `√2 c_2, 1/2`; none where one has no closed form or the rods differ.
+/// The length of each sum in closed form, with what it is multiplied by: `√2 c_2, 1/2`; none where one has no closed form or the rods differ.
 fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     if sum.vanishes() {
         return Some("0".to_owned());
     }
     let letters: Vec<Option<char>> = sum.parts().keys().map(before).collect();
     let differ = letters.iter().enumerate().any(|(index, letter)| letters[..index].contains(letter));
-    let part = |(letter, sum): (&Option<char>, &crate::exact::PhasorSum)| {
+    let part = |(letter, sum): (&Option<char>, &PhasorSum)| {
         let length = numbers::modulus(sum)?;
         Some(letter.map_or_else(|| length.to_string(), |letter| format!("{length} {letter}_{order}")))
     };
@@ -200,69 +206,129 @@ fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     parts.filter(|_| !differ).map(|parts| parts.join(", "))
 }
 
+/// The exact sums that the vectors of the continuous beam are, term by term.
+fn terms(study: &BearingsStudy) -> Table {
+    let mut rows = Vec::new();
+    for (index, bearing) in study.continuous.bearings.iter().enumerate() {
+        for order in &bearing.orders {
+            for (sense, sum) in ["direct", "reverse"].into_iter().zip(&order.sums) {
+                for (factor, sum) in sum.parts() {
+                    rows.extend(sum.terms().iter().map(|term| (index + 1, order.order, sense, factor, term)));
+                }
+            }
+        }
+    }
+    let about = "a term of the exact sum behind a vector on the continuous beam: the vector in multiples of m r ω² is half \
+                 the sum of the terms, each times its coefficient, which is conjugated in a reverse one";
+    let mut table = Filling::new("terms", about, &rows).keyed(5);
+    table.whole("bearing", NUMBER, |row| row.0);
+    table.whole("order", "the order k", |row| row.1 as usize);
+    table.words("sense", "direct: with the crank; reverse: against it", |row| Some(row.2.to_owned()));
+    table.words("coefficient", "the number of the motion that the term is multiplied by", |row| Some(coefficient(row.3)));
+    table.exact("angle_turns", Unit::NONE, "its angle in turns", |row| Some(row.4.angle.turns().to_string()));
+    table.exact("weight", Unit::NONE, "its weight", |row| Some(row.4.weight.to_string()));
+    table.done()
+}
+
+/// `1`, or c_k or n_k of which rod.
+fn coefficient(factor: &Factor) -> String {
+    let (letter, mechanism) = match factor {
+        Factor::One => return "1".to_owned(),
+        Factor::Open | Factor::OpenTorque => return "c_k".to_owned(),
+        Factor::Motion(mechanism) => ("c_k", mechanism),
+        Factor::Torque(mechanism) => ("t_k", mechanism),
+        // Without an offset it is all there is of n_k in an odd order.
+        Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
+        Factor::Side(mechanism) => ("u_k", mechanism),
+        Factor::Geared(speed, own) => return format!("{} of order k/{speed}", coefficient(own)),
+        Factor::Linkage(linkage) => return format!("g_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
+        Factor::Corrected(linkage, _) => return format!("h_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
+    };
+    match mechanism {
+        Mechanism::SliderCrank(rod) => format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset),
+        Mechanism::Link(link) => format!("{letter} of a link, r/L = {}, κ = {}", link.ratio, link.knuckle),
+    }
+}
+
 /// Steps of a revolution: a degree each.
 const STEPS: usize = 360;
 
-fn theta(loads: &BearingLoads, unit: Units) -> Table {
+fn theta(loads: &BearingLoads, units: Units) -> Table {
     let circle = Circle::new(STEPS);
     let all: Vec<Vec<Complex<f64>>> = loads.bearings.iter().map(|bearing| bearing.waveform.sample(&circle)).collect();
     let rows: Vec<usize> = (0..STEPS).collect();
-    let mut table = Filling::new(
-        "theta",
-        "a crank angle: what each bearing feels of the masses on a continuous beam, all orders of `orders` together",
-        &rows,
-    );
+    let about = "a crank angle: what each bearing feels of the masses on a continuous beam, all orders of `orders` together";
+    let mut table = Filling::new("theta", about, &rows);
     table.decimal("theta_{unit}", Unit::DEGREE, "the crank angle θ, every degree of a revolution", |theta| {
         Some(*theta as f64)
     });
     for (index, tips) in all.iter().enumerate() {
-        let number = index + 1;
-        table.decimal(
-            ("bearing_{bearing}_y_{unit}", number),
-            unit.force,
-            "force on this bearing along the reference direction y",
-            |theta| Some(tips[*theta].re * unit.newtons),
-        );
-        table.decimal(
-            ("bearing_{bearing}_x_{unit}", number),
-            unit.force,
-            "force on it along x, to the right of y",
-            |theta| Some(-tips[*theta].im * unit.newtons),
-        );
+        let force = |theta: usize| Some(tips[theta] * units.newtons);
+        components(&mut table, index + 1, units.force, |theta| force(*theta));
     }
     table.done()
 }
 
-fn pins(engine: &Engine, pins: &[Pin], unit: Units) -> Table {
-    let rows: Vec<(&Cylinder, &Pin)> = engine.cylinders().iter().zip(pins).collect();
+/// The force on a bearing at a crank angle, along y and along x.
+pub(super) fn components<R>(
+    table: &mut Filling<R>,
+    bearing: usize,
+    unit: Unit,
+    force: impl Fn(&R) -> Option<Complex<f64>>,
+) {
+    let (along, across) = ("force on this bearing along the reference direction y", "force on it along x, to the right of y");
+    table.decimal(("bearing_{bearing}_y_{unit}", bearing), unit, along, |row| force(row).map(|force| force.re));
+    table.decimal(("bearing_{bearing}_x_{unit}", bearing), unit, across, |row| force(row).map(|force| -force.im));
+}
+
+/// What the rods load the crankpins with, each beside its cylinder.
+fn pins_of(study: &BearingsStudy) -> Option<PinLoads> {
+    pin_loads(&study.engine, &orders_of(&study.continuous)).ok()
+}
+
+fn pins(study: &BearingsStudy, units: Units) -> Option<Table> {
+    let loads = pins_of(study)?;
+    let rows: Vec<_> = study.engine.cylinders().iter().zip(&loads.pins).collect();
     let mut table = Filling::new("pins", "what the rod of a cylinder loads its crankpin with, of the masses", &rows);
-    table.person("cylinder", "the cylinder", |(_, pin)| Some(Untrusted::new(&*pin.cylinder)));
-    table.exact(
-        "position_{unit}",
-        position_unit(engine),
-        "where its crankpin stands along the shaft, exact",
-        |(cylinder, _)| Some(exact_number(&cylinder.position)),
-    );
-    peak(
-        &mut table,
-        ["force_zero_to_peak_{unit}", "theta_{unit}"],
-        unit.force,
-        "largest load in a revolution",
-        |(_, pin)| &pin.peak,
-    );
-    peak(
-        &mut table,
-        ["along_throw_zero_to_peak_{unit}", "along_throw_theta_{unit}"],
-        unit.force,
-        "largest size of its component along the throw",
-        |(_, pin)| &pin.along_the_throw,
-    );
-    peak(
-        &mut table,
-        ["across_throw_zero_to_peak_{unit}", "across_throw_theta_{unit}"],
-        unit.force,
-        "largest size of its component across the throw",
-        |(_, pin)| &pin.across_the_throw,
-    );
+    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    let about = "where its crankpin stands along the shaft, exact";
+    table.exact("position_{unit}", position_unit(&study.engine), about, |(_, pin)| Some(exact_number(&pin.position)));
+    let force = ["force_zero_to_peak_{unit}", "theta_{unit}"];
+    peak(&mut table, force, units, "largest load in a revolution", |(_, pin)| &pin.peak);
+    let along = ["along_throw_zero_to_peak_{unit}", "along_throw_theta_{unit}"];
+    peak(&mut table, along, units, "largest size of its component along the throw", |(_, pin)| &pin.along);
+    let across = ["across_throw_zero_to_peak_{unit}", "across_throw_theta_{unit}"];
+    peak(&mut table, across, units, "largest size of its component across the throw", |(_, pin)| &pin.across);
+    Some(table.done())
+}
+
+fn pin_orders(study: &BearingsStudy, units: Units) -> Option<Table> {
+    let loads = pins_of(study)?;
+    let pairs = study.engine.cylinders().iter().zip(&loads.pins);
+    let rows: Vec<_> =
+        pairs.flat_map(|(cylinder, pin)| pin.orders.iter().map(move |order| (cylinder, order))).collect();
+    let about = "an order k of what a rod loads its crankpin with, of the masses; order 0 is a constant force";
+    let mut table = Filling::new("pin_orders", about, &rows).keyed(2);
+    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    table.whole("order", "the order k", |(_, order)| order.order as usize);
+    vectors(&mut table, units, |(_, order)| (order.order, &order.sums, &order.swing));
+    Some(table.done())
+}
+
+fn parts(study: &BearingsStudy) -> Table {
+    let rows: Vec<(&'static str, &BigRational, usize, &BigRational)> = methods(study)
+        .into_iter()
+        .flat_map(|(method, loads)| {
+            loads.parts.iter().flat_map(move |(at, parts)| {
+                parts.iter().enumerate().map(move |(index, part)| (method, at, index + 1, part))
+            })
+        })
+        .collect();
+    let mut table = Filling::new("parts", "the part of a load that a main bearing carries", &rows).keyed(3);
+    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
+    let about = "where the load acts along the shaft, exact";
+    table.exact("load_position_{unit}", position_unit(&study.engine), about, |(_, at, ..)| Some(exact_number(at)));
+    table.whole("bearing", NUMBER, |(_, _, bearing, _)| *bearing);
+    table.exact("part", Unit::NONE, "what it carries of a unit load, exact", |(.., part)| Some(exact_number(part)));
     table.done()
 }

@@ -84,10 +84,10 @@ fn of_engines(engines: &[Compared], document: &CompareDocument) -> Table {
         });
         let about = "that load, zero to peak; empty where it is counted in the other unit, or not known";
         for unit in [Unit::NEWTON, Unit::MULTIPLE] {
-            if rows.iter().any(|(_, entry)| entry.worst_bearings.as_ref().is_some_and(|worst| worst.unit == unit.shown))
+            if rows.iter().any(|(_, entry)| entry.worst_bearings.as_ref().is_some_and(|worst| worst.unit == unit.name))
             {
                 table.decimal("worst_bearing_zero_to_peak_{unit}", unit, about, |(_, entry)| {
-                    entry.worst_bearings.as_ref().filter(|worst| worst.unit == unit.shown).map(|worst| worst.peak)
+                    entry.worst_bearings.as_ref().filter(|worst| worst.unit == unit.name).map(|worst| worst.peak)
                 });
             }
         }

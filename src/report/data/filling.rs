@@ -31,6 +31,11 @@ impl<'a, R> Filling<'a, R> {
         Filling { rows, table: Table::new(name, about, rows.len()) }
     }
 
+    /// The same whose rows are named by their first `keys` columns; by none where it has one row.
+    pub fn keyed(self, keys: usize) -> Self {
+        Filling { table: self.table.keyed(keys), ..self }
+    }
+
     /// The table.
     pub fn done(self) -> Table {
         self.table
@@ -50,6 +55,12 @@ impl<'a, R> Filling<'a, R> {
     /// A column of whole numbers.
     pub fn whole(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> usize) {
         self.add(name, Unit::NONE, about, whole(self.rows.iter().map(of)));
+    }
+
+    /// A column of whole numbers that some rows lack.
+    pub fn maybe_whole(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> Option<usize>) {
+        let values = self.rows.iter().map(|row| of(row).and_then(|number| number.try_into().ok()));
+        self.add(name, Unit::NONE, about, Values::Whole(values.collect()));
     }
 
     /// A column of true and false.

@@ -2,56 +2,56 @@
 
 use num_complex::Complex;
 
-use super::super::journal::CycleLoadsDocument;
-use super::super::journal::document::{At, Bearing, Cylinder, Order, Peak, Solution};
-use super::bearings::{position, position_unit};
+use super::bearings::{METHOD, NUMBER, PLACE, components, position_unit};
+use super::cells::exact_number;
 use super::filling::Filling;
 use crate::engine::Engine;
-use crate::journal::{CycleBearings, CycleLoads};
+use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, JournalOrder, SharedPin};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
+use crate::torque::Extreme;
 
-/// The tables of the complete loads, in newtons.
-pub(super) fn tables(engine: &Engine, document: &CycleLoadsDocument, loads: &CycleLoads) -> Vec<Table> {
-    let solutions = [("continuous", &document.continuous), ("determinate", &document.determinate)];
-    let known: Vec<(&'static str, &Solution)> =
-        solutions.into_iter().filter_map(|(method, solution)| Some((method, solution.as_ref()?))).collect();
-    let continuous = loads.bearings.as_ref().map(|[continuous, _]| continuous);
-    let theta = continuous.map(|bearings| theta(document, loads, bearings));
-    let first = [of_bearings(engine, &known), of_cylinders(&document.cylinders), orders(&known)];
-    first.into_iter().chain(theta).collect()
+/// A table of the complete loads, in newtons.
+pub(super) fn table(engine: &Engine, loads: &CycleLoads, name: &str) -> Option<Table> {
+    Some(match name {
+        "gas_bearings" => of_bearings(engine, loads),
+        "gas_cylinders" => of_cylinders(engine, loads),
+        "gas_pins" => shared_pins(engine, loads),
+        "gas_orders" => orders(loads),
+        "gas_pin_orders" => pin_orders(engine, loads),
+        "gas_theta" => theta(loads)?,
+        _ => return None,
+    })
 }
 
-const METHOD: &str = "continuous: one beam on all bearings; determinate: each span a beam of its own";
+/// Both ways to share a load, by their names in tables; none without bearings.
+fn methods(loads: &CycleLoads) -> impl Iterator<Item = (&'static str, &CycleBearings)> {
+    let both = loads.bearings.iter().flatten();
+    ["continuous", "determinate"].into_iter().zip(both)
+}
 
-fn of_bearings(engine: &Engine, solutions: &[(&'static str, &Solution)]) -> Table {
-    let rows: Vec<(&'static str, &Solution, &Bearing)> = solutions
-        .iter()
-        .flat_map(|(method, solution)| solution.bearings.iter().map(move |bearing| (*method, *solution, bearing)))
+fn of_bearings(engine: &Engine, loads: &CycleLoads) -> Table {
+    let rows: Vec<_> = methods(loads)
+        .flat_map(|(method, all)| {
+            let missed = loads.missed(all);
+            all.bearings.iter().enumerate().map(move |(index, bearing)| (method, index, all, missed, bearing))
+        })
         .collect();
-    let mut table =
-        Filling::new("gas_bearings", "a main bearing: the largest load of gas and masses in a cycle", &rows);
-    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
-    table.whole("bearing", "its number in the file, from 1", |(.., bearing)| bearing.bearing);
-    table.exact("position_{unit}", position_unit(engine), "where it stands along the shaft, exact", |(.., bearing)| {
-        position(engine, bearing.bearing)
-    });
-    peak(&mut table, WITH_GAS, |(.., bearing)| &bearing.peak);
-    gas(&mut table, |(.., bearing)| &bearing.peak);
-    peak(&mut table, WITHOUT_GAS, |(.., bearing)| &bearing.without_gas);
-    table.decimal("mean_y_{unit}", Unit::NEWTON, "the force that stays, along y", |(.., bearing)| Some(bearing.mean.y));
-    table.decimal("mean_x_{unit}", Unit::NEWTON, "the force that stays, along x", |(.., bearing)| Some(bearing.mean.x));
-    table.truth(
-        "worst",
-        "whether it has the largest load by this method, the first of equal ones",
-        |(_, solution, bearing)| Some(solution.worst == bearing.bearing),
-    );
-    table.decimal(
-        "missed_{unit}",
-        Unit::NEWTON,
-        "how much of a load the orders of `gas_orders` miss at most",
-        |(_, solution, _)| Some(solution.missed),
-    );
+    let about = "a main bearing: the largest load of gas and masses in a cycle";
+    let mut table = Filling::new("gas_bearings", about, &rows).keyed(2);
+    table.words("method", METHOD, |row| Some(row.0.to_owned()));
+    table.whole("bearing", NUMBER, |row| row.1 + 1);
+    table.exact("position_{unit}", position_unit(engine), PLACE, |row| Some(exact_number(&row.4.position)));
+    peak(&mut table, WITH_GAS, |row| &row.4.peak);
+    gas(&mut table, |row| &row.4.peak);
+    peak(&mut table, WITHOUT_GAS, |row| &row.4.inertia);
+    let mean = |bearing: &CycleBearing| bearing.series.mean.total();
+    table.decimal("mean_y_{unit}", Unit::NEWTON, "the force that stays, along y", |row| Some(mean(row.4).re));
+    table.decimal("mean_x_{unit}", Unit::NEWTON, "the force that stays, along x", |row| Some(0.0 - mean(row.4).im));
+    let about = "whether it has the largest load by this method, the first of equal ones";
+    table.truth("worst", about, |row| Some(row.2.worst == row.1));
+    let about = "how much of a load the orders of `gas_orders` miss at most";
+    table.decimal("missed_{unit}", Unit::NEWTON, about, |row| Some(row.3));
     table.done()
 }
 
@@ -60,119 +60,145 @@ const WITHOUT_GAS: [&str; 4] =
     ["without_gas_zero_to_peak_{unit}", "without_gas_theta_{unit}", "without_gas_y_{unit}", "without_gas_x_{unit}"];
 
 /// A largest load with its crank angle, and its components there.
-fn peak<R>(table: &mut Filling<R>, [size, angle, y, x]: [&'static str; 4], of: impl Fn(&R) -> &Peak) {
+fn peak<R>(table: &mut Filling<R>, [size, angle, y, x]: [&'static str; 4], of: impl Fn(&R) -> &CyclePeak) {
     table.decimal(size, Unit::NEWTON, "largest force in a cycle", |row| Some(of(row).value));
-    table.decimal(angle, Unit::DEGREE, "crank angle of the cycle where it stands", |row| Some(of(row).crank_angle_deg));
-    table.decimal(y, Unit::NEWTON, "its component there along the reference direction y", |row| Some(of(row).y));
-    table.decimal(x, Unit::NEWTON, "its component there along x, to the right of y", |row| Some(of(row).x));
+    table.decimal(angle, Unit::DEGREE, "crank angle of the cycle where it stands", |row| Some(of(row).angle));
+    let (along, across) = ("its component there along the reference direction y", "its component there along x, to the right of y");
+    table.decimal(y, Unit::NEWTON, along, |row| Some(of(row).vector.re));
+    table.decimal(x, Unit::NEWTON, across, |row| Some(0.0 - of(row).vector.im));
 }
 
 /// What the gas adds along the largest load.
-fn gas<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &Peak) {
+fn gas<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &CyclePeak) {
     let about = "what the gas adds along the largest force of gas and masses";
-    table.decimal("gas_along_{unit}", Unit::NEWTON, about, |row| Some(of(row).gas));
+    table.decimal("gas_along_{unit}", Unit::NEWTON, about, |row| Some(of(row).gas_along()));
 }
 
-fn of_cylinders(cylinders: &[Cylinder]) -> Table {
-    let rows: Vec<&Cylinder> = cylinders.iter().collect();
-    let mut table = Filling::new(
-        "gas_cylinders",
-        "a cylinder: the largest loads of its crankpin, its rod and its wall in a cycle",
-        &rows,
-    );
-    table.person("cylinder", "the cylinder", |cylinder| Some(Untrusted::new(&*cylinder.cylinder)));
-    peak(&mut table, WITH_GAS, |cylinder| &cylinder.pin);
-    gas(&mut table, |cylinder| &cylinder.pin);
-    peak(&mut table, WITHOUT_GAS, |cylinder| &cylinder.pin_without_gas);
-    at(
-        &mut table,
-        ["rod_largest_{unit}", "rod_largest_theta_{unit}"],
-        "largest force along the rod, positive where it is pressed",
-        |cylinder| &cylinder.rod_pressed,
-    );
-    at(
-        &mut table,
-        ["rod_least_{unit}", "rod_least_theta_{unit}"],
-        "least force along the rod, negative where it is pulled",
-        |cylinder| &cylinder.rod_pulled,
-    );
-    at(
-        &mut table,
-        ["big_end_pull_{unit}", "big_end_pull_theta_{unit}"],
-        "largest pull of the big end, for the bolts",
-        |cylinder| &cylinder.big_end_pulls,
-    );
-    at(
-        &mut table,
-        ["side_greatest_{unit}", "side_greatest_theta_{unit}"],
-        "greatest side force of the wall on the piston, a quarter turn from the axis in the sense of rotation",
-        |cylinder| &cylinder.side[0],
-    );
-    at(
-        &mut table,
-        ["side_least_{unit}", "side_least_theta_{unit}"],
-        "least of it, negative to the other side",
-        |cylinder| &cylinder.side[1],
-    );
+fn of_cylinders(engine: &Engine, loads: &CycleLoads) -> Table {
+    let rows: Vec<_> = engine.cylinders().iter().zip(&loads.cylinders).collect();
+    let about = "a cylinder: the largest loads of its crankpin, its rod and its wall in a cycle";
+    let mut table = Filling::new("gas_cylinders", about, &rows);
+    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    peak(&mut table, WITH_GAS, |(_, loads)| &loads.peaks.pin);
+    gas(&mut table, |(_, loads)| &loads.peaks.pin);
+    peak(&mut table, WITHOUT_GAS, |(_, loads)| &loads.peaks.pin_of_inertia);
+    type Pick = fn(&CylinderLoads) -> Extreme;
+    let extremes: [([&str; 2], &str, Pick); 5] = [
+        (
+            ["rod_largest_{unit}", "rod_largest_theta_{unit}"],
+            "largest force along the rod, positive where it is pressed",
+            |loads| loads.peaks.rod[0],
+        ),
+        (
+            ["rod_least_{unit}", "rod_least_theta_{unit}"],
+            "least force along the rod, negative where it is pulled",
+            |loads| loads.peaks.rod[1],
+        ),
+        (
+            ["big_end_pull_{unit}", "big_end_pull_theta_{unit}"],
+            "largest pull of the big end, for the bolts",
+            |loads| loads.peaks.pull,
+        ),
+        (
+            ["side_greatest_{unit}", "side_greatest_theta_{unit}"],
+            "greatest side force of the wall on the piston, a quarter turn from the axis in the sense of rotation",
+            |loads| loads.peaks.side[0],
+        ),
+        (
+            ["side_least_{unit}", "side_least_theta_{unit}"],
+            "least of it, negative to the other side",
+            |loads| loads.peaks.side[1],
+        ),
+    ];
+    for ([size, angle], about, of) in extremes {
+        table.decimal(size, Unit::NEWTON, about, |(_, loads)| Some(of(loads).value));
+        let about = "crank angle of the cycle where it stands";
+        table.decimal(angle, Unit::DEGREE, about, |(_, loads)| Some(of(loads).angle));
+    }
     table.done()
 }
 
-fn at<R>(table: &mut Filling<R>, [size, angle]: [&'static str; 2], about: &'static str, of: impl Fn(&R) -> &At) {
-    table.decimal(size, Unit::NEWTON, about, |row| Some(of(row).value));
-    table.decimal(angle, Unit::DEGREE, "crank angle of the cycle where it stands", |row| Some(of(row).crank_angle_deg));
+fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
+    let rows: Vec<&SharedPin> = loads.shared_pins.iter().collect();
+    let about = "a crankpin with several rods: what all of them load it with together";
+    let mut table = Filling::new("gas_pins", about, &rows);
+    table.whole("crankpin", "the number of its throw, from 1", |pin| pin.throw + 1);
+    table.words("cylinders", "the cylinders whose rods it carries, by their numbers in the file, with a space between", |pin| {
+        let numbers: Vec<String> = pin.cylinders.iter().map(|index| (index + 1).to_string()).collect();
+        Some(numbers.join(" "))
+    });
+    table.exact("position_{unit}", position_unit(engine), PLACE, |pin| Some(exact_number(&pin.position)));
+    peak(&mut table, WITH_GAS, |pin| &pin.peak);
+    gas(&mut table, |pin| &pin.peak);
+    peak(&mut table, WITHOUT_GAS, |pin| &pin.inertia);
+    table.done()
 }
 
-fn orders(solutions: &[(&'static str, &Solution)]) -> Table {
-    let rows: Vec<(&'static str, usize, &Order)> = solutions
-        .iter()
-        .flat_map(|(method, solution)| {
-            let of = move |bearing: &'_ Bearing| bearing.bearing;
-            solution.bearings.iter().flat_map(move |bearing| {
-                let number = of(bearing);
-                bearing.orders.iter().map(move |order| (*method, number, order))
+fn orders(loads: &CycleLoads) -> Table {
+    let rows: Vec<_> = methods(loads)
+        .flat_map(|(method, all)| {
+            all.bearings.iter().enumerate().flat_map(move |(index, bearing)| {
+                bearing.series.orders.iter().map(move |order| (method, index + 1, order))
             })
         })
         .collect();
-    let mut table = Filling::new("gas_orders", "an order κ of what a main bearing feels of gas and masses", &rows);
+    let about = "an order κ of what a main bearing feels of gas and masses";
+    let mut table = Filling::new("gas_orders", about, &rows).keyed(3);
     table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
-    table.whole("bearing", "its number in the file, from 1", |(_, bearing, _)| *bearing);
-    table.exact("order", Unit::NONE, "the order, halves too in a four-stroke engine: 3/2", |(.., order)| {
-        Some(order.order.clone())
+    table.whole("bearing", NUMBER, |(_, bearing, _)| *bearing);
+    of_orders(&mut table, |(.., order)| order);
+    table.done()
+}
+
+fn pin_orders(engine: &Engine, loads: &CycleLoads) -> Table {
+    let pairs = engine.cylinders().iter().zip(&loads.cylinders);
+    let rows: Vec<_> =
+        pairs.flat_map(|(cylinder, loads)| loads.pin.orders.iter().map(move |order| (cylinder, order))).collect();
+    let about = "an order κ of what a rod loads its crankpin with, of gas and masses";
+    let mut table = Filling::new("gas_pin_orders", about, &rows).keyed(2);
+    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    of_orders(&mut table, |(_, order)| order);
+    table.done()
+}
+
+/// What is said of an order: whether it vanishes, how large it is, the vectors of gas and of masses.
+fn of_orders<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &JournalOrder) {
+    table.exact("order", Unit::NONE, "the order, halves too in a four-stroke engine: 3/2", |row| {
+        Some(of(row).order.exact().to_string())
     });
     table.truth(
         "force_vanishes",
         "whether it is proved to be 0, for every pressure that the cylinders of a class share",
-        |(.., order)| Some(order.vanishes),
+        |row| Some(of(row).vanishes()),
     );
-    table.decimal("force_zero_to_peak_{unit}", Unit::NEWTON, "largest length", |(.., order)| {
-        Some(if order.vanishes { 0.0 } else { order.largest })
+    table.decimal("force_zero_to_peak_{unit}", Unit::NEWTON, "largest length", |row| {
+        Some(if of(row).vanishes() { 0.0 } else { of(row).largest() })
     });
-    table.done()
+    type Pick = fn(&JournalOrder) -> Complex<f64>;
+    let vectors: [([&str; 2], &str, Pick); 4] = [
+        (["gas_direct_y_{unit}", "gas_direct_x_{unit}"], "of the gas, the vector that turns with the crank, at θ = 0", |order| order.gas[0]),
+        (["gas_reverse_y_{unit}", "gas_reverse_x_{unit}"], "of the gas, the vector that turns against it, at θ = 0", |order| order.gas[1]),
+        (["masses_direct_y_{unit}", "masses_direct_x_{unit}"], "of the masses, the vector that turns with the crank, at θ = 0", |order| order.inertia[0]),
+        (["masses_reverse_y_{unit}", "masses_reverse_x_{unit}"], "of the masses, the vector that turns against it, at θ = 0", |order| order.inertia[1]),
+    ];
+    for ([y, x], about, vector) in vectors {
+        table.decimal(y, Unit::NEWTON, about, |row| Some(vector(of(row)).re));
+        table.decimal(x, Unit::NEWTON, about, |row| Some(0.0 - vector(of(row)).im));
+    }
 }
 
-fn theta(document: &CycleLoadsDocument, loads: &CycleLoads, bearings: &CycleBearings) -> Table {
-    let rows: Vec<usize> = (0..document.cycle_deg as usize).collect();
+fn theta(loads: &CycleLoads) -> Option<Table> {
+    let [continuous, _] = loads.bearings.as_ref()?;
+    let rows: Vec<usize> = (0..loads.course.period().to_degrees().round() as usize).collect();
     let about = "a crank angle of the cycle: what each bearing feels of gas and masses on a continuous beam";
     let mut table = Filling::new("gas_theta", about, &rows);
     table.decimal("theta_{unit}", Unit::DEGREE, "the crank angle θ, every degree of the cycle", |theta| {
         Some(*theta as f64)
     });
-    for (index, bearing) in bearings.bearings.iter().enumerate() {
+    for (index, bearing) in continuous.bearings.iter().enumerate() {
         let forces: Vec<Complex<f64>> =
             rows.iter().map(|theta| loads.course.carried(&bearing.carried, (*theta as f64).to_radians())).collect();
-        let number = index + 1;
-        table.decimal(
-            ("bearing_{bearing}_y_{unit}", number),
-            Unit::NEWTON,
-            "force on this bearing along the reference direction y",
-            |theta| forces.get(*theta).map(|force| force.re),
-        );
-        table.decimal(
-            ("bearing_{bearing}_x_{unit}", number),
-            Unit::NEWTON,
-            "force on it along x, to the right of y",
-            |theta| forces.get(*theta).map(|force| -force.im),
-        );
+        components(&mut table, index + 1, Unit::NEWTON, |theta| forces.get(*theta).copied());
     }
-    table.done()
+    Some(table.done())
 }

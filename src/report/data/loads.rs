@@ -6,7 +6,8 @@ use super::super::calculation::Numbers;
 use super::super::loads_document::{BoundEntry, LargestEntry, LoadsDocument, OrderEntry, TorqueEntry, VectorEntry};
 use super::filling::Filling;
 use crate::engine::Engine;
-use crate::loads::{Arm, Circle, Scale, Waveform};
+use crate::loads::{self, Circle, Scale, Waveform};
+use crate::proof::Quantity;
 use crate::table::{Table, Unit};
 
 /// What forces, moments and torques are counted in, and how many of it are one multiple.
@@ -21,12 +22,7 @@ pub(super) struct Units {
 
 impl Units {
     pub fn new(engine: &Engine, scale: Option<&Scale>) -> Self {
-        let [force, moment, torque] = match (scale, Arm::of(engine)) {
-            (Some(_), Arm::Metre) => [Unit::NEWTON, Unit::NEWTON_METRE, Unit::NEWTON_METRE],
-            (Some(_), Arm::Spacing) => [Unit::NEWTON, Unit::NEWTON_SPACING, Unit::NEWTON_METRE],
-            (None, Arm::Metre) => [Unit::MULTIPLE, Unit::MULTIPLE_METRE, Unit::TORQUE_MULTIPLE],
-            (None, Arm::Spacing) => [Unit::MULTIPLE, Unit::MULTIPLE_SPACING, Unit::TORQUE_MULTIPLE],
-        };
+        let [force, moment, torque] = [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| loads::unit(engine, scale, quantity));
         let newtons = scale.map_or(1.0, Scale::force);
         Units { force, moment, torque, newtons, newton_metres: scale.map_or(1.0, Scale::torque) }
     }
@@ -193,7 +189,7 @@ fn theta(numbers: &Numbers, units: Units) -> Table {
 
 fn largest(document: &LoadsDocument, units: Units) -> Table {
     let rows = [document];
-    let mut table = Filling::new("largest", "the largest values of the exact motion, all orders: one row", &rows);
+    let mut table = Filling::new("largest", "the largest values of the exact motion, all orders", &rows).keyed(0);
     type Entry = fn(&LoadsDocument) -> Option<&LargestEntry>;
     type Left = fn(&LoadsDocument) -> Option<&BoundEntry>;
     let all: [(&str, Unit, Entry, Left); 3] = [

@@ -8,10 +8,14 @@ mod cells;
 mod classify;
 mod compare;
 mod filling;
+mod firing;
 mod gas_loads;
 mod loads;
 mod search;
 mod sweep;
+mod torque;
+mod torsion;
+mod values;
 mod verdicts;
 mod zeros;
 
@@ -19,16 +23,35 @@ pub use bearings::bearings;
 pub use cells::exact_number;
 pub use classify::classify;
 pub use compare::compare;
+pub use firing::firing;
 pub use loads::loads;
 pub use search::search;
 pub use sweep::{points as sweep_points, sweep};
+pub use torque::torque;
+pub use torsion::torsion;
+pub use values::values;
 
 /// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
-pub const TABLES: [(&str, &[&str]); 6] = [
+pub const TABLES: [(&str, &[&str]); 10] = [
     ("classify", &["orders", "sums", "torque", "roll"]),
     ("loads", &["orders", "torque", "roll", "theta", "largest"]),
-    ("bearings", &["bearings", "orders", "theta", "pins", "gas_bearings", "gas_cylinders", "gas_orders", "gas_theta"]),
+    (
+        "bearings",
+        &[
+            "bearings", "worst", "orders", "terms", "theta", "pins", "pin_orders", "parts", "gas_bearings", "gas_cylinders",
+            "gas_pins", "gas_orders", "gas_pin_orders", "gas_theta",
+        ],
+    ),
+    ("firing", &["orders"]),
+    ("torque", &["orders", "cycle", "flywheel", "classes", "guides", "theta"]),
+    ("values", &["values"]),
+    ("torsion", &["modes", "critical", "discs", "shapes", "cylinders", "forced"]),
     ("compare", &["orders", "engines"]),
     ("search", &["stars", "question", "firing_orders"]),
     ("sweep", &["points", "zeros", "firing_zeros"]),
 ];
+
+/// The names of the tables of a question, the main one first; none where it has none.
+pub fn tables_of(question: &str) -> &'static [&'static str] {
+    TABLES.iter().find(|(name, _)| *name == question).map_or(&[], |(_, tables)| *tables)
+}

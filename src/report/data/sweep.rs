@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use super::cells::{decimals, exact, truths};
+use super::values::columns;
 use super::zeros::{firing_zeros, zeros};
 use crate::engine::CycleOrder;
 use crate::exact::fraction;
@@ -82,6 +83,12 @@ pub fn points(sweep: &Sweep) -> Table {
         last.push(star(sweep, &mut table, place, *order));
     }
     last.into_iter().for_each(|column| table.push(column));
+    if let Some(observed) = &sweep.observed {
+        for (place, (name, like)) in observed.names.iter().zip(&observed.first).enumerate() {
+            let all: Vec<_> = observed.points.iter().map(|values| &values[place]).collect();
+            columns(name, Some(like), &all).into_iter().for_each(|column| table.push(column));
+        }
+    }
     table
 }
 

@@ -116,7 +116,7 @@ fn in_units(engine: &Engine, loads: &Loads, order: u32, quantity: Quantity, whol
     let swing = if quantity == Quantity::Force { &of_order.force } else { &of_order.moment };
     let unit = Unit::of(engine, loads, quantity);
     let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some()) && unit.factor != 0.0;
-    is_known.then(|| Piece::Quantity(swing.largest() * unit.factor, unit.shown()).into())
+    is_known.then(|| Piece::Quantity(swing.largest() * unit.factor, unit.unit).into())
 }
 
 /// What exact values are multiples of: `m r ω² c_4 a`.

@@ -44,13 +44,13 @@ impl Runs {
     }
 
     /// The stars of those that say when they fire.
-    fn studies(&self) -> Vec<(Entry, FiringStudy<'_>)> {
+    fn studies(&self) -> Vec<(Entry, FiringStudy)> {
         let study = |engine| FiringStudy::new(engine, &[], Weights::Rigid).ok();
         self.runs.iter().filter_map(|(entry, engine)| Some((*entry, study(engine.as_ref()?)?))).collect()
     }
 
     /// What is found of all, with a table; engines that do not say when they fire are named, and nothing else is said of them.
-    fn answer(&self, studies: &[(Entry, FiringStudy<'_>)]) -> Document {
+    fn answer(&self, studies: &[(Entry, FiringStudy)]) -> Document {
         let (name, title, words) = match self.cycle {
             Cycle::FourStroke => ("four-stroke", "Firing stars of four-stroke engines", FOUR_STROKE),
             Cycle::TwoStroke => ("two-stroke", "Firing stars of two-stroke engines", TWO_STROKE),
@@ -90,11 +90,11 @@ pub fn firing_catalogue_page(engines: &[(Entry, Engine)], cycle: Cycle) -> Docum
 }
 
 /// What holds of all of them: counted, not supposed.
-fn found(studies: &[(Entry, FiringStudy<'_>)]) -> Vec<Text> {
+fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
     let leaves_minor =
-        |study: &FiringStudy<'_>| study.pattern().is_ok_and(|pattern| pattern.left().any(|order| !order.is_major()));
-    let is_even = |study: &FiringStudy<'_>| study.engine.firing().is_some_and(Firing::is_even);
-    let count = |holds: &dyn Fn(&FiringStudy<'_>) -> bool| studies.iter().filter(|(_, study)| holds(study)).count();
+        |study: &FiringStudy| study.pattern().is_ok_and(|pattern| pattern.left().any(|order| !order.is_major()));
+    let is_even = |study: &FiringStudy| study.engine.firing().is_some_and(Firing::is_even);
+    let count = |holds: &dyn Fn(&FiringStudy) -> bool| studies.iter().filter(|(_, study)| holds(study)).count();
     let even = count(&is_even);
     let fires = match count(&|study| is_even(study) && leaves_minor(study)) {
         0 => phrase!(
@@ -109,7 +109,7 @@ fn found(studies: &[(Entry, FiringStudy<'_>)]) -> Vec<Text> {
 }
 
 /// Engines × (intervals, orders left, strongest minor order).
-fn table(studies: &[(Entry, FiringStudy<'_>)]) -> Table {
+fn table(studies: &[(Entry, FiringStudy)]) -> Table {
     let mut table =
         Table::new(["Engine", "Firing intervals", "Orders left of the gas torque", "Strongest minor order"]);
     for (entry, study) in studies {
@@ -120,7 +120,7 @@ fn table(studies: &[(Entry, FiringStudy<'_>)]) -> Table {
             Err(why) => (words::no_pattern(why), "–".into()),
         };
         let name = Text::link(entry.name.to_owned(), format!("../{}/report.md", entry.name));
-        table.push(vec![name, intervals(study.engine), statement, strongest]);
+        table.push(vec![name, intervals(&study.engine), statement, strongest]);
     }
     table
 }
@@ -136,7 +136,7 @@ fn intervals(engine: &Engine) -> Text {
 }
 
 /// The stars of one period, up to its middle: the others are their mirror images.
-fn proof(entry: Entry, study: &FiringStudy<'_>) -> Option<Block> {
+fn proof(entry: Entry, study: &FiringStudy) -> Option<Block> {
     let pattern = study.pattern().ok()?;
     let lines = pattern.half().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
     let mut blocks = vec![Block::Paragraph(words::why(pattern))];

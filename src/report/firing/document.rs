@@ -22,8 +22,8 @@ pub fn firing_engine(engine: &Engine, own: &FiringDocument) -> Result<FiringDocu
 }
 
 /// The stars as data: what `verify` reads. The stars of one period stand in it where they are asked for and can be had.
-pub fn firing_document(study: &FiringStudy<'_>, with_pattern: bool) -> FiringDocument {
-    let engine = study.engine;
+pub fn firing_document(study: &FiringStudy, with_pattern: bool) -> FiringDocument {
+    let engine = &study.engine;
     let firing = engine.firing().unwrap_or_else(|| unreachable!("a study is of an engine that fires"));
     let cylinder = |Shot { cylinder: index, angle }: &Shot| {
         let cylinder = &engine.cylinders()[*index];
@@ -59,9 +59,9 @@ pub fn firing_document(study: &FiringStudy<'_>, with_pattern: bool) -> FiringDoc
     }
 }
 
-fn claim(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> FiringClaim {
+fn claim(study: &FiringStudy, order: &StarOrder, star: &FiringStar) -> FiringClaim {
     let (modulus, angle_deg) = decimals(star.into());
-    let names = || star.sources.iter().map(|source| source.name(study.engine)).collect();
+    let names = || star.sources.iter().map(|source| source.name(&study.engine)).collect();
     FiringClaim {
         order: order.order.exact(),
         of: if order.stars.len() > 1 { names() } else { Vec::new() },

@@ -4,11 +4,12 @@ mod catalogue;
 mod document;
 mod open;
 mod page;
+mod study;
 mod tables;
 mod words;
 
-use std::cell::OnceCell;
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{self, FiringPattern, NoPattern, NoStar, StarOrder, Weights};
@@ -22,22 +23,22 @@ pub(super) use words::strongest_in_words;
 
 /// Firing stars that are judged, and what they say of every order.
 #[derive(Clone, Debug)]
-pub struct FiringStudy<'a> {
+pub struct FiringStudy {
     /// The engine.
-    pub engine: &'a Engine,
+    pub engine: Engine,
     /// What the vectors are weighed by.
     pub weights: Weights,
     /// The orders that were asked for, rising, each once.
     pub orders: Vec<StarOrder>,
-    pattern: OnceCell<Result<FiringPattern, NoPattern>>,
+    pattern: OnceLock<Result<FiringPattern, NoPattern>>,
 }
 
-impl<'a> FiringStudy<'a> {
+impl FiringStudy {
     /// Judges these orders, the usual ones where there are none.
     ///
     /// # Errors
     /// Where the engine has no firing stars.
-    pub fn new(engine: &'a Engine, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoStar> {
+    pub fn new(engine: &Engine, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoStar> {
         let cycle = firing::firing_of(engine)?.cycle;
         let orders: BTreeSet<CycleOrder> = match orders {
             [] => firing::usual_orders(engine.cylinders().len(), cycle.lowest_order()).into_iter().collect(),
@@ -45,16 +46,16 @@ impl<'a> FiringStudy<'a> {
         };
         let orders: Vec<CycleOrder> = orders.into_iter().collect();
         let orders = firing::firing_stars(engine, &orders, &weights)?;
-        Ok(FiringStudy { engine, weights, orders, pattern: OnceCell::new() })
+        Ok(FiringStudy { engine: engine.clone(), weights, orders, pattern: OnceLock::new() })
     }
 
     /// No order judged yet.
     ///
     /// # Errors
     /// Where the engine has no firing stars.
-    fn of_engine(engine: &'a Engine, weights: Weights) -> Result<Self, NoStar> {
+    fn of_engine(engine: &Engine, weights: Weights) -> Result<Self, NoStar> {
         firing::firing_of(engine)?;
-        Ok(FiringStudy { engine, weights, orders: Vec::new(), pattern: OnceCell::new() })
+        Ok(FiringStudy { engine: engine.clone(), weights, orders: Vec::new(), pattern: OnceLock::new() })
     }
 
     /// The stars of one period, judged when they are first asked for.
@@ -62,7 +63,7 @@ impl<'a> FiringStudy<'a> {
     /// # Errors
     /// Where there is no pattern, or too long a one.
     pub fn pattern(&self) -> Result<&FiringPattern, &NoPattern> {
-        self.pattern.get_or_init(|| firing::pattern(self.engine, &self.weights)).as_ref()
+        self.pattern.get_or_init(|| firing::pattern(&self.engine, &self.weights)).as_ref()
     }
 
     /// Whether all cylinders make the same torque from the same pressure.

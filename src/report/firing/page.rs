@@ -30,8 +30,8 @@ const ASSUMED_RIGID: &str =
     "The crankshaft is taken to be rigid: a minor order that vanishes here may still twist the shaft.";
 
 /// What shakes the crankshaft: how evenly it fires, which orders vanish, which is the strongest.
-fn answer(study: &FiringStudy<'_>) -> Vec<Text> {
-    let mut lines: Vec<Text> = words::evenness(study.engine).into_iter().collect();
+fn answer(study: &FiringStudy) -> Vec<Text> {
+    let mut lines: Vec<Text> = words::evenness(&study.engine).into_iter().collect();
     match study.pattern() {
         Ok(pattern) => {
             let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {
@@ -53,7 +53,7 @@ fn answer(study: &FiringStudy<'_>) -> Vec<Text> {
 }
 
 /// The short answer.
-pub fn firing_answer(study: &FiringStudy<'_>) -> Document {
+pub fn firing_answer(study: &FiringStudy) -> Document {
     let mut page = Document::new("firing", study.engine.title());
     page.push(tables::orders(study));
     page.blocks.extend(answer(study).into_iter().map(Block::Paragraph));
@@ -61,7 +61,7 @@ pub fn firing_answer(study: &FiringStudy<'_>) -> Document {
 }
 
 /// The page, with the stars that are left and the proof of each.
-pub fn firing_page(study: &FiringStudy<'_>) -> Document {
+pub fn firing_page(study: &FiringStudy) -> Document {
     let mut page = Document::new("firing", phrase!("{}: firing stars", study.engine.title()));
     page.push(Block::Answer(answer(study)));
     page.blocks.extend(section(study));
@@ -93,7 +93,7 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
 }
 
 /// All that stands below the answer.
-fn section(study: &FiringStudy<'_>) -> Vec<Block> {
+fn section(study: &FiringStudy) -> Vec<Block> {
     let heading = |words: &'static str| Block::Heading(1, words.into());
     let (meaning, formula) = match study.weights.is_mode_shape() {
         true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
@@ -122,9 +122,9 @@ pub(super) fn assumed(with_mode_shape: bool) -> Vec<Text> {
 }
 
 /// The stars of the first orders, all of them up to so many.
-fn picture(study: &FiringStudy<'_>) -> Picture {
+fn picture(study: &FiringStudy) -> Picture {
     let of_order = |order: &'_ StarOrder| -> Vec<(String, String)> {
-        order.stars.iter().map(|star| (order.order.to_string(), names_of(study.engine, star))).collect()
+        order.stars.iter().map(|star| (order.order.to_string(), names_of(&study.engine, star))).collect()
     };
     let names: Vec<(String, String)> = study.orders.iter().flat_map(of_order).collect();
     let stars = study.orders.iter().flat_map(|order| &order.stars).map(JudgedStar::from);
@@ -140,19 +140,19 @@ fn picture(study: &FiringStudy<'_>) -> Picture {
     let drawn: Vec<JudgedStar<'_>> = headed.iter().map(|(_, star)| *star).collect();
     Picture {
         name: "firing-stars".to_owned(),
-        caption: phrase!("Firing stars. {}", firing_legend(study.engine, &drawn)),
-        figure: firing_figure(study.engine, headed),
+        caption: phrase!("Firing stars. {}", firing_legend(&study.engine, &drawn)),
+        figure: firing_figure(&study.engine, headed),
     }
 }
 
 /// A line per star.
-fn each(study: &FiringStudy<'_>, line: fn(&FiringStudy<'_>, &StarOrder, &FiringStar) -> Text) -> Vec<Text> {
+fn each(study: &FiringStudy, line: fn(&FiringStudy, &StarOrder, &FiringStar) -> Text) -> Vec<Text> {
     study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| line(study, order, star))).collect()
 }
 
 /// A star with its argument.
-pub(super) fn argued(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Text {
-    let argument = argument::argument(study.engine, star);
+pub(super) fn argued(study: &FiringStudy, order: &StarOrder, star: &FiringStar) -> Text {
+    let argument = argument::argument(&study.engine, star);
     let name = order.order.to_string();
     let value = match star.vanishes() {
         true => Text::formula(format!("{} = 0", symbol(order))),
@@ -165,11 +165,11 @@ pub(super) fn argued(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringSt
     };
     match order.only() {
         Some(_) => phrase!("**Order {}:** {}. {}", name, value, argument),
-        None => phrase!("**Order {} ({}):** {}. {}", name, names_of(study.engine, star), value, argument),
+        None => phrase!("**Order {} ({}):** {}. {}", name, names_of(&study.engine, star), value, argument),
     }
 }
 
-fn certified(_: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Text {
+fn certified(_: &FiringStudy, order: &StarOrder, star: &FiringStar) -> Text {
     phrase!("{}: {}", Text::formula(symbol(order)), argument::certificate_of(&star.sum, &star.certificate))
 }
 

@@ -9,7 +9,7 @@ use crate::firing::{FiringStar, StarOrder};
 use crate::page::{Number, Table, Text, phrase};
 
 /// Orders × (length, direction, kind); an order of several classes has a row for each.
-pub(super) fn orders(study: &FiringStudy<'_>) -> Table {
+pub(super) fn orders(study: &FiringStudy) -> Table {
     let mut table = Table::new(["Order κ", "Firing star", "Direction", "Kind"]);
     for order in &study.orders {
         for star in &order.stars {
@@ -19,10 +19,10 @@ pub(super) fn orders(study: &FiringStudy<'_>) -> Table {
     table
 }
 
-fn row(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Vec<Text> {
+fn row(study: &FiringStudy, order: &StarOrder, star: &FiringStar) -> Vec<Text> {
     let name: Text = match order.only() {
         Some(_) => order.order.to_string().into(),
-        None => phrase!("{} (cylinders {})", order.order.to_string(), names_of(study.engine, star)),
+        None => phrase!("{} (cylinders {})", order.order.to_string(), names_of(&study.engine, star)),
     };
     let direction = if star.vanishes() { "–".into() } else { residual::bearing(&star.sum).into() };
     let kind = match (star.vanishes(), order.is_major()) {
@@ -34,7 +34,7 @@ fn row(study: &FiringStudy<'_>, order: &StarOrder, star: &FiringStar) -> Vec<Tex
 }
 
 /// One row per firing: cylinder, crank angle, interval to the next; the deflection where there is a mode shape.
-pub(super) fn firings(study: &FiringStudy<'_>) -> Table {
+pub(super) fn firings(study: &FiringStudy) -> Table {
     let mut header = vec!["Cylinder", "Fires at", "Next firing after"];
     header.extend(study.weights.is_mode_shape().then_some("Deflection Δ"));
     let mut table = Table::new(header);

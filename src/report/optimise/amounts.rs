@@ -27,9 +27,9 @@ impl Units {
         let couple = match (scale, Arm::of(layout)) {
             (Some(_), Arm::Metre) => Unit::NEWTON_METRE,
             (None, Arm::Metre) => Unit::MULTIPLE_METRE,
-            (_, Arm::Spacing) => Unit { name: "m r ω² a", tex: "m\\,r\\,\\omega^2\\,a" },
+            (_, Arm::Spacing) => Unit::MULTIPLE_SPACING,
         };
-        Units { force: Unit { name: force.name, tex: force.tex }, newtons: force.factor, couple }
+        Units { force: force.unit, newtons: force.factor, couple }
     }
 }
 

@@ -1,13 +1,13 @@
-//! Which torque does the engine give, as a person reads it? The answer, plots, tables, what is assumed, a JSON document.
+//! Which torque does the engine give, as a person reads it? The answer, plots, tables, what is assumed.
 
-mod document;
 mod page;
 mod plots;
 mod settings;
+mod study;
 mod tables;
 mod words;
 
-pub use document::{TorqueDocument, torque_document};
 pub(super) use page::{has_assumed, torque_section};
 pub use page::{torque_answer, torque_page};
+pub use study::TorqueStudy;
 pub(super) use words::{angle, assumptions, names, quantity, warning};

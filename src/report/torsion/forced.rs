@@ -15,7 +15,7 @@ const NEAR: f64 = 0.05;
 
 /// What one order does to the shaft.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Forced {
+pub struct ForcedTwist {
     /// The order κ.
     pub order: CycleOrder,
     /// Its frequency in oscillations a second.
@@ -31,8 +31,9 @@ pub struct Forced {
 }
 
 /// The orders of a study at a speed; none where the layout lacks what the torque needs.
-pub(super) fn forced(study: &TorsionStudy<'_>, speed: f64) -> Vec<Forced> {
-    let TorsionStudy { engine, torsion, modes, .. } = study;
+pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
+    let TorsionStudy { engine, modes, .. } = study;
+    let torsion = study.torsion();
     let Ok(classes) = torque::classes(engine) else { return Vec::new() };
     if speed <= 0.0 {
         return Vec::new();
@@ -52,7 +53,7 @@ pub(super) fn forced(study: &TorsionStudy<'_>, speed: f64) -> Vec<Forced> {
         let between = shaft.stiffnesses.iter().zip(twist.windows(2));
         let loads: Vec<f64> = between.map(|(stiffness, pair)| stiffness * (pair[1] - pair[0]).norm()).collect();
         let largest = (0..loads.len()).max_by(|one, other| loads[*one].total_cmp(&loads[*other])).unwrap_or(0);
-        Forced {
+        ForcedTwist {
             order,
             hertz,
             near: modes.iter().position(|speeds| (hertz / speeds.mode.hertz() - 1.0).abs() < NEAR).map(|mode| mode + 1),

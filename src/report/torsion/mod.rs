@@ -1,9 +1,9 @@
 //! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
 
-mod document;
 mod forced;
 mod page;
 mod plots;
+mod study;
 mod tables;
 mod words;
 
@@ -14,7 +14,7 @@ use crate::engine::{CycleOrder, Engine, Torsion};
 use crate::firing::{self, NoStar};
 use crate::torsion::{Critical, CriticalSpeeds, critical_speeds};
 
-pub use document::{TorsionDocument, torsion_document};
+pub use forced::ForcedTwist;
 pub(super) use page::torsion_section;
 pub use page::{torsion_answer, torsion_page};
 
@@ -25,11 +25,9 @@ const ALIKE: f64 = 1e-9;
 
 /// The modes of an engine's shaft, with their critical speeds.
 #[derive(Clone, Debug)]
-pub struct TorsionStudy<'a> {
+pub struct TorsionStudy {
     /// The engine.
-    pub engine: &'a Engine,
-    /// Its shaft.
-    pub torsion: &'a Torsion,
+    pub engine: Engine,
     /// The modes, rising.
     pub modes: Vec<CriticalSpeeds>,
     /// The speed of the layout in revolutions a minute, where it has one.
@@ -59,12 +57,12 @@ impl std::fmt::Display for NoTorsion {
 
 impl std::error::Error for NoTorsion {}
 
-impl<'a> TorsionStudy<'a> {
+impl TorsionStudy {
     /// The modes with the critical speeds of these orders; of those up to 12 where there are none.
     ///
     /// # Errors
     /// See [`NoTorsion`].
-    pub fn new(engine: &'a Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
+    pub fn new(engine: &Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
         let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
         let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
         let orders: Vec<CycleOrder> = match orders {
@@ -81,7 +79,17 @@ impl<'a> TorsionStudy<'a> {
         };
         let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
         let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
-        Ok(TorsionStudy { engine, torsion, modes, speed })
+        Ok(TorsionStudy { engine: engine.clone(), modes, speed })
+    }
+
+    /// Its shaft.
+    pub fn torsion(&self) -> &Torsion {
+        self.engine.torsion().unwrap_or_else(|| unreachable!("there is no study of an engine without a shaft"))
+    }
+
+    /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.
+    pub fn forced(&self) -> Vec<ForcedTwist> {
+        self.speed.map_or_else(Vec::new, |speed| forced::forced(self, speed))
     }
 
     /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above

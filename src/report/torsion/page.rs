@@ -1,11 +1,11 @@
 //! What stands on the page of a shaft that twists, and on the terminal?
 
-use super::{TorsionStudy, forced, plots, tables, words};
+use super::{TorsionStudy, plots, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 
 /// The short answer: frequencies and critical speeds.
-pub fn torsion_answer(study: &TorsionStudy<'_>) -> Document {
+pub fn torsion_answer(study: &TorsionStudy) -> Document {
     let mut answer_page = Document::new("torsion", study.engine.title());
     answer_page.push(tables::modes(study));
     answer_page.push(tables::critical(study));
@@ -43,9 +43,9 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
 }
 
 /// How far the orders twist the shaft, where the layout has the gas.
-fn forced_twist(study: &TorsionStudy<'_>) -> Vec<Block> {
+fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
     let Some(speed) = study.speed else { return Vec::new() };
-    match forced::forced(study, speed).as_slice() {
+    match study.forced().as_slice() {
         [] => Vec::new(),
         orders => vec![
             Block::Heading(2, "Forced twist".into()),
@@ -55,12 +55,12 @@ fn forced_twist(study: &TorsionStudy<'_>) -> Vec<Block> {
     }
 }
 
-fn pictures(study: &TorsionStudy<'_>) -> Vec<Picture> {
+fn pictures(study: &TorsionStudy) -> Vec<Picture> {
     plots::campbell(study).into_iter().chain([plots::modes(study)]).collect()
 }
 
 /// The page, with modes and a Campbell diagram.
-pub fn torsion_page(study: &TorsionStudy<'_>) -> Document {
+pub fn torsion_page(study: &TorsionStudy) -> Document {
     let mut page = Document::new("torsion", phrase!("{}: torsional vibration", study.engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(words::answer(study)));

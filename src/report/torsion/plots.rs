@@ -13,8 +13,8 @@ const MOST_RAYS: usize = 5;
 const BEYOND: f64 = 1.15;
 
 /// The deflections of the first modes, disc by disc.
-pub(super) fn modes(study: &TorsionStudy<'_>) -> Picture {
-    let ticks = (1..=study.torsion.inertias.len()).map(|disc| disc as f64).collect();
+pub(super) fn modes(study: &TorsionStudy) -> Picture {
+    let ticks = (1..=study.torsion().inertias.len()).map(|disc| disc as f64).collect();
     let x = Axis { ticks: Some(ticks), ..Axis::linear("Disc, from the free end") };
     let mut plot = Plot::new("Modes of the shaft", x, Axis::linear("Deflection, 1 at the first disc"));
     for (index, speeds) in study.modes.iter().take(MOST_MODES).enumerate() {
@@ -28,7 +28,7 @@ pub(super) fn modes(study: &TorsionStudy<'_>) -> Picture {
 }
 
 /// Frequencies over the speed: the modes level, the orders rising, a dot where they meet.
-pub(super) fn campbell(study: &TorsionStudy<'_>) -> Option<Picture> {
+pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
     let first = study.modes.first()?;
     let strongest: Vec<&Critical> = study.strongest(first).into_iter().take(MOST_RAYS).collect();
     let fastest = strongest.iter().map(|critical| critical.rpm).fold(0.0, f64::max);

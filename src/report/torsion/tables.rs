@@ -2,7 +2,7 @@
 
 use super::super::typeset;
 use super::TorsionStudy;
-use super::forced::Forced;
+use super::ForcedTwist;
 use super::words::part;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
@@ -10,7 +10,7 @@ use crate::page::{Number, Table, Text, Unit, number, phrase};
 pub(super) const MOST_MODES: usize = 3;
 
 /// One row per mode: frequency, the same in 1/min, nodes.
-pub(super) fn modes(study: &TorsionStudy<'_>) -> Table {
+pub(super) fn modes(study: &TorsionStudy) -> Table {
     let mut table = Table::new(["Mode", "Frequency (Hz)", "Frequency (1/min)", "Nodes"]);
     for (index, speeds) in study.modes.iter().enumerate() {
         let hertz = speeds.mode.hertz();
@@ -25,7 +25,7 @@ pub(super) fn modes(study: &TorsionStudy<'_>) -> Table {
 }
 
 /// One row per disc: inertia, stiffness to the next, crankpins, deflection in the first modes.
-pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
+pub(super) fn discs(study: &TorsionStudy) -> Table {
     let mut header: Vec<Text> = vec![
         "Disc".into(),
         phrase!("Inertia ({})", Unit::KILOGRAM_SQUARE_METRE),
@@ -35,9 +35,9 @@ pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
     let shown = || study.modes.iter().take(MOST_MODES).enumerate();
     header.extend(shown().map(|(index, _)| phrase!("Deflection, mode {}", index + 1)));
     let mut table = Table::new(header);
-    for (disc, inertia) in study.torsion.inertias.iter().enumerate() {
-        let stiffness = study.torsion.stiffnesses.get(disc);
-        let on_disc = study.torsion.pins.iter().enumerate().filter(|(_, at)| **at == disc);
+    for (disc, inertia) in study.torsion().inertias.iter().enumerate() {
+        let stiffness = study.torsion().stiffnesses.get(disc);
+        let on_disc = study.torsion().pins.iter().enumerate().filter(|(_, at)| **at == disc);
         let pins: Vec<String> = on_disc.map(|(pin, _)| (pin + 1).to_string()).collect();
         let mut cells: Vec<Text> = vec![
             (disc + 1).into(),
@@ -52,7 +52,7 @@ pub(super) fn discs(study: &TorsionStudy<'_>) -> Table {
 }
 
 /// One row per order: how far it twists the shaft at the speed of the layout.
-pub(super) fn forced(orders: &[Forced]) -> Table {
+pub(super) fn forced(orders: &[ForcedTwist]) -> Table {
     let mut table = Table::new([
         "Order κ".into(),
         "Frequency (Hz)".into(),
@@ -75,7 +75,7 @@ pub(super) fn forced(orders: &[Forced]) -> Table {
 }
 
 /// One row per order: the critical speed of each mode, and the star as a part of the longest.
-pub(super) fn critical(study: &TorsionStudy<'_>) -> Table {
+pub(super) fn critical(study: &TorsionStudy) -> Table {
     let mut header: Vec<Text> = vec!["Order κ".into()];
     let shown = || study.modes.iter().take(MOST_MODES).enumerate();
     for (index, _) in shown() {

@@ -42,7 +42,7 @@ pub(super) fn part(value: f64) -> Text {
 }
 
 /// The frequencies, and the strongest critical speed.
-pub(super) fn answer(study: &TorsionStudy<'_>) -> Vec<Text> {
+pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
     let Some(first) = study.modes.first() else { return lines };
     lines.push(match study.modes.get(1) {

@@ -3,10 +3,8 @@
 use crankstar::data;
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file::Template;
-use crankstar::journal::cycle_loads;
-use crankstar::loads::{Method, bearing_loads};
 use crankstar::proof::Quantity;
-use crankstar::report::{self, Compared, Numbers};
+use crankstar::report::{self, Compared, Question, ValuesStudy};
 use crankstar::search::{Front, Options, Problem, search, torsion};
 use crankstar::sweep::{self, Geometry, Parameter, Sweep};
 use crankstar::table::{Table, Values};
@@ -36,8 +34,7 @@ fn json(document: &impl serde::Serialize) -> Value {
 /// All questions that can be asked of an engine.
 pub fn of_engine(engine: &Engine, orders: &[u32]) -> Vec<Answered> {
     let mut all = vec![classify(engine, orders), compare(engine, orders)];
-    all.extend(loads(engine, orders));
-    all.extend(bearings(engine, orders));
+    all.extend(report::questions().filter_map(|question| asked(question, engine, orders)));
     all
 }
 
@@ -62,25 +59,21 @@ pub fn compare(engine: &Engine, orders: &[u32]) -> Answered {
     }
 }
 
-/// None where the layout lacks numbers.
-pub fn loads(engine: &Engine, orders: &[u32]) -> Option<Answered> {
-    let numbers = Numbers::new(engine, orders, None).ok()?;
-    let document = report::loads_document(engine, &numbers, None);
-    Some(Answered { question: "loads", tables: data::loads(engine, &numbers, &document), document: json(&document) })
+/// What a question answers; none where the layout lacks what it needs.
+pub fn asked(question: &'static str, engine: &Engine, orders: &[u32]) -> Option<Answered> {
+    let orders: Vec<CycleOrder> = orders.iter().filter_map(|order| CycleOrder::of_halves(2 * order)).collect();
+    let answer = report::ask(question, engine, &orders).expect("a question").ok()?;
+    let document = serde_json::from_str(&answer.json().expect("JSON")).expect("JSON");
+    Some(Answered { question, tables: answer.tables(), document })
 }
 
-/// None where the layout lacks bearings.
-pub fn bearings(engine: &Engine, orders: &[u32]) -> Option<Answered> {
-    let solve = |method| bearing_loads(engine, orders, method).ok();
-    let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
-    let gas = engine.effects().gas.then(|| cycle_loads(engine).ok()).flatten();
-    let document = report::bearings_document(engine, &continuous, &determinate);
-    let document = match &gas {
-        Some(loads) => document.with_gas(report::CycleLoadsDocument::new(engine, loads)),
-        None => document,
-    };
-    let tables = data::bearings(engine, [&continuous, &determinate], &document, gas.as_ref());
-    Some(Answered { question: "bearings", tables, document: json(&document) })
+/// A value of an engine, by its name.
+pub fn valued(engine: &Engine, name: &str) -> Answered {
+    let names = vec![name.parse().expect("a name")];
+    let row = (Untrusted::new("one"), ValuesStudy::row(engine, &names));
+    let study = ValuesStudy { names, rows: vec![row] };
+    let document = serde_json::from_str(&study.json().expect("JSON")).expect("JSON");
+    Answered { question: "values", tables: study.tables(), document }
 }
 
 pub fn swept(text: &str, parameters: &[&str], orders: &[u32], firing: &[&str]) -> (Sweep, Answered) {

@@ -1,0 +1,62 @@
+//! What is asked for the loads? Forces, moments and torques of an engine at some orders.
+
+use super::super::question::Question;
+use super::super::{data, loads_document};
+use super::{Numbers, loads_answer, loads_page};
+use crate::engine::Engine;
+use crate::loads::{Missing, Needed};
+use crate::page::Document;
+use crate::table::Table;
+
+/// The loads of an engine.
+pub struct LoadsStudy {
+    /// The engine.
+    pub engine: Engine,
+    /// Its loads.
+    pub numbers: Numbers,
+    /// The orders that an accuracy needs, where it was asked for.
+    pub needed: Option<Needed>,
+}
+
+impl LoadsStudy {
+    /// The loads at these orders, or at those that an accuracy needs.
+    ///
+    /// # Errors
+    /// What the layout lacks.
+    pub fn new(engine: &Engine, orders: &[u32], needed: Option<Needed>) -> Result<Self, Missing> {
+        let numbers = Numbers::new(engine, orders, needed.as_ref())?;
+        Ok(LoadsStudy { engine: engine.clone(), numbers, needed })
+    }
+}
+
+impl Question for LoadsStudy {
+    fn command(&self) -> &'static str {
+        "loads"
+    }
+
+    fn title(&self) -> &str {
+        self.engine.title().written()
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        self.tables().into_iter().find(|table| table.name() == name)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let document = loads_document::loads_document(&self.engine, &self.numbers, self.needed.as_ref());
+        data::loads(&self.engine, &self.numbers, &document)
+    }
+
+    fn answer(&self) -> Document {
+        loads_answer(&self.engine, &self.numbers, self.needed.as_ref())
+    }
+
+    fn page(&self) -> Document {
+        loads_page(&self.engine, &self.numbers, self.needed.as_ref())
+    }
+
+    /// The document with certificates.
+    fn json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(&loads_document::loads_document(&self.engine, &self.numbers, self.needed.as_ref()))
+    }
+}

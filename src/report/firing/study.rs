@@ -1,0 +1,34 @@
+//! What is a firing study to whoever asks it? Its table, its document, its pages.
+
+use super::super::data;
+use super::super::question::Question;
+use super::{FiringStudy, firing_answer, firing_document, firing_page};
+use crate::page::Document;
+use crate::table::Table;
+
+impl Question for FiringStudy {
+    fn command(&self) -> &'static str {
+        "firing"
+    }
+
+    fn title(&self) -> &str {
+        self.engine.title().written()
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        (name == "orders").then(|| data::firing(self))
+    }
+
+    fn answer(&self) -> Document {
+        firing_answer(self)
+    }
+
+    fn page(&self) -> Document {
+        firing_page(self)
+    }
+
+    /// The document with certificates.
+    fn json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(&firing_document(self, false))
+    }
+}

@@ -1,0 +1,97 @@
+//! What has every question that is asked of an engine? Tables of typed columns, and two documents: a short answer and a page.
+//!
+//! The command line, Python, sweeps and comparisons ask it in one way each. A question is a study that owns its engine, and each part of
+//! its answer is made when it is wanted.
+
+use std::error::Error;
+
+use serde::Serialize;
+
+use super::{BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
+use crate::engine::{CycleOrder, Engine};
+use crate::firing::Weights;
+use crate::loads::{usual_bearing_orders, usual_orders};
+use crate::page::Document;
+use crate::table::{Named, Table};
+
+/// A question that was asked, and what answers it.
+pub trait Question: Send + Sync {
+    /// The command that asks it.
+    fn command(&self) -> &'static str;
+
+    /// Whose answer it is.
+    fn title(&self) -> &str;
+
+    /// The table of this name, one of [`super::data::TABLES`]; none where this answer has none.
+    fn table(&self, name: &str) -> Option<Table>;
+
+    /// What the terminal shows.
+    fn answer(&self) -> Document;
+
+    /// The page.
+    fn page(&self) -> Document;
+
+    /// All tables, the main one first.
+    fn tables(&self) -> Vec<Table> {
+        super::data::tables_of(self.command()).iter().filter_map(|name| self.table(name)).collect()
+    }
+
+    /// The document of `--json`: the title and all tables, but for a question whose document has certificates.
+    ///
+    /// # Errors
+    /// What cannot be written as JSON.
+    fn json(&self) -> serde_json::Result<String> {
+        let (format, tables) = (format!("crankstar {} 2", self.command()), self.tables());
+        serde_json::to_string_pretty(&Answer { format, title: self.title(), tables: Named(&tables) })
+    }
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    format: String,
+    title: &'a str,
+    #[serde(flatten)]
+    tables: Named<'a>,
+}
+
+/// Why a question has no answer, in its own words.
+pub type Unanswered = Box<dyn Error + Send + Sync>;
+
+type Ask = fn(&Engine, &[CycleOrder]) -> Result<Box<dyn Question>, Unanswered>;
+
+/// The questions that any engine can be asked, with how.
+const ASKED: [(&str, Ask); 5] = [
+    ("loads", |engine, orders| {
+        let orders = whole_or(orders, || usual_orders(engine));
+        Ok(Box::new(LoadsStudy::new(engine, &orders, None)?))
+    }),
+    ("bearings", |engine, orders| {
+        let orders = whole_or(orders, || usual_bearing_orders(engine));
+        Ok(Box::new(BearingsStudy::new(engine, &orders)?))
+    }),
+    ("firing", |engine, orders| Ok(Box::new(FiringStudy::new(engine, orders, Weights::Rigid)?))),
+    ("torque", |engine, _| Ok(Box::new(TorqueStudy::new(engine)?))),
+    ("torsion", |engine, orders| Ok(Box::new(TorsionStudy::new(engine, orders)?))),
+];
+
+/// The names of the questions that [`ask`] knows.
+pub fn questions() -> impl Iterator<Item = &'static str> {
+    ASKED.iter().map(|(name, _)| *name)
+}
+
+/// Asks an engine a question by its name, at these orders; at the usual ones where there are none. None where no question is called so.
+pub fn ask(
+    question: &str,
+    engine: &Engine,
+    orders: &[CycleOrder],
+) -> Option<Result<Box<dyn Question>, Unanswered>> {
+    ASKED.iter().find(|(name, _)| *name == question).map(|(_, ask)| ask(engine, orders))
+}
+
+/// The whole ones of these orders; the usual ones where none is asked for.
+fn whole_or(orders: &[CycleOrder], usual: impl Fn() -> Vec<u32>) -> Vec<u32> {
+    match orders {
+        [] => usual(),
+        asked => asked.iter().filter(|order| order.is_whole()).map(|order| order.halves() / 2).collect(),
+    }
+}

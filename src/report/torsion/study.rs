@@ -1,0 +1,29 @@
+//! What is a study of torsion to whoever asks it? Its tables, its pages.
+
+use super::super::data;
+use super::super::question::Question;
+use super::{TorsionStudy, torsion_answer, torsion_page};
+use crate::page::Document;
+use crate::table::Table;
+
+impl Question for TorsionStudy {
+    fn command(&self) -> &'static str {
+        "torsion"
+    }
+
+    fn title(&self) -> &str {
+        self.engine.title().written()
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        data::torsion(self, name)
+    }
+
+    fn answer(&self) -> Document {
+        torsion_answer(self)
+    }
+
+    fn page(&self) -> Document {
+        torsion_page(self)
+    }
+}

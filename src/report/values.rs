@@ -1,0 +1,88 @@
+//! Which values have these engines? A row an engine, a column a value, and why one has none.
+
+use super::data;
+use super::question::Question;
+use super::value::{ValueName, values_of};
+use crate::engine::Engine;
+use crate::page::{Block, Document, Number, Piece, Table as Shown, Text, phrase};
+use crate::table::{Single, Table, Unit, Value};
+use crate::text::Untrusted;
+
+/// Named values of several engines.
+pub struct ValuesStudy {
+    /// The names.
+    pub names: Vec<ValueName>,
+    /// What each layout is called, and its values or why it has none.
+    pub rows: Vec<(Untrusted, Vec<Result<Single, String>>)>,
+}
+
+impl ValuesStudy {
+    /// The values of an engine.
+    pub fn row(engine: &Engine, names: &[ValueName]) -> Vec<Result<Single, String>> {
+        values_of(engine, names)
+    }
+
+    fn shown(&self) -> Shown {
+        let mut table = Shown::new([Text::from("Engine")].into_iter().chain(self.names.iter().map(|name| {
+            let unit = self.unit(name);
+            let name = Text::code(name.to_string());
+            if unit == Unit::NONE { name } else { phrase!("{} in {}", name, unit) }
+        })));
+        for (title, values) in &self.rows {
+            let cell = |value: &Result<Single, String>| match value.as_ref().ok().and_then(Single::value) {
+                None => Text::from("–"),
+                Some(Value::Decimal(0.0)) => Text::label("0"),
+                Some(Value::Decimal(decimal)) => Number::Decimal(decimal).into(),
+                Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
+                Some(other) => Text::label(other.to_string()),
+            };
+            table.push([Text::from(title)].into_iter().chain(values.iter().map(cell)).collect());
+        }
+        table
+    }
+
+    /// What a value is counted in, where some engine has it.
+    fn unit(&self, name: &ValueName) -> Unit {
+        let place = self.names.iter().position(|other| other == name);
+        let of = |values: &Vec<Result<Single, String>>| values.get(place?)?.as_ref().ok().map(|one| one.unit);
+        self.rows.iter().find_map(|(_, values)| of(values)).unwrap_or(Unit::NONE)
+    }
+
+    /// Why values are missing, each reason once.
+    fn missing(&self) -> Vec<Text> {
+        let mut reasons = Vec::new();
+        for (title, values) in &self.rows {
+            for (name, value) in self.names.iter().zip(values) {
+                if let Err(why) = value {
+                    reasons.push(phrase!("{} has no {}: {}.", title, Text::code(name.to_string()), Text::label(why)));
+                }
+            }
+        }
+        reasons
+    }
+}
+
+impl Question for ValuesStudy {
+    fn command(&self) -> &'static str {
+        "values"
+    }
+
+    fn title(&self) -> &str {
+        "values"
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        (name == "values").then(|| data::values(self))
+    }
+
+    fn answer(&self) -> Document {
+        let mut answer = Document::new("values", "Values");
+        answer.push(self.shown());
+        answer.blocks.extend(self.missing().into_iter().map(Block::Note));
+        answer
+    }
+
+    fn page(&self) -> Document {
+        self.answer()
+    }
+}

@@ -1,0 +1,57 @@
+//! Which values of other questions stand beside the points of a sweep? Whoever sweeps says how they are found.
+
+use super::run::{Reader, Sweep, on_all_cores};
+use super::SweepError;
+use crate::engine::Engine;
+use crate::file::Template;
+use crate::table::Single;
+
+/// The values of one engine, or why it has none.
+pub type Observed = Vec<Result<Single, String>>;
+
+/// What is looked for at each point.
+#[derive(Clone, Copy)]
+pub struct Observer<'a> {
+    /// What the values are called.
+    pub names: &'a [String],
+    /// Finds them.
+    pub find: &'a (dyn Fn(&Engine) -> Observed + Sync),
+}
+
+/// Values beside the points of a sweep.
+#[derive(Clone, Debug)]
+pub struct ObservedSweep {
+    /// What the values are called.
+    pub names: Vec<String>,
+    /// Those of the first point: the others have their types and units.
+    pub first: Vec<Single>,
+    /// Those of each point.
+    pub points: Vec<Observed>,
+}
+
+impl ObservedSweep {
+    /// Without points.
+    pub(super) fn new(observer: &Observer<'_>, engine: &Engine) -> Result<Self, SweepError> {
+        let known = observer.names.iter().zip((observer.find)(engine));
+        let first = known.map(|(name, value)| {
+            value.map_err(|why| SweepError::new(format!("the first point of the sweep has no {name}: {why}")))
+        });
+        Ok(ObservedSweep {
+            names: observer.names.to_vec(),
+            first: first.collect::<Result<_, SweepError>>()?,
+            points: Vec::new(),
+        })
+    }
+}
+
+/// The values at the points of a sweep, on all cores.
+///
+/// # Errors
+/// A first point that lacks one, or a layout that cannot be read.
+pub fn observed(template: &Template, sweep: &Sweep, observer: &Observer<'_>) -> Result<ObservedSweep, SweepError> {
+    let reader = Reader::new(template, &sweep.parameters);
+    let at = |place: usize| Ok((observer.find)(&reader.engine(&sweep.points[place].values)?));
+    let mut all = ObservedSweep::new(observer, &reader.engine(&reader.values(0))?)?;
+    all.points = on_all_cores(sweep.points.len(), 1, &|place, _: &mut ()| at(place))?;
+    Ok(all)
+}

@@ -1,0 +1,185 @@
+//! Which value of a table has a name? A place in its keys and the name of a column: `1.frequency` in a table of modes.
+
+use std::fmt;
+
+use super::{Column, Table, Unit, Values};
+use crate::text::{Untrusted, harmless};
+
+/// A value of a table, with the type of its column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value<'a> {
+    /// Words of this program.
+    Words(&'a str),
+    /// What a person wrote.
+    Person(&'a Untrusted),
+    /// An exact number as text.
+    Exact(&'a str),
+    /// A whole number.
+    Whole(i64),
+    /// A decimal.
+    Decimal(f64),
+    /// True or false.
+    Truth(bool),
+}
+
+impl Values {
+    /// The value of a row; none where there is nothing to say.
+    pub fn get(&self, row: usize) -> Option<Value<'_>> {
+        match self {
+            Values::Words(values) => values.get(row)?.as_deref().map(Value::Words),
+            Values::Exact(values) => values.get(row)?.as_deref().map(Value::Exact),
+            Values::Person(values) => values.get(row)?.as_ref().map(Value::Person),
+            Values::Whole(values) => values.get(row)?.map(Value::Whole),
+            Values::Decimal(values) => values.get(row)?.map(Value::Decimal),
+            Values::Truth(values) => values.get(row)?.map(Value::Truth),
+        }
+    }
+}
+
+impl Value<'_> {
+    /// Whether a key means it: as it is written, a decimal as a fraction too.
+    fn is(&self, key: &str) -> bool {
+        match self {
+            Value::Decimal(number) => decimal(key) == Some(*number),
+            Value::Words(_) | Value::Person(_) | Value::Exact(_) | Value::Whole(_) | Value::Truth(_) => {
+                self.to_string() == key
+            }
+        }
+    }
+}
+
+/// `1.5` or `3/2`.
+fn decimal(text: &str) -> Option<f64> {
+    match text.split_once('/') {
+        None => text.parse().ok(),
+        Some((above, below)) => Some(above.parse::<f64>().ok()? / below.parse::<f64>().ok()?),
+    }
+}
+
+impl fmt::Display for Value<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Words(text) | Value::Exact(text) => f.write_str(text),
+            Value::Person(text) => f.write_str(&harmless(text.written())),
+            Value::Whole(number) => number.fmt(f),
+            Value::Decimal(number) => number.fmt(f),
+            Value::Truth(truth) => truth.fmt(f),
+        }
+    }
+}
+
+/// A value that was taken from a table, with what its column says of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Single {
+    /// What it is counted in.
+    pub unit: Unit,
+    /// What it tells.
+    pub about: &'static str,
+    values: Values,
+}
+
+impl Single {
+    /// The value; none where there is nothing to say.
+    pub fn value(&self) -> Option<Value<'_>> {
+        self.values.get(0)
+    }
+}
+
+impl Single {
+    /// Values of the same name as a column, with the unit and the type of this one; what is of another is left out.
+    pub fn column<'a>(&self, name: &str, all: impl IntoIterator<Item = Option<&'a Single>>) -> Column {
+        let mut values = self.values.none_of_its_kind();
+        for one in all {
+            values.append(one.filter(|one| one.unit == self.unit).map(|one| &one.values));
+        }
+        let pattern = if self.unit.suffix.is_empty() { "{value}" } else { "{value}_{unit}" };
+        Column::named(pattern, &[name], self.unit, self.about, values)
+    }
+}
+
+/// Why a table has no value of this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotNamed {
+    /// No column is called so: those that there are.
+    Column(String, Vec<String>),
+    /// No row has this key: those that there are, of the first key that fits none.
+    Row(String, Vec<String>),
+    /// More or fewer keys than the table has: their names.
+    Keys(Vec<String>),
+}
+
+/// So many names are listed at most.
+const MOST_LISTED: usize = 12;
+
+fn listed(names: &[String]) -> String {
+    let shown: Vec<String> = names.iter().take(MOST_LISTED).map(|name| harmless(name)).collect();
+    let more = if names.len() > MOST_LISTED { ", …" } else { "" };
+    shown.join(", ") + more
+}
+
+impl fmt::Display for NotNamed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotNamed::Column(asked, there) => write!(f, "no column `{}`; there are {}", harmless(asked), listed(there)),
+            NotNamed::Row(asked, there) if there.is_empty() => write!(f, "no row `{}`; the table is empty", harmless(asked)),
+            NotNamed::Row(asked, there) => write!(f, "no row `{}`; there are {}", harmless(asked), listed(there)),
+            NotNamed::Keys(keys) if keys.is_empty() => write!(f, "the table has one row; name a column alone"),
+            NotNamed::Keys(keys) => write!(f, "a row is named by {}, then a column", keys.join(", then ")),
+        }
+    }
+}
+
+impl std::error::Error for NotNamed {}
+
+/// The part of a column's name that is said of every zero-to-peak value.
+const PEAK: &str = "_zero_to_peak";
+
+impl Column {
+    /// Its name without its unit and without `zero_to_peak`: `force` for `force_zero_to_peak_N`.
+    pub fn stem(&self) -> String {
+        let unit = format!("_{}", self.unit().suffix);
+        let bare = match self.unit() == Unit::NONE {
+            true => self.name(),
+            false => self.name().strip_suffix(&unit).unwrap_or(self.name()),
+        };
+        bare.replace(PEAK, "")
+    }
+}
+
+impl Table {
+    /// The value that a name means: the keys of its row, then the name of its column, with its unit or without.
+    ///
+    /// # Errors
+    /// What there is in its place.
+    pub fn named(&self, keys: &[&str], column: &str) -> Result<Single, NotNamed> {
+        let row = self.row(keys)?;
+        let is_meant = |other: &&Column| other.name() == column || other.stem() == column;
+        let found = self.columns().iter().find(is_meant).ok_or_else(|| {
+            let names = self.columns()[self.keys()..].iter().map(Column::stem);
+            NotNamed::Column(column.to_owned(), names.collect())
+        })?;
+        Ok(Single { unit: found.unit(), about: found.about(), values: found.values().alone(row) })
+    }
+
+    /// The place of the row with these keys.
+    fn row(&self, keys: &[&str]) -> Result<usize, NotNamed> {
+        let columns = &self.columns()[..self.keys()];
+        if keys.len() != columns.len() {
+            return Err(NotNamed::Keys(columns.iter().map(Column::stem).collect()));
+        }
+        let mut fitting: Vec<usize> = (0..self.rows()).collect();
+        for (column, key) in columns.iter().zip(keys) {
+            let value = |row: usize| column.values().get(row);
+            let text = |row: usize| value(row).map(|value| value.to_string()).unwrap_or_default();
+            let is_meant = |row: &usize| value(*row).is_some_and(|value| value.is(key));
+            let (fit, others) = fitting.into_iter().partition::<Vec<usize>, _>(is_meant);
+            if fit.is_empty() {
+                let mut there: Vec<String> = others.into_iter().map(text).collect();
+                there.dedup();
+                return Err(NotNamed::Row((*key).to_owned(), there));
+            }
+            fitting = fit;
+        }
+        fitting.first().copied().ok_or_else(|| NotNamed::Row(String::new(), Vec::new()))
+    }
+}

@@ -1,0 +1,169 @@
+//! Has every value of a question a name, which means the same on the terminal, in tables and in documents?
+
+use crankstar::engine::Engine;
+use crankstar::file::{self, Layout};
+use crankstar::report::{self, Question, ValueName, values_of};
+use crankstar::table::{Single, Table, Value};
+
+use crate::support::dice::Dice;
+use crate::support::every_form;
+use crate::support::program::{call, scratch};
+
+const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
+
+#[track_caller]
+fn engine(text: &str) -> Engine {
+    match file::parse_layout("layout.toml", text) {
+        Ok(Layout::Known(engine, _)) => *engine,
+        Ok(Layout::Open(_)) => panic!("the layout has unknowns"),
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn named(engine: &Engine, name: &str) -> Result<Single, String> {
+    values_of(engine, &[name.parse::<ValueName>()?]).remove(0)
+}
+
+/// The names of all values of a table, each with its value.
+fn every_name(question: &str, table: &Table) -> Vec<(String, Option<String>)> {
+    let mut all = Vec::new();
+    for row in 0..table.rows() {
+        let keys: Vec<String> = table.columns()[..table.keys()]
+            .iter()
+            .map(|column| column.values().get(row).expect("a key").to_string())
+            .collect();
+        if keys.iter().any(|key| key.contains('.')) {
+            continue;
+        }
+        for column in &table.columns()[table.keys()..] {
+            let path: Vec<&str> = [question, table.name()]
+                .into_iter()
+                .chain(keys.iter().map(String::as_str))
+                .chain([column.name()])
+                .collect();
+            all.push((path.join("."), column.values().get(row).map(|value| value.to_string())));
+        }
+    }
+    all
+}
+
+#[test]
+fn every_cell_of_every_table_whose_keys_are_its_own_has_a_name() {
+    let mut dice = Dice::new(271);
+    let layouts = std::iter::repeat_with(|| every_form::known(&mut dice)).take(12);
+    let random = layouts.filter_map(|text| match file::parse_layout("layout.toml", &text) {
+        Ok(Layout::Known(engine, _)) => Some(*engine),
+        Ok(Layout::Open(_)) | Err(_) => None,
+    });
+    let mut count = 0;
+    for engine in random.chain([engine(V8_GAS)]) {
+        for question in report::questions() {
+            let Some(Ok(answer)) = report::ask(question, &engine, &[]) else { continue };
+            // A term of a sum, a star of a class and a crank angle are no answers of their own.
+            let tables = answer.tables().into_iter().filter(|table| {
+                !["terms", "theta", "gas_theta"].contains(&table.name()) && (question, table.name()) != ("firing", "orders")
+            });
+            let all: Vec<(String, Option<String>)> = tables.flat_map(|table| every_name(question, &table)).collect();
+            let names: Vec<ValueName> = all.iter().map(|(name, _)| name.parse().expect("a name")).collect();
+            for ((name, told), found) in all.iter().zip(values_of(&engine, &names)) {
+                let found = found.unwrap_or_else(|why| panic!("{name}: {why}"));
+                assert_eq!(found.value().map(|value| value.to_string()), *told, "{name}");
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 5000, "{count}");
+}
+
+#[test]
+fn a_value_is_named_with_its_unit_or_without() {
+    let engine = engine(V8_GAS);
+    let value = |name: &str| match named(&engine, name).expect("a value").value() {
+        Some(Value::Decimal(value)) => value,
+        other => panic!("{name} is {other:?}"),
+    };
+    assert_eq!(value("bearings.worst.force"), value("bearings.worst.force_zero_to_peak_N"));
+    assert_eq!(value("torque.orders.1/2.gas"), 0.0);
+    assert!(value("torque.orders.4.gas") > 100.0 && value("torque.flywheel.inertia") > 0.0);
+    let study = report::TorqueStudy::new(&engine).expect("gas");
+    assert_eq!(value("torque.cycle.mean"), study.torque.mean);
+    assert_eq!(study.command(), "torque");
+}
+
+#[test]
+fn a_wrong_name_is_told_what_there_is() {
+    let engine = engine(V8_GAS);
+    let told = |name: &str| named(&engine, name).expect_err("no such value");
+    assert!(told("weather.today.rain").contains("there are loads, bearings"));
+    assert!(told("torque.weather.rain").contains("there are orders, cycle, flywheel"));
+    assert!(told("torque.cycle").contains("which column"));
+    assert!(told("torque.cycle.rain").contains("there are mean"));
+    assert!(told("torque.orders.99.gas").contains("no row `99`"));
+    assert!(told("torque.orders.gas").contains("a row is named by order"));
+    assert!(told("torque.cycle.1.mean").contains("one row"));
+    assert!(told("torsion.modes.1.frequency").contains("[torsion]"));
+}
+
+#[test]
+fn the_command_tabulates_values_of_many_layouts_and_says_why_one_has_none() {
+    let folder = scratch("values");
+    let layout = folder.join("v8.toml");
+    std::fs::write(&layout, V8_GAS).expect("a file");
+    let layout = layout.to_str().expect("a path");
+    let asked = ["values", layout, "I4", layout, "--value", "bearings.worst.force", "--value", "torque.cycle.mean"];
+    let run = |more: &[&str]| {
+        let output = call(&asked.iter().chain(more).copied().collect::<Vec<_>>());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("a text")
+    };
+    let csv = run(&["--format", "csv"]);
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 4);
+    assert!(lines[0].starts_with("engine,bearings_worst_force_N,bearings_worst_force_missing,torque_cycle_mean_N_m,"));
+    assert!(lines[2].starts_with("I4,,") && lines[2].contains("bearings"), "{}", lines[2]);
+    assert_eq!(lines[1], lines[3]);
+    let text = run(&[]);
+    assert!(text.contains("I4 has no bearings.worst.force:") && text.contains("in N"), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&run(&["--format", "json"])).expect("JSON");
+    assert_eq!(json["values"][1]["bearings_worst_force_N"], serde_json::Value::Null);
+}
+
+#[test]
+fn a_sweep_has_values_of_any_question_beside_its_points_in_every_way_to_compute_it() {
+    let folder = scratch("values-sweep");
+    let (layout, rows) = (folder.join("v8.toml"), folder.join("rows.csv"));
+    std::fs::write(&layout, V8_GAS).expect("a file");
+    let layout = layout.to_str().expect("a path");
+    let sweep = ["sweep", layout, "--set", "speed=2000..4000:1000", "--value", "bearings.worst.force"];
+    let run = |more: &[&str]| {
+        let output = call(&sweep.iter().chain(more).copied().collect::<Vec<_>>());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("a text")
+    };
+    let streamed = run(&["--format", "csv"]);
+    let header = streamed.lines().next().expect("a header");
+    let place = header.split(',').position(|name| name == "bearings_worst_force_N").expect("the column");
+    let forces: Vec<f64> = streamed.lines().skip(1).map(|line| line.split(',').nth(place).expect("a field").parse().expect("a number")).collect();
+    let expected: Vec<f64> = [2000, 3000, 4000]
+        .iter()
+        .map(|speed| {
+            let text = V8_GAS.replace("speed = \"4000 rpm\"", &format!("speed = {speed}"));
+            let engine = engine(&text);
+            match named(&engine, "bearings.worst.force").expect("a value").value() {
+                Some(Value::Decimal(force)) => force,
+                other => panic!("{other:?}"),
+            }
+        })
+        .collect();
+    assert_eq!(forces, expected);
+    // A folder of tables, and two shards merged, hold the same rows.
+    run(&["--format", "csv", "--output", folder.join("all").to_str().expect("a path")]);
+    assert_eq!(std::fs::read_to_string(folder.join("all/sweep.csv")).expect("the points"), streamed);
+    let shard = folder.join("one.shard");
+    let shard = shard.to_str().expect("a path");
+    run(&["--shard", "1/1", "--output", shard]);
+    run(&["--merge", shard, "--format", "csv", "--output", rows.to_str().expect("a path")]);
+    assert_eq!(std::fs::read_to_string(rows).expect("the rows"), streamed);
+    let refused = call(&["sweep", "I4", "--bank-angle", "0..1:1", "--value", "torsion.modes.1.frequency"]);
+    assert!(!refused.status.success());
+}
