@@ -130,7 +130,9 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
 #[test]
 fn the_console_examples_of_the_readme_and_of_docs_are_what_the_program_prints() {
     let mut found = 0;
-    for file in ["README.md", "CONTRIBUTING.md", "docs/classroom.md", "docs/commands.md", "docs/data.md", "docs/theory.md"] {
+    for file in
+        ["README.md", "CONTRIBUTING.md", "docs/classroom.md", "docs/commands.md", "docs/data.md", "docs/theory.md"]
+    {
         for example in console::examples(&text(file)) {
             let printed = example.run();
             assert!(
