@@ -1,6 +1,6 @@
 //! What does one line of influence coefficients cost, and what does it save to eliminate once, in whole numbers?
 //!
-//! `cargo bench --bench beam`. Three beams: equal spans; spans of whole millimetres; spans with denominators up to 30, for
+//! `cargo bench -p benches --bench beam`. Three beams: equal spans; spans of whole millimetres; spans with denominators up to 30, for
 //! which all lengths are long whole numbers.
 
 use crankstar::beam::Beam;

@@ -1,6 +1,6 @@
 //! What does a verdict cost, what does its certificate add, and does the denominator matter?
 //!
-//! `cargo bench --bench decision`. The 28 sums are those of the cross-plane V8: orders 1, 2, 4, 6, 8, 10, 12; force and
+//! `cargo bench -p benches --bench decision`. The 28 sums are those of the cross-plane V8: orders 1, 2, 4, 6, 8, 10, 12; force and
 //! moment; direct and reverse. Each line times all 28: divide by 28 for one decision.
 
 #[path = "../tests/suite/support/oracle.rs"]

@@ -1,6 +1,6 @@
 //! What does an effect cost that is not asked for, and one that is? The same engine with a gas in its file, without, and asked for it.
 //!
-//! `cargo bench --bench effects`. The first of each three is the baseline: an effect that is not asked for costs what it takes to
+//! `cargo bench -p benches --bench effects`. The first of each three is the baseline: an effect that is not asked for costs what it takes to
 //! read its lines, and nothing after that.
 
 use crankstar::engine::Engine;

@@ -1,6 +1,6 @@
 //! How long do all closed forms of a page take? Over the 300 layouts of `reports/forms`, each with nothing remembered.
 //!
-//! `cargo bench --bench forms`. A page has, for force and moment of orders 1, 2, 4 and 6, both lengths, both directions and the largest value.
+//! `cargo bench -p benches --bench forms`. A page has, for force and moment of orders 1, 2, 4 and 6, both lengths, both directions and the largest value.
 #![allow(clippy::disallowed_types)]
 
 #[path = "../tests/suite/support/books.rs"]

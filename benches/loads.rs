@@ -1,6 +1,6 @@
 //! What does one evaluation of forces and moments cost, what does each effect of the scene add, and what does NumPy take?
 //!
-//! `cargo bench --bench loads`. The V8 has unequal masses, so that no order of force or moment vanishes and none is saved: the worst case.
+//! `cargo bench -p benches --bench loads`. The V8 has unequal masses, so that no order of force or moment vanishes and none is saved: the worst case.
 //! One evaluation is force and moment at 720 crank angles in orders 1, 2, 4 and 6. The same sum in plain NumPy (`v8.py`) is timed
 //! first, if there is a `python3` with numpy.
 #![allow(clippy::disallowed_types)]
@@ -65,7 +65,7 @@ fn waveforms(loads: &Loads) -> Vec<&Waveform> {
 
 /// Runs the script, and compares its largest force and moment with those of the program.
 fn numpy(loads: &Loads) -> Result<String, String> {
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/v8.py");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/v8.py");
     let vectors = waveforms(loads).into_iter().flat_map(|waveform| waveform.harmonics());
     let numbers = vectors.flat_map(|h| [h.direct.re, h.direct.im, h.reverse.re, h.reverse.im].map(|x| x.to_string()));
     let output =

@@ -1,8 +1,8 @@
 //! How long does a person wait for `classify`, `report` and the other commands? Over random engines of every form.
 //!
-//! `cargo bench --bench random_engines [-- COUNT [COMMAND]]`. Each engine is a layout file at whole degrees with up to 24 cylinders; the
-//! program is run on it as from a shell, alone, and what is printed is the median, the 95th percentile, and the slowest
-//! with its file.
+//! `cargo bench -p benches --bench random_engines [-- COUNT [COMMAND]]`. Each engine is a layout file at whole degrees with up to 24 cylinders; the
+//! program, of `cargo build --release` or the one that `CRANKSTAR` names, is run on it as from a shell, alone, and what is printed
+//! is the median, the 95th percentile, and the slowest with its file.
 #![allow(clippy::disallowed_types)]
 
 #[path = "../tests/suite/support/dice.rs"]
@@ -74,7 +74,8 @@ fn run(
     std::fs::write(&engine, file)?;
     std::fs::write(&claims, CLAIMS)?;
     // Another program can be named, to compare.
-    let program = std::env::var("CRANKSTAR").unwrap_or_else(|_| env!("CARGO_BIN_EXE_crankstar").to_owned());
+    let built = concat!(env!("CARGO_MANIFEST_DIR"), "/../target/release/crankstar");
+    let program = std::env::var("CRANKSTAR").unwrap_or_else(|_| built.to_owned());
     let mut command = Command::new(program);
     command.args(before).arg(if before == ["check"] { &claims } else { &engine }).args(after);
     let start = Instant::now();

@@ -1,6 +1,6 @@
 //! What does a report cost? Judging the orders of an engine, and judging and writing its report.
 //!
-//! `cargo bench --bench report`
+//! `cargo bench -p benches --bench report`
 
 use crankstar::engine::Engine;
 use crankstar::file;

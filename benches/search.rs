@@ -1,6 +1,6 @@
 //! How many crank stars are judged in a second and core, and what does the bound save?
 //!
-//! `cargo bench --bench search`. All lines find the front of orders 1 and 2 of in-line two-stroke engines on one core. The
+//! `cargo bench -p benches --bench search`. All lines find the front of orders 1 and 2 of in-line two-stroke engines on one core. The
 //! rates count all stars with cylinder 1 at 0, whether judged one by one or left out by symmetry and bound. The baselines, in the
 //! same run: the plain loop over all permutations in floats, with a tolerance, which proves nothing; and the same loop with the
 //! decision procedure called star by star.

@@ -1,6 +1,6 @@
 //! How long does a sweep of 10,000 layouts take, and what does it save to parse the file once and to sum in floats?
 //!
-//! `cargo bench --bench sweep`. The cross-plane V8 over its bank angle in 10,000 steps, orders 1, 2, 4 and 6, on all cores.
+//! `cargo bench -p benches --bench sweep`. The cross-plane V8 over its bank angle in 10,000 steps, orders 1, 2, 4 and 6, on all cores.
 //! The baseline, in the same run: 100 of these layouts from their text, one by one, judged by the decision procedure.
 
 use crankstar::file::{self, Template};

@@ -174,7 +174,9 @@ fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
         let name = family.file_name().expect("a name").to_string_lossy().into_owned();
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-families").join(&name);
         fs::create_dir_all(&folder).expect("a folder");
-        fs::copy(family.join("report.tex"), folder.join("report.tex")).expect("a report");
+        let (layout, output) = (family.join("layout.toml"), folder.to_str().expect("UTF-8"));
+        let arguments = ["report", layout.to_str().expect("UTF-8"), "--format", "latex", "--output", output];
+        run(&folder, env!("CARGO_BIN_EXE_crankstar"), &arguments, "");
         compile(&name, &folder);
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");

@@ -173,7 +173,7 @@ fn merge<E: Exponent, W: Weight>(found: &mut Found<E, W>, more: Found<E, W>, con
 }
 
 fn to_polygons<E: Exponent, W: Weight>(found: Found<E, W>, conductor: &E, scale: &W) -> Vec<Polygon> {
-    debug_assert!(!conductor.is_zero() && scale.is_positive());
+    assert!(!conductor.is_zero() && scale.is_positive());
     let polygon = |((sides, corner), weight): ((u32, E), W)| {
         // Both are reduced here, where they may be machine words.
         let (turn, part) = (corner.gcd(conductor), weight.gcd(scale));

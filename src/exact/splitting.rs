@@ -79,6 +79,6 @@ fn compare(terms: &Terms, conductor: &BigUint, largest: u32) -> (Step, BigUint, 
     let Some((second, kept)) = differences.min_by_key(|(_, terms)| terms.len()) else {
         unreachable!("a sum is zero where all its classes modulo a prime are equal")
     };
-    debug_assert!(!rest.is_one() || kept.len() == 1);
+    assert!(!rest.is_one() || kept.len() == 1);
     (Step::Compare { prime: largest.into(), first: 0, second: second.into() }, rest, kept)
 }

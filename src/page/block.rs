@@ -156,7 +156,7 @@ impl Table {
 
     /// With one more row.
     pub fn push(&mut self, row: Vec<Text>) {
-        debug_assert_eq!(row.len(), self.header.len(), "a row of another width");
+        assert_eq!(row.len(), self.header.len(), "a row of another width");
         self.rows.push(row);
     }
 }

@@ -1,9 +1,14 @@
-//! How is a drawing written as SVG?
+//! How is a drawing written as SVG? Marks that are painted alike share their attributes: a page has many drawings, and they are most of its bytes.
 
-use std::collections::BTreeSet;
+mod colour;
+mod outline;
+
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head, coordinate};
+use self::colour::{class, on_dark, on_light};
+use self::outline::{number, outline, rectangle};
+use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head};
 use crate::text::xml;
 
 /// Pixels a millimetre on the page.
@@ -14,19 +19,19 @@ const BASELINE: f64 = 0.35;
 /// The drawing as an SVG file, or as part of an HTML page: it has no ground and its colours follow those of the page. Rules
 /// of style begin with `cs-` and are the same in every drawing, so that several on one page do not clash.
 pub fn svg(figure: &Figure, title: &str) -> String {
-    let (width, height) = (coordinate(figure.width), coordinate(figure.height));
+    let (width, height) = (number(figure.width), number(figure.height));
     let (pixels_wide, pixels_high) = (figure.width * SCALE, figure.height * SCALE);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cs-drawing\" role=\"img\" width=\"{pixels_wide:.0}\" \
          height=\"{pixels_high:.0}\" viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\" \
-         font-size=\"{}\">\n<title>{}</title>\n{}",
-        coordinate(figure.letters),
+         font-size=\"{}\" fill=\"none\" stroke-linejoin=\"round\">\n<title>{}</title>\n{}",
+        number(figure.letters),
         xml(title),
         style(figure)
     );
-    for mark in &figure.marks {
+    for run in runs(figure) {
         // Writing to a string cannot fail.
-        let _ = writeln!(out, "{}", element(mark, figure));
+        let _ = writeln!(out, "{}", run.written());
     }
     out.push_str("</svg>\n");
     out
@@ -64,90 +69,145 @@ fn paints(mark: &Mark) -> Vec<(&'static str, Ink)> {
 const STROKE: &str = "stroke";
 const FILL: &str = "fill";
 
-/// `cs-stroke-red`, `cs-fill-40` for a shade.
-fn class(paint: &str, ink: Ink) -> String {
-    let name = match ink {
-        Ink::Black => "black",
-        Ink::Grey => "grey",
-        Ink::Light => "light",
-        Ink::Blue => "blue",
-        Ink::Orange => "orange",
-        Ink::Green => "green",
-        Ink::Red => "red",
-        Ink::Shade(percent) => return format!("cs-{paint}-{}", percent.min(100)),
-    };
-    format!("cs-{paint}-{name}")
+/// What a mark is drawn with, but for how it is painted.
+enum Shape {
+    /// Data of a path: what is painted alike may share one.
+    Outline(String),
+    /// The start of an element that stands alone, and what it holds.
+    Element(String, Option<String>),
 }
 
-fn element(mark: &Mark, figure: &Figure) -> String {
+/// Shapes that are painted alike.
+struct Run {
+    attributes: String,
+    shapes: Vec<Shape>,
+}
+
+/// The only ink of a mark.
+fn only_ink(mark: &Mark) -> Option<Ink> {
+    let inks: BTreeSet<Ink> = paints(mark).into_iter().map(|(_, ink)| ink).collect();
+    if inks.len() == 1 { inks.first().copied() } else { None }
+}
+
+/// The marks in their order, but for two freedoms that nobody sees: neighbours of one and the same ink are sorted by how they are painted, and
+/// texts lie upon all else.
+fn runs(figure: &Figure) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let mut texts: BTreeMap<String, Vec<Shape>> = BTreeMap::new();
+    // Where the neighbours of the last ink begin.
+    let (mut ink, mut from) = (None, 0);
+    for mark in &figure.marks {
+        if matches!(mark, Mark::Text { .. } | Mark::Title { .. }) {
+            for (attributes, shape) in pieces(mark, figure) {
+                texts.entry(attributes).or_default().push(shape);
+            }
+            continue;
+        }
+        let own = only_ink(mark);
+        if own != ink {
+            (ink, from) = (own, runs.len());
+        } else if own.is_none() {
+            from = runs.len().saturating_sub(1).max(from);
+        }
+        for (attributes, shape) in pieces(mark, figure) {
+            match runs[from..].iter_mut().find(|run| run.attributes == attributes) {
+                Some(run) => run.shapes.push(shape),
+                None => runs.push(Run { attributes, shapes: vec![shape] }),
+            }
+        }
+    }
+    runs.extend(texts.into_iter().map(|(attributes, shapes)| Run { attributes, shapes }));
+    runs
+}
+
+impl Run {
+    /// One element, or a group of them, each on its line.
+    fn written(&self) -> String {
+        let outlines: String = self.shapes.iter().filter_map(Shape::outline).collect();
+        let path = (!outlines.is_empty()).then(|| (format!("<path d=\"{outlines}\""), None));
+        let alone = self.shapes.iter().filter_map(|shape| match shape {
+            Shape::Outline(_) => None,
+            Shape::Element(start, content) => Some((start.clone(), content.clone())),
+        });
+        let elements: Vec<(String, Option<String>)> = path.into_iter().chain(alone).collect();
+        let whole = |(start, content): &(String, Option<String>), attributes: &str| match content {
+            Some(content) => format!("{start}{attributes}>{content}</text>"),
+            None => format!("{start}{attributes}/>"),
+        };
+        match elements.as_slice() {
+            [one] => whole(one, &format!(" {}", self.attributes)),
+            several => {
+                let lines: Vec<String> = several.iter().map(|element| whole(element, "")).collect();
+                format!("<g {}>\n{}\n</g>", self.attributes, lines.join("\n"))
+            }
+        }
+    }
+}
+
+impl Shape {
+    fn outline(&self) -> Option<&str> {
+        match self {
+            Shape::Outline(data) => Some(data),
+            Shape::Element(..) => None,
+        }
+    }
+}
+
+/// The shapes of a mark, each with how it is painted.
+fn pieces(mark: &Mark, figure: &Figure) -> Vec<(String, Shape)> {
     let height = figure.height;
-    let x = |point: &Point| coordinate(point.re);
-    let y = |point: &Point| coordinate(height - point.im);
     match mark {
         Mark::Line { from, to, stroke, arrow } => {
             let head = arrow.then(|| arrow_head(*from, *to, stroke)).flatten();
             // The line ends inside of its head, which would else be blunt.
             let along = head.map_or(Point::default(), |(length, _)| (to - from) / (to - from).norm() * length);
-            let end = to - along * 0.9;
-            let line = format!(
-                "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>",
-                x(from),
-                y(from),
-                x(&end),
-                y(&end),
-                outline(stroke, "")
-            );
-            let corners = head.map(|(length, half)| {
+            let line = (painted(stroke, &None), Shape::Outline(outline(&[*from, to - along * 0.9], height, false)));
+            let head = head.map(|(length, half)| {
                 let across = along / length * Point::i() * half;
-                [*to, to - along + across, to - along - across]
+                let corners = [*to, to - along + across, to - along - across];
+                (format!("class=\"{}\"", class(FILL, stroke.ink)), Shape::Outline(outline(&corners, height, true)))
             });
-            match corners {
-                Some(corners) => {
-                    format!("{line}\n{}", polygon(&corners, height, &format!("class=\"{}\"", class(FILL, stroke.ink))))
-                }
-                None => line,
-            }
+            [line].into_iter().chain(head).collect()
         }
-        Mark::Circle { centre, radius, stroke, fill } => format!(
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>",
-            x(centre),
-            y(centre),
-            coordinate(*radius),
-            painted(stroke, fill)
-        ),
+        Mark::Circle { centre, radius, stroke, fill } => {
+            let (x, y) = (number(centre.re), number(height - centre.im));
+            let start = format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"", number(*radius));
+            vec![(painted(stroke, fill), Shape::Element(start, None))]
+        }
         Mark::Polygon { corners, stroke, fill } => {
-            polygon(corners, height, &format!("{} stroke-linejoin=\"round\"", painted(stroke, fill)))
+            let data = outline(corners, height, true);
+            let shape = match fill {
+                None => Shape::Outline(data),
+                // The colour inside lies upon what was drawn before.
+                Some(_) => Shape::Element(format!("<path d=\"{data}\""), None),
+            };
+            vec![(painted(stroke, fill), shape)]
         }
         Mark::Path { points, stroke } => {
-            let attributes = format!("{} stroke-linejoin=\"round\"", painted(stroke, &None));
-            format!("<polyline points=\"{}\" {attributes}/>", coordinates(points, height))
+            vec![(painted(stroke, &None), Shape::Outline(outline(points, height, false)))]
         }
         // Without crisp edges the cells of a map would show seams.
         Mark::Rectangles { corners, fill } => {
-            let one = |(low, high): &(Point, Point)| {
-                let (wide, tall) = (coordinate(high.re - low.re), coordinate(high.im - low.im));
-                format!("M{},{}h{wide}v{tall}h-{wide}z", x(low), y(high))
-            };
-            let outlines: String = corners.iter().map(one).collect();
-            format!("<path d=\"{outlines}\" class=\"{}\" shape-rendering=\"crispEdges\"/>", class(FILL, *fill))
+            let outlines: String = corners.iter().map(|(low, high)| rectangle(*low, *high, height)).collect();
+            let attributes = format!("class=\"{}\" shape-rendering=\"crispEdges\"", class(FILL, *fill));
+            vec![(attributes, Shape::Outline(outlines))]
         }
         Mark::Text { at, text, anchor, bold, .. } => {
-            let anchor = hanging(*anchor);
             let weight = if *bold { " font-weight=\"bold\"" } else { "" };
-            let baseline = Point::new(at.re, at.im - BASELINE * figure.letters);
-            let (x, y) = (x(&baseline), y(&baseline));
-            let class = class(FILL, Ink::Black);
-            format!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{weight}>{}</text>", xml(text))
+            vec![written_text(*at, text, figure.letters, height, *anchor, weight)]
         }
         Mark::Title { at, text, letters, anchor } => {
-            let (x, y) = (coordinate(at.re), coordinate(height - at.im + 0.35 * letters));
-            let (anchor, size) = (hanging(*anchor), coordinate(*letters));
-            format!(
-                "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" font-weight=\"bold\" font-size=\"{size}\">{}</text>",
-                xml(text)
-            )
+            let weight = format!(" font-weight=\"bold\" font-size=\"{}\"", number(*letters));
+            vec![written_text(*at, text, *letters, height, *anchor, &weight)]
         }
     }
+}
+
+/// A line of text in letters of so many millimetres.
+fn written_text(at: Point, text: &str, letters: f64, height: f64, anchor: Anchor, more: &str) -> (String, Shape) {
+    let (x, y) = (number(at.re), number(height - at.im + BASELINE * letters));
+    let attributes = format!("class=\"{}\" text-anchor=\"{}\"{more}", class(FILL, Ink::Black), hanging(anchor));
+    (attributes, Shape::Element(format!("<text x=\"{x}\" y=\"{y}\""), Some(xml(text))))
 }
 
 fn hanging(anchor: Anchor) -> &'static str {
@@ -158,68 +218,14 @@ fn hanging(anchor: Anchor) -> &'static str {
     }
 }
 
-fn polygon(corners: &[Point], height: f64, attributes: &str) -> String {
-    format!("<polygon points=\"{}\" {attributes}/>", coordinates(corners, height))
-}
-
-fn coordinates(points: &[Point], height: f64) -> String {
-    let point = |p: &Point| format!("{},{}", coordinate(p.re), coordinate(height - p.im));
-    points.iter().map(point).collect::<Vec<_>>().join(" ")
-}
-
-/// The outline and the colour inside.
+/// How an outline is painted, and what is inside.
 fn painted(stroke: &Stroke, fill: &Option<Ink>) -> String {
-    match fill {
-        Some(ink) => outline(stroke, &format!(" {}", class(FILL, *ink))),
-        None => format!("fill=\"none\" {}", outline(stroke, "")),
-    }
-}
-
-/// The line, with further classes.
-fn outline(stroke: &Stroke, classes: &str) -> String {
+    let inside = fill.map(|ink| format!(" {}", class(FILL, ink))).unwrap_or_default();
     let dash = match stroke.dash {
         Dash::Solid => "",
         Dash::Dashed => " stroke-dasharray=\"1.6 1\"",
-        Dash::Dotted => " stroke-dasharray=\"0.4 0.8\"",
-        Dash::DashDotted => " stroke-dasharray=\"2 0.7 0.4 0.7\"",
+        Dash::Dotted => " stroke-dasharray=\".4 .8\"",
+        Dash::DashDotted => " stroke-dasharray=\"2 .7 .4 .7\"",
     };
-    format!("class=\"{}{classes}\" stroke-width=\"{}\"{dash}", class(STROKE, stroke.ink), coordinate(stroke.width))
-}
-
-/// Blue, green and orange rise in lightness by equal steps, so that they differ in grey and for the colour-blind.
-fn on_light(ink: Ink) -> String {
-    let known = match ink {
-        Ink::Black => "#111111",
-        Ink::Grey => "#8a8a8a",
-        Ink::Light => "#e8e8e8",
-        Ink::Blue => "#1f4e9c",
-        Ink::Orange => "#e69f00",
-        Ink::Green => "#2e8b57",
-        Ink::Red => "#b2182b",
-        Ink::Shade(percent) => return grey(255, 0, percent),
-    };
-    known.to_owned()
-}
-
-/// The same on a dark page, in the same order of lightness, and darker than the vectors upon them.
-fn on_dark(ink: Ink) -> String {
-    let known = match ink {
-        Ink::Black => "#f0f0f0",
-        Ink::Grey => "#8f959c",
-        Ink::Light => "#3a3f46",
-        Ink::Blue => "#3a7ae0",
-        Ink::Orange => "#e3ab32",
-        Ink::Green => "#35a066",
-        Ink::Red => "#ff6b6b",
-        Ink::Shade(percent) => return grey(17, 255, percent),
-    };
-    known.to_owned()
-}
-
-/// A grey so many per cent of the way from the ground.
-fn grey(ground: u8, ink: u8, percent: u8) -> String {
-    let percent = f64::from(percent.min(100)) / 100.0;
-    let level = f64::from(ground) + (f64::from(ink) - f64::from(ground)) * percent;
-    let level = level.round() as u8;
-    format!("#{level:02x}{level:02x}{level:02x}")
+    format!("class=\"{}{inside}\" stroke-width=\"{}\"{dash}", class(STROKE, stroke.ink), number(stroke.width))
 }

@@ -12,6 +12,7 @@ use num_traits::{ToPrimitive, Zero};
 use std::process::{Command, Output};
 
 use crate::support::dice::Dice;
+use crate::support::program::scratch;
 
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
@@ -19,7 +20,7 @@ fn crankstar(arguments: &[&str]) -> Output {
 
 /// A layout file of its own for one test.
 fn file(name: &str, text: &str) -> String {
-    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let path = scratch(name).join(name);
     std::fs::write(&path, text).expect("a file");
     path.to_str().expect("a path in UTF-8").to_owned()
 }
@@ -507,8 +508,7 @@ fn the_command_prints_peaks_beside_the_determinate_ones_and_marks_the_worst() {
 #[test]
 fn the_page_has_two_drawings_a_bearing_and_the_exact_parts() {
     let file = file("bearings-page.toml", I3);
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("bearings-page");
-    let _ = std::fs::remove_dir_all(&folder);
+    let folder = scratch("bearings-page").join("new");
     let output = crankstar(&["bearings", &file, "--output", folder.to_str().expect("a path in UTF-8")]);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let page = std::fs::read_to_string(folder.join("bearings.md")).expect("the page");

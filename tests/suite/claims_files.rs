@@ -1,7 +1,7 @@
 //! Are claims files and students' tables read rightly, answered, and told with the right exit status?
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use crankstar::claim::{Claims, Provenance, Quote, Status, TableVerdict, parse_claims};
@@ -10,6 +10,8 @@ use crankstar::page::{self, Document, Format, Options};
 use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
 use crankstar::text::Untrusted;
+
+use crate::support::program::scratch;
 
 fn claims(text: &str) -> Result<Claims, LayoutError> {
     parse_claims("claims.toml", text, &|name| match file::find(name) {
@@ -28,9 +30,7 @@ fn table(rest: &str) -> TableVerdict {
 }
 
 fn check(name: &str, text: &str) -> (Option<i32>, String, String) {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("claims-files");
-    fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join(name);
+    let file = scratch(name).join(name);
     fs::write(&file, text).expect("a file");
     let output = Command::new(env!("CARGO_BIN_EXE_crankstar")).arg("check").arg(&file).output().expect("it starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("a text");

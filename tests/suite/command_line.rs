@@ -1,10 +1,11 @@
 //! Does the program answer as its help says: output, messages, exit status?
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
 use crankstar::page::{self, Format, Options};
+
+use crate::support::program::scratch;
 
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
@@ -22,14 +23,6 @@ fn fails(arguments: &[&str], status: i32) -> String {
     assert_eq!(output.status.code(), Some(status), "{arguments:?}");
     assert!(output.stdout.is_empty(), "{arguments:?} prints on standard output");
     String::from_utf8(output.stderr).expect("a text")
-}
-
-/// A fresh folder for one test.
-fn scratch(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
 }
 
 fn text(path: &std::path::Path) -> &str {

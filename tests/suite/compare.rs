@@ -1,10 +1,11 @@
 //! Does a comparison say what each engine leaves, in which units, and with which remedy?
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use serde_json::Value;
+
+use crate::support::program::scratch;
 
 fn crankstar(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_crankstar"));
@@ -61,7 +62,7 @@ spacing = "100 mm"
 
 /// The layout file of this text in a folder of its own.
 fn layout(name: &str, text: &str) -> String {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compare").join(name);
+    let folder = scratch("compare").join(name);
     fs::create_dir_all(&folder).expect("a folder");
     fs::write(folder.join("layout.toml"), text).expect("a file");
     folder.join("layout.toml").to_str().expect("a path").to_owned()
@@ -166,8 +167,7 @@ fn unequal_rods_are_judged_by_class_and_orders_without_coefficient_leave_nothing
 
 #[test]
 fn the_page_has_small_multiples_of_the_stars_of_each_order() {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compare").join("page");
-    let _ = fs::remove_dir_all(&folder);
+    let folder = scratch("compare-page").join("new");
     let engines = ["I3", "I4", "V6-60-even", "boxer-6", "I5-12453", "--orders", "1,2"];
     succeeds(&[&engines[..], &["--output", folder.to_str().expect("a path")]].concat());
     let page = fs::read_to_string(folder.join("compare.md")).expect("a page");

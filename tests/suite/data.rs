@@ -20,6 +20,7 @@ use serde_json::Value;
 use crate::support::dice::Dice;
 use crate::support::every_form;
 use crate::support::program::{call, scratch};
+use crate::support::rfc4180;
 use crate::support::tables::{self, Answered, decimals, texts, truths};
 
 const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
@@ -75,14 +76,6 @@ fn answer_all() -> Vec<Answered> {
     all
 }
 
-/// The fields of a table in CSV, read by another program's reader.
-fn read_back(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
-    let mut reader = ::csv::Reader::from_reader(text.as_bytes());
-    let fields = |record: &::csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
-    let header = fields(reader.headers().expect("a header"));
-    (header, reader.records().map(|record| fields(&record.expect("a record"))).collect())
-}
-
 fn is_read(column: &Column, row: usize, field: &str) -> bool {
     match column.values() {
         Values::Words(values) | Values::Exact(values) => values[row].as_deref().unwrap_or_default() == field,
@@ -96,7 +89,7 @@ fn is_read(column: &Column, row: usize, field: &str) -> bool {
 }
 
 fn reads_back(table: &Table) {
-    let (header, rows) = read_back(&csv(table));
+    let (header, rows) = rfc4180::read(&csv(table));
     assert_eq!(header, table.columns().iter().map(Column::name).collect::<Vec<_>>());
     assert_eq!(rows.len(), table.rows(), "{}", table.name());
     for (row, fields) in rows.iter().enumerate() {
@@ -161,7 +154,7 @@ fn a_text_is_quoted_and_never_a_formula() {
     let words = ["a,b", "say \"so\"", "=cmd|' /C calc'!A0", "+1", "-1+2", "@sum", "two\nlines", "\u{1b}[31m"];
     let person = Values::Person(words.iter().map(|words| Some(Untrusted::new(*words))).collect());
     let table = Table::new("t", "a row", words.len()).with(Column::new("text", Unit::NONE, "a text", person));
-    let (_, rows) = read_back(&csv(&table));
+    let (_, rows) = rfc4180::read(&csv(&table));
     let read: Vec<&str> = rows.iter().map(|row| row[0].as_str()).collect();
     let right = ["a,b", "say \"so\"", "'=cmd|' /C calc'!A0", "'+1", "'-1+2", "'@sum", "two lines", "[U+001B][31m"];
     assert_eq!(read, right);

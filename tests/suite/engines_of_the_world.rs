@@ -18,8 +18,7 @@ use crankstar::proof::{Sense, Vector, check_certificate, check_open_document};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report::{self, BuiltEngine};
 
-use crate::reports::compare;
-use crate::support::{german, pages, time_domain};
+use crate::support::{german, golden, pages, time_domain};
 
 /// The engines of which a known fact is not what the layout file leads to, with a reason in the facts.
 const DIFFER: [&str; 2] = ["ford-essex-v4", "honda-rc211v"];
@@ -219,7 +218,7 @@ fn reports_on_engines_of_the_world_are_as_stored() {
         let mut files = report(&layout);
         files.insert("engine.toml".to_owned(), layout);
         files.insert("facts.toml".to_owned(), text(&name, "facts.toml"));
-        compare(&folder().join(&name), &files);
+        golden::compare(&folder().join(&name), &files);
     }
 }
 
@@ -227,7 +226,7 @@ fn reports_on_engines_of_the_world_are_as_stored() {
 fn the_index_of_engines_of_the_world_is_as_stored() {
     let engines: Vec<BuiltEngine> = names().iter().map(|name| built(name)).collect();
     let files = pages::files(&report::engines_page(&engines), Format::GITHUB);
-    compare(&folder(), &files.into_iter().map(|file| (file.name, file.text)).collect());
+    golden::compare(&folder(), &files.into_iter().map(|file| (file.name, file.text)).collect());
 }
 
 #[test]

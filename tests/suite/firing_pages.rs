@@ -15,6 +15,7 @@ use crankstar::proof::check_certificate;
 use crankstar::report::{self, FiringStudy};
 use num_rational::BigRational;
 
+use crate::support::golden;
 use crate::support::pages::text;
 
 fn folder() -> PathBuf {
@@ -22,7 +23,7 @@ fn folder() -> PathBuf {
 }
 
 fn assert_stored(name: &str, page: &Document) {
-    let (path, page) = (folder().join(name), text(page, Format::GITHUB));
+    let (path, page) = (folder().join(name), golden::linked("firing", &text(page, Format::GITHUB)));
     if env::var_os("CRANKSTAR_RENEW").is_some() {
         fs::write(&path, &page).expect("the page");
     }

@@ -4,7 +4,7 @@ use crankstar::file;
 use crankstar::page::{Document, Language, Picture};
 use crankstar::report;
 
-use crate::support::german::{pages_of, pages_of_files};
+use crate::support::german::{pages_of_folders, pages_of_the_catalogue};
 use crate::views::unreadable_texts;
 
 /// Views and plots are looked at as their own tests do, stars as theirs.
@@ -36,7 +36,7 @@ fn looked_at(name: &str, pages: &[Document]) -> (usize, Vec<String>) {
 fn no_german_text_of_the_catalogue_lies_on_another_or_leaves_the_page() {
     let engines = file::catalogue().expect("the catalogue reads");
     let catalogue = looked_at("the catalogue", &[report::catalogue_page(&engines)]);
-    let each = engines.iter().map(|(entry, engine)| looked_at(entry.name, &pages_of(engine)));
+    let each = pages_of_the_catalogue().iter().map(|(name, pages)| looked_at(name, pages));
     let (drawn, wrong): (Vec<usize>, Vec<Vec<String>>) = each.chain([catalogue]).unzip();
     assert!(drawn.iter().sum::<usize>() > 150, "{drawn:?}");
     assert!(wrong.concat().is_empty(), "{:#?}", wrong.concat());
@@ -44,8 +44,8 @@ fn no_german_text_of_the_catalogue_lies_on_another_or_leaves_the_page() {
 
 #[test]
 fn no_german_text_of_a_layout_file_lies_on_another_or_leaves_the_page() {
-    for folder in ["tests/pages", "reports/examples", "reports/families"] {
-        let (drawn, wrong) = looked_at(folder, &pages_of_files(folder));
+    for (folder, pages) in pages_of_folders() {
+        let (drawn, wrong) = looked_at(folder, pages);
         assert!(drawn > 3, "{drawn} drawings of {folder}");
         assert!(wrong.is_empty(), "{wrong:#?}");
     }

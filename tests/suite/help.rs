@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use crate::support::console;
+
 fn succeeds(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts");
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
@@ -126,6 +128,37 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
 }
 
 #[test]
-fn the_console_examples_of_the_readme_are_what_the_program_prints() {
-    trycmd::TestCases::new().case("README.md");
+fn the_console_examples_of_the_readme_and_of_docs_are_what_the_program_prints() {
+    let mut found = 0;
+    for file in
+        ["README.md", "CONTRIBUTING.md", "docs/classroom.md", "docs/commands.md", "docs/data.md", "docs/theory.md"]
+    {
+        for example in console::examples(&text(file)) {
+            let printed = example.run();
+            assert!(
+                console::matches(&example.printed, &printed),
+                "{file}, $ {}\nis to print\n{}\nand prints\n{printed}",
+                example.command,
+                example.printed
+            );
+            found += 1;
+        }
+    }
+    assert!(found > 0, "no example was found");
+}
+
+#[test]
+fn an_example_that_prints_something_else_is_found() {
+    let page = "A\n```console\n$ crankstar classify I4\nI4\n...\nend\n\n$ crankstar 'two words' \"3\"\n```\n```sh\n$ crankstar x\n```\n";
+    let examples = console::examples(page);
+    let commands: Vec<&str> = examples.iter().map(|example| example.command.as_str()).collect();
+    assert_eq!(commands, ["crankstar classify I4", "crankstar 'two words' \"3\""]);
+    assert_eq!(examples[1].arguments(), ["two words", "3"]);
+    let printed = &examples[0].printed;
+    for right in ["I4\nend\n", "I4\na\n\nb\nend\n", "I4\nend\nend"] {
+        assert!(console::matches(printed, right), "{right}");
+    }
+    for wrong in ["", "I4\n", "I4\na\nend\nb\n", "I5\nend\n", " I4\nend\n", "x\nI4\nend\n"] {
+        assert!(!console::matches(printed, wrong), "{wrong}");
+    }
 }

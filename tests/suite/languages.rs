@@ -16,7 +16,9 @@ use crankstar::report::{self, AccuracyCase, Compared};
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
-use crate::support::german::{has_words, is_said, literals, outside, pages_of, pages_of_files};
+use crate::support::german::{
+    has_words, is_said, literals, outside, pages_of, pages_of_folders, pages_of_the_catalogue,
+};
 use crate::support::pages;
 
 /// The places of a phrase: how many, and which are named.
@@ -58,15 +60,15 @@ fn every_entry_has_the_places_the_formulas_and_the_bold_words_of_its_key() {
 fn pages_of_the_catalogue_have_german_for_every_phrase() {
     let engines = file::catalogue().expect("the catalogue reads");
     assert_known(&[report::catalogue_page(&engines), report::catalogue_answer(&engines)]);
-    for (_, engine) in &engines {
-        assert_known(&pages_of(engine));
+    for (_, pages) in pages_of_the_catalogue() {
+        assert_known(pages);
     }
 }
 
 #[test]
 fn pages_of_examples_families_and_odd_layouts_have_german_for_every_phrase() {
-    for folder in ["reports/examples", "reports/families", "tests/pages"] {
-        assert_known(&pages_of_files(folder));
+    for (_, pages) in pages_of_folders() {
+        assert_known(pages);
     }
 }
 
@@ -241,11 +243,10 @@ fn every_entry_translates_what_the_program_says() {
 #[test]
 fn every_name_in_a_drawing_has_german() {
     let engines = file::catalogue().expect("the catalogue reads");
-    let mut pages: Vec<Document> = engines.iter().flat_map(|(_, engine)| pages_of(engine)).collect();
-    pages.extend(["reports/examples", "reports/families", "tests/pages"].into_iter().flat_map(pages_of_files));
-    pages.push(report::catalogue_page(&engines));
+    let index = report::catalogue_page(&engines);
+    let pages = pages_of_the_catalogue().iter().chain(pages_of_folders()).flat_map(|(_, pages)| pages);
     let mut missing = BTreeSet::new();
-    for picture in pages.iter().flat_map(Document::pictures) {
+    for picture in pages.chain([&index]).flat_map(Document::pictures) {
         for (english, german) in picture.figure.marks.iter().zip(&Language::De.picture(picture).figure.marks) {
             let (Mark::Text { text: english, .. }, Mark::Text { text: german, .. }) = (english, german) else {
                 continue;

@@ -124,6 +124,7 @@ mod whole_cheats;
 mod support {
     pub mod books;
     pub mod class;
+    pub mod console;
     pub mod decimals;
     pub mod dice;
     pub mod engines;
@@ -131,6 +132,7 @@ mod support {
     pub mod every_verdict;
     pub mod gas_table;
     pub mod german;
+    pub mod golden;
     pub mod hard;
     pub mod imports;
     pub mod linked;
@@ -143,6 +145,7 @@ mod support {
     pub mod plain_search;
     pub mod plane_star;
     pub mod program;
+    pub mod rfc4180;
     pub mod second;
     pub mod side;
     pub mod stiffness;

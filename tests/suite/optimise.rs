@@ -24,6 +24,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use crate::support::dice::Dice;
+use crate::support::program::scratch;
 
 const ENGINES: [&str; 3] = ["thesis-i3", "thesis-v8-flatplane", "thesis-v8-crossplane"];
 const POINTS: usize = 9;
@@ -553,9 +554,7 @@ fn crankstar(arguments: &[&str]) -> Output {
 
 #[test]
 fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
-    let directory = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("optimise");
-    let _ = fs::remove_dir_all(&directory);
-    fs::create_dir_all(&directory).expect("a folder");
+    let directory = scratch("optimise");
     let file = directory.join("i3.toml");
     fs::write(&file, engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS).file().written()).expect("a file");
     let (file, out) = (file.to_str().expect("UTF-8"), directory.join("out"));

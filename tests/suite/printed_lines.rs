@@ -4,6 +4,11 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;
 
+use crankstar::file::{self, Layout};
+use crankstar::page::Format;
+
+use crate::support::pages;
+
 /// Reads the arithmetic that the lines are written in: a small part of TeX.
 struct Reader<'a> {
     rest: &'a str,
@@ -123,10 +128,14 @@ fn every_line_of_every_report_recomputes_as_printed() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/examples");
     let mut checked = 0;
     for folder in fs::read_dir(examples).expect("the examples").map(|entry| entry.expect("an entry").path()) {
-        for name in ["report.md", "report.tex"] {
-            let text = fs::read_to_string(folder.join(name)).expect("a report");
-            let found = lines(&text);
-            assert!(found.len() > 4, "{}/{name} has only {} lines", folder.display(), found.len());
+        let layout = fs::read_to_string(folder.join("layout.toml")).expect("a layout file");
+        let Ok(Layout::Known(engine, open)) = file::parse_layout("layout.toml", &layout) else {
+            panic!("{} is no engine", folder.display())
+        };
+        let page = pages::document_of(&engine, open.as_deref());
+        for format in [Format::GITHUB, Format::Latex] {
+            let found = lines(&pages::text(&page, format));
+            assert!(found.len() > 4, "{} has only {} lines in {format:?}", folder.display(), found.len());
             for (figures, result) in found {
                 let (worked_out, printed) = (Reader::value(&figures), Reader::value(&result));
                 assert!(agrees(worked_out, printed), "{}: {figures} is {worked_out}, not {result}", folder.display());

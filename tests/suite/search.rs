@@ -1,10 +1,10 @@
 //! Does the search find all stars, and the best of them exactly?
 
 use crate::support::plain_search;
+use crate::support::program::scratch;
 use std::collections::BTreeSet;
 use std::fs;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -267,13 +267,6 @@ fn the_file_of_a_found_star_reads_as_its_engine() {
             assert_eq!(engine, read.build().expect("the same engine"), "{problem:?}");
         }
     }
-}
-
-fn scratch(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::support::plain_aims::{Asked, TICKS, whole};
 use crate::support::plain_search::{Star, arrange, of_even_throws};
+use crate::support::program::scratch;
 use crankstar::engine::{Cycle, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file;
@@ -233,10 +234,7 @@ fn a_vee_on_a_grid_is_compared_by_all_its_cylinders_where_its_banks_are_offset()
 
 #[test]
 fn a_search_by_minor_orders_goes_on_from_its_state_file_and_refuses_a_firing_order_of_another_star() {
-    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("search-minor-state");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join("state.shard");
+    let file = scratch("search-minor-state").join("state.shard");
     // Not the same end for end, so that a star and its reversal are two points.
     let shape = [9, 7, 6, 2, 1, -4].map(|value: i64| BigRational::from_integer(value.into()));
     let asked = Problem {

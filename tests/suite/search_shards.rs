@@ -10,12 +10,7 @@ use crankstar::exact::Turn;
 use crankstar::search::{self, Front, Options, Pieces, Problem, SearchError, Way, search};
 use crankstar::shard::{Merged, Shard, Store};
 
-fn scratch(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
+use crate::support::program::scratch;
 
 fn json(front: &Front) -> String {
     serde_json::to_string_pretty(&search::document(front)).expect("a document")

@@ -16,6 +16,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use crate::support::program::scratch;
 use crate::support::{dice, every_form};
 const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
 const V8: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
@@ -448,8 +449,7 @@ fn a_page_counts_in_newtons_where_the_file_gives_all_that_they_need() {
 #[test]
 fn the_command_writes_its_folder_and_ends_with_1_where_it_is_refused() {
     let program = || Command::new(env!("CARGO_BIN_EXE_crankstar"));
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep-v6");
-    let _ = std::fs::remove_dir_all(&folder);
+    let folder = scratch("sweep-v6").join("new");
     let status = program()
         .args(["sweep", "V6-60-shared", "--bank-angle", "0..180:30", "--orders", "1,2", "--output"])
         .arg(&folder)

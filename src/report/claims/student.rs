@@ -14,7 +14,7 @@ pub fn table_finding(of: &StarTable, verdict: &TableVerdict) -> Text {
         TableVerdict::WrongPhase { cylinder, sense, written, right } => {
             let engine: &Engine = &of.layout;
             let cylinder = &engine.cylinders()[*cylinder];
-            debug_assert_eq!(order::phase(cylinder, of.order, Some(*sense)), *right);
+            assert_eq!(order::phase(cylinder, of.order, Some(*sense)), *right);
             phrase!(
                 "The first wrong row is that of cylinder {}: its {} phase is {}, not {}: {} with β = {} and α = {} is {}.",
                 cylinder.name.clone(),

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use crankstar::engine::Engine;
 use crankstar::family;
@@ -38,8 +39,24 @@ pub fn pages_of(engine: &Engine) -> Vec<Document> {
     [Some(pages::document(engine)), remedy, bearings].into_iter().flatten().chain(loads).collect()
 }
 
-/// The pages on the layout files of a folder below this project.
-pub fn pages_of_files(folder: &str) -> Vec<Document> {
+/// The pages on each engine of the catalogue, beside its name; made once, however many tests look at them.
+pub fn pages_of_the_catalogue() -> &'static [(&'static str, Vec<Document>)] {
+    static PAGES: LazyLock<Vec<(&str, Vec<Document>)>> = LazyLock::new(|| {
+        let engines = file::catalogue().expect("the catalogue reads");
+        engines.iter().map(|(entry, engine)| (entry.name, pages_of(engine))).collect()
+    });
+    &PAGES
+}
+
+/// The folders of layout files below this project, each with the pages on them; made once too.
+pub fn pages_of_folders() -> &'static [(&'static str, Vec<Document>)] {
+    static PAGES: LazyLock<Vec<(&str, Vec<Document>)>> = LazyLock::new(|| {
+        ["reports/examples", "reports/families", "tests/pages"].map(|folder| (folder, pages_of_files(folder))).into()
+    });
+    &PAGES
+}
+
+fn pages_of_files(folder: &str) -> Vec<Document> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
     let files = files.map(|path| if path.is_dir() { path.join("layout.toml") } else { path });
