@@ -40,6 +40,7 @@ mod engines_of_the_world;
 mod every_json;
 mod everyday_claims;
 mod examples;
+mod existence;
 mod families;
 mod figure_command;
 mod figures;
