@@ -188,7 +188,7 @@ def groups(engine, quantity, k):
             elif mass.axis:
                 for angle, weight in beside("roll").of_mass(mass, k):
                     add(number, is_zero, mass.get("name"), None, angle, weight * sign)
-    return found or {ONE: (False, {sense: [] for sense in SENSES[quantity]})}
+    return found or {ONE: (True, {sense: [] for sense in SENSES[quantity]})}
 
 def plain(terms):
     return [(angle, weight) for _, angle, weight in terms]
@@ -255,7 +255,7 @@ def check_shape(entry, quantity, k, zeros, left, found):
     """What both vectors of an order leave together: one, the other, or two that are equally long, or not."""
     equal(entry, quantity=quantity, order=k)
     evidence = [key for key in ("certificate", "mirror", "bits") if key in entry]
-    right = {(True, True): "balanced", (False, True): "rotating", (True, False): "counter-rotating",
+    right = "does-not-exist" if all(is_zero for is_zero, _ in found.values()) else {(True, True): "balanced", (False, True): "rotating", (True, False): "counter-rotating",
              (False, False): None}.get(tuple(zeros), "not-decided")
     if right:
         equal(entry, shape=right)

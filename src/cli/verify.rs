@@ -157,12 +157,6 @@ pub fn proved_or_without<D: serde::Serialize>(document: D, without: impl FnOnce(
 
 /// The text, or why `verify` does not take it.
 fn text_of(document: &impl serde::Serialize) -> Result<Result<String, String>, Failure> {
-    let tree = serde_json::to_value(document).map_err(Failure::new)?;
-    if is_beyond_decimals(&tree) {
-        return Err(Failure::new(
-            "a length is beyond the range of decimals; write the masses and lengths in other units",
-        ));
-    }
     let json = super::json(document)?;
     let fault = |why: &dyn std::fmt::Display| {
         Failure::new(format!(
@@ -182,18 +176,5 @@ fn text_of(document: &impl serde::Serialize) -> Result<Result<String, String>, F
             crankstar::proof::Reason::TooManySteps => Ok(Err(error.to_string())),
             crankstar::proof::Reason::Wrong(_) => Err(fault(&error)),
         },
-    }
-}
-
-/// Whether the length of a sum that is not zero has no decimal: JSON writes those that are infinite as null.
-fn is_beyond_decimals(tree: &Value) -> bool {
-    match tree {
-        Value::Array(list) => list.iter().any(is_beyond_decimals),
-        Value::Object(map) => {
-            let is_zero = map.get("vanishes").and_then(Value::as_bool).unwrap_or(false);
-            let beyond = |modulus: &Value| modulus.as_f64().is_none_or(|size| size == 0.0) && !is_zero;
-            map.get("modulus").is_some_and(beyond) || map.values().any(is_beyond_decimals)
-        }
-        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => false,
     }
 }

@@ -53,6 +53,12 @@ pub fn length(vector: Complex<f64>) -> f64 {
     libm::hypot(vector.re, vector.im)
 }
 
+/// The length of a sum that is not zero; not a number where it is beyond the range of floats.
+pub fn length_of(sum: &PhasorSum) -> f64 {
+    let length = length(evaluate(sum));
+    if length.is_normal() { length } else { f64::NAN }
+}
+
 /// The direction of a vector in degrees, in (−180, 180], also where the decimals of one just past half a turn round to it; with the
 /// same last digit on every machine.
 pub fn degrees(vector: Complex<f64>) -> f64 {

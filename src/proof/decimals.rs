@@ -3,6 +3,8 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
+use serde::Serializer;
+use serde::ser::Error;
 
 use super::audit::{Audit, Reason, squared_words, steps_of};
 use super::ball::{Ball, Complex};
@@ -13,6 +15,16 @@ use super::refusal::Refusal;
 /// A decimal for reading; no verdict is made from it.
 #[expect(clippy::disallowed_types, reason = "decimals beside a verdict are shown and never used")]
 pub type Decimal = f64;
+
+/// Writes the length of a sum; one beyond the range of decimals is no number, and no document is written that lacks it.
+pub(super) fn length_in_range<S: Serializer>(length: &Decimal, serializer: S) -> Result<S::Ok, S::Error> {
+    match length.is_finite() {
+        true => serializer.serialize_f64(*length),
+        false => Err(S::Error::custom(
+            "a length is beyond the range of decimals; write the masses and lengths in other units",
+        )),
+    }
+}
 
 /// A correct decimal is off by less than this power of two of itself: a few units in the last place.
 const ACCURACY: u32 = 50;

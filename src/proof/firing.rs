@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::certificate::Certificate;
-use super::decimals::Decimal;
+use super::decimals::{Decimal, length_in_range};
 use super::engine::RodStatement;
 use super::fraction;
 use super::reading::Format;
@@ -81,6 +81,7 @@ pub struct FiringClaim {
     /// The sum, one term per cylinder.
     pub terms: Vec<Vector>,
     /// `|S|`, to a few units in the last place.
+    #[serde(serialize_with = "length_in_range")]
     pub modulus: Decimal,
     /// The direction of S in degrees, in `(−180, 180]`; none where S is zero.
     pub angle_deg: Option<Decimal>,

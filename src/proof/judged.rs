@@ -33,9 +33,13 @@ impl Judged {
         self.quantity.senses().iter().position(|one| *one == sense)
     }
 
+    /// Whether some source has the order, before a coefficient that is not zero.
+    pub fn exists(&self) -> bool {
+        self.groups.iter().any(|group| !group.is_zero)
+    }
+
     /// Whether the order is zero in a sense, the coefficients counted too.
     pub fn vanishes(&self, sense: usize) -> Option<bool> {
-        let no_order = self.groups.iter().all(|group| group.is_zero);
-        if no_order { Some(true) } else { self.wholes[sense] }
+        if self.exists() { self.wholes[sense] } else { Some(true) }
     }
 }

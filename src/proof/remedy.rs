@@ -13,7 +13,7 @@ use super::check::certify;
 use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
-use super::decimals::{Decimal, check_decimals};
+use super::decimals::{Decimal, check_decimals, length_in_range};
 use super::engine::{
     Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_shafts, check_speed, is_once, once,
     own_order, power, rods,
@@ -126,6 +126,7 @@ pub struct WeightPart {
     /// The sum that it stands before, collected.
     pub terms: Vec<Vector>,
     /// The length of this sum, to a few units in the last place.
+    #[serde(serialize_with = "length_in_range")]
     pub modulus: Decimal,
     /// Its direction in degrees, in `(−180, 180]`, as accurate.
     pub angle_deg: Decimal,

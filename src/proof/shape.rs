@@ -29,6 +29,8 @@ pub enum Shape {
     Elliptical,
     /// The sums that the order is made of do not tell.
     NotDecided,
+    /// No source has the order, or all of its numbers are zero.
+    DoesNotExist,
 }
 
 /// The shape of what is left of one order, with the evidence that tells planar from elliptical.
@@ -114,6 +116,7 @@ impl From<ShapeClaim> for WrittenShape {
 /// Checks a shape against both vectors of its order.
 pub(super) fn check_shape(claim: &ShapeClaim, judged: &Judged, motion: &Motion<'_>) -> Result<(), Reason> {
     let right = match judged.wholes[..] {
+        _ if !judged.exists() => Some(Shape::DoesNotExist),
         [Some(true), Some(true)] => Some(Shape::Balanced),
         [Some(false), Some(true)] => Some(Shape::Rotating),
         [Some(true), Some(false)] => Some(Shape::CounterRotating),
@@ -132,7 +135,7 @@ pub(super) fn check_shape(claim: &ShapeClaim, judged: &Judged, motion: &Motion<'
 fn compare(shape: Shape, evidence: Option<&ShapeEvidence>, judged: &Judged, motion: &Motion<'_>) -> Result<(), Reason> {
     let audit = motion.audit();
     match (shape, evidence, alone(judged)) {
-        (Shape::Balanced | Shape::Rotating | Shape::CounterRotating, ..) => {
+        (Shape::Balanced | Shape::Rotating | Shape::CounterRotating | Shape::DoesNotExist, ..) => {
             Err("the shape contradicts the verdicts".into())
         }
         (Shape::Planar | Shape::Elliptical, Some(ShapeEvidence::Certificate(certificate)), Some(group)) => {

@@ -198,7 +198,7 @@ impl<'a> Groups<'a> {
     fn or_empty(self) -> Vec<Group<'a>> {
         match self.list.is_empty() {
             false => self.list,
-            true => vec![Group { coefficient: Coefficient::One, is_zero: false, sources: Vec::new() }],
+            true => vec![Group { coefficient: Coefficient::One, is_zero: true, sources: Vec::new() }],
         }
     }
 }

@@ -9,7 +9,7 @@ use super::audit::{Audit, Reason};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::collected::{Collected, collected, turn};
-use super::decimals::{Decimal, check_decimals};
+use super::decimals::{Decimal, check_decimals, length_in_range};
 use super::engine::{Quantity, Sense};
 use super::fraction;
 
@@ -43,6 +43,7 @@ pub struct VerdictClaim {
     /// The sum, one term per source, before collecting.
     pub terms: Vec<Vector>,
     /// `|S|`, to a few units in the last place.
+    #[serde(serialize_with = "length_in_range")]
     pub modulus: Decimal,
     /// The direction of S in degrees, in `(−180, 180]`, as accurate; none where S is zero.
     pub angle_deg: Option<Decimal>,

@@ -118,8 +118,7 @@ fn whole(order: &OrderVerdict, quantity: Quantity, text: Text) -> Verdict {
                 };
                 Verdict { of: balance.class.as_ref().map(report::class_sources), ..part(balance, quantity, &text) }
             });
-            let shape = if order.exists() { whole.shape } else { Shape::Balanced };
-            Verdict { is_couple, shape: Some(report::shape_name(shape)), parts: parts.collect(), ..verdict }
+            Verdict { is_couple, shape: Some(report::shape_name(whole.shape)), parts: parts.collect(), ..verdict }
         }
     }
 }
@@ -127,7 +126,7 @@ fn whole(order: &OrderVerdict, quantity: Quantity, text: Text) -> Verdict {
 fn part(order: &OrderBalance, quantity: Quantity, text: &Text) -> Verdict {
     let balance: &Balance = if quantity == Quantity::Force { &order.force } else { &order.moment };
     let verdict = Verdict::new(quantity, order.order, order.exists, text);
-    let shape = if order.exists { balance.shape } else { Shape::Balanced };
+    let shape = if order.exists { balance.shape } else { Shape::DoesNotExist };
     Verdict {
         shape: Some(report::shape_name(shape)),
         is_couple: (quantity == Quantity::Moment).then(|| order.moment_is_couple()),

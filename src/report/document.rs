@@ -208,14 +208,11 @@ fn verdict_claim(engine: &Engine, verdict: &Verdict, is_part: bool) -> VerdictCl
     }
 }
 
-/// The length of a star, and its direction in degrees where it has one.
+/// The length of a star, not a number where it is beyond the range of decimals, and its direction in degrees where it has one.
 pub(super) fn decimals(star: JudgedStar<'_>) -> (f64, Option<f64>) {
     match star.vanishes() {
         true => (0.0, None),
-        false => {
-            let sum = numbers::evaluate(star.sum);
-            (numbers::length(sum), Some(numbers::degrees(sum)))
-        }
+        false => (numbers::length_of(star.sum), Some(numbers::degrees(numbers::evaluate(star.sum)))),
     }
 }
 

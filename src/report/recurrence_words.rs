@@ -25,7 +25,7 @@ pub(super) fn statements(engine: &Engine, all: &Recurrences) -> Vec<Text> {
 
 fn order_one(whole: &WholeOrder) -> Text {
     match whole.shape {
-        Shape::Balanced => "Order 1 vanishes.".into(),
+        Shape::Balanced | Shape::DoesNotExist => "Order 1 vanishes.".into(),
         Shape::NotDecided if !whole.is_left() => "Order 1 is not decided.".into(),
         Shape::NotDecided => "Order 1 is left.".into(),
         shape => phrase!("Order 1 is left, {}.", shape_name(shape)),

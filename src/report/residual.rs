@@ -48,6 +48,7 @@ pub fn shape_name(shape: Shape) -> &'static str {
         Shape::Planar => "planar",
         Shape::Elliptical => "elliptical",
         Shape::NotDecided => "not decided",
+        Shape::DoesNotExist => DOES_NOT_EXIST,
     }
 }
 
@@ -124,6 +125,7 @@ pub(super) fn whole_text(whole: &WholeOrder) -> Text {
     let nothing_known = whole.outcomes.contains(&Outcome::Open);
     match whole.shape {
         Shape::Balanced => Text::zero(),
+        Shape::DoesNotExist => DOES_NOT_EXIST.into(),
         Shape::NotDecided if nothing_known => "depends on the rods".into(),
         Shape::NotDecided if !whole.is_left() => "not decided".into(),
         Shape::NotDecided => "not 0".into(),
@@ -135,7 +137,6 @@ pub(super) fn whole_text(whole: &WholeOrder) -> Text {
 pub fn whole(order: &OrderVerdict) -> [Text; 2] {
     match order.parts.as_slice() {
         [only] => [force(only), moment(only)],
-        _ if !order.exists() => [DOES_NOT_EXIST.into(), DOES_NOT_EXIST.into()],
         _ => [&order.force, &order.moment].map(whole_text),
     }
 }

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::residual::{largest, line_bearing, shape_name};
+use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Text, phrase};
 use crate::proof::{Quantity, Shape, ShapeEvidence};
 use crate::verdict::{Balance, Outcome, WholeOrder};
@@ -17,6 +18,7 @@ pub(super) fn sentence(balance: &Balance) -> Text {
         Shape::Planar => planar(balance),
         Shape::Elliptical => elliptical(balance),
         Shape::NotDecided => "Whether the vectors are equally long is not decided.".into(),
+        Shape::DoesNotExist => DOES_NOT_EXIST.into(),
     }
 }
 
@@ -186,7 +188,7 @@ fn reverse_vector(outcome: &Outcome) -> Text {
 /// Its shape, and how that is known; nothing where it vanishes or is not decided.
 fn what_is_left(whole: &WholeOrder) -> Option<Text> {
     let shape = match whole.shape {
-        Shape::Balanced | Shape::NotDecided => return None,
+        Shape::Balanced | Shape::NotDecided | Shape::DoesNotExist => return None,
         shape => shape_name(shape),
     };
     Some(match &whole.evidence {

@@ -146,7 +146,9 @@ fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coef
         moment: Balance::new(&terms, group, Quantity::Moment),
     };
     let parts: Vec<OrderBalance> = groups.iter().map(part).collect();
+    let exists = parts.iter().any(|part| part.exists);
     let whole = |balance: fn(&OrderBalance) -> &Balance| match parts.as_slice() {
+        _ if !exists => WholeOrder::of_none(),
         [only] => of_one(balance(only)),
         several => {
             let of_sense = |sense: usize| -> Vec<Part> {

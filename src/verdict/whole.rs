@@ -90,9 +90,14 @@ impl WholeOrder {
         WholeOrder { outcomes, shape, evidence }
     }
 
+    /// An order that no source has.
+    pub(super) fn of_none() -> Self {
+        WholeOrder { outcomes: [Outcome::Zero, Outcome::Zero], shape: Shape::DoesNotExist, evidence: None }
+    }
+
     /// Whether both vectors are proved to vanish.
     pub fn is_balanced(&self) -> bool {
-        self.shape == Shape::Balanced
+        matches!(self.shape, Shape::Balanced | Shape::DoesNotExist)
     }
 
     /// Whether some vector is proved not to vanish.

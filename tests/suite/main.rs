@@ -38,8 +38,10 @@ mod document_limits;
 mod document_mutations;
 mod documents_verify;
 mod engines_of_the_world;
+mod every_json;
 mod everyday_claims;
 mod examples;
+mod existence;
 mod families;
 mod figure_command;
 mod figures;
@@ -130,6 +132,7 @@ mod support {
     pub mod engines;
     pub mod every_form;
     pub mod every_verdict;
+    pub mod fine;
     pub mod gas_table;
     pub mod german;
     pub mod golden;

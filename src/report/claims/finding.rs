@@ -141,7 +141,7 @@ fn left(name: &Text, order: u32, balance: &Balance) -> Text {
     let (name, shape, largest) = (name.clone(), residual::shape_name(balance.shape), residual::largest(balance));
     let at_angle = "The {} of order {} is {}, its largest value {}, at angle {}.";
     match balance.shape {
-        Shape::Balanced | Shape::NotDecided => {
+        Shape::Balanced | Shape::NotDecided | Shape::DoesNotExist => {
             phrase!("The {} of order {} is {}, its largest value {}.", name, order, shape, largest)
         }
         Shape::Rotating => phrase!(at_angle, name, order, shape, largest, residual::bearing(&balance.direct.sum)),

@@ -97,6 +97,13 @@ pub(in crate::report) struct Worst {
     pub(in crate::report) unit: &'static str,
 }
 
+impl Amount {
+    /// Of an order that does not exist, whatever its sums are.
+    fn of_none() -> Self {
+        Amount { shape: Shape::DoesNotExist, largest: Some(0.0), exact: Some("0".to_owned()) }
+    }
+}
+
 impl CompareDocument {
     /// The same without its proofs, which `verify` then does not take.
     pub fn without_evidence(self) -> Self {
@@ -156,9 +163,11 @@ fn engine(engine: &Compared) -> EngineEntry {
 pub(in crate::report) fn order(order: &OrderVerdict) -> Order {
     let part = |part: &OrderBalance| {
         let of = part.class.as_ref().map(residual::class_sources)?;
+        let amount = |balance| if part.exists { amount(balance) } else { Amount::of_none() };
         Some(Part { of, exists: part.exists, force: amount(&part.force), moment: amount(&part.moment) })
     };
     let whole = |whole: &WholeOrder, balance: fn(&OrderBalance) -> &Balance| match order.parts.as_slice() {
+        _ if !order.exists() => Amount::of_none(),
         [only] => amount(balance(only)),
         _ => Amount {
             shape: whole.shape,

@@ -60,7 +60,9 @@ fn of_shape(document: &Document, claim: &ShapeClaim) -> Result<Option<Theorem>, 
     let (relation, lemma) = match claim.shape {
         Shape::Planar => ("=", "equal_lengths"),
         Shape::Elliptical => ("<>", "unequal_lengths"),
-        Shape::Balanced | Shape::Rotating | Shape::CounterRotating | Shape::NotDecided => return Ok(None),
+        Shape::Balanced | Shape::Rotating | Shape::CounterRotating | Shape::NotDecided | Shape::DoesNotExist => {
+            return Ok(None);
+        }
     };
     let (quantity, order) = (claim.quantity, claim.order);
     let Some(ShapeEvidence::Certificate(certificate)) = &claim.evidence else {

@@ -25,8 +25,8 @@ pub(super) fn of_orders<R>(
 ) {
     table.whole("order", "the order k", |row| order(row).order as usize);
     table.truth("exists", "whether some mass has the order at all", |row| Some(order(row).exists));
-    let force = |row: &R| known(order(row), |order| &order.force);
-    let moment = |row: &R| known(order(row), |order| &order.moment);
+    let force = |row: &R| order(row).force.clone();
+    let moment = |row: &R| order(row).moment.clone();
     amount(table, "force", force);
     table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, LARGEST, |row| force(row).largest);
     table.exact(("{quantity}_exact", "force"), Unit::NONE, EXACT, |row| force(row).exact);
@@ -44,14 +44,6 @@ pub(super) fn of_orders<R>(
     );
 }
 
-/// What is left of an order: nothing of one that does not exist, whatever its sums are.
-fn known(order: &Order, amount: fn(&Order) -> &Amount) -> Amount {
-    match order.exists {
-        true => amount(order).clone(),
-        false => Amount { shape: Shape::Balanced, largest: Some(0.0), exact: Some("0".to_owned()) },
-    }
-}
-
 const LARGEST: &str = "largest length in a revolution, ½(|P⁺| + |P⁻|), for masses that turn and have a row of their own without c_k; empty where several sums with coefficients of their own make up the order, or it depends on the rods";
 const EXACT: &str = "the same in closed form, where one is short enough to read";
 
@@ -63,7 +55,7 @@ fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> 
     );
     table.words(
         ("{quantity}_shape", quantity),
-        "what is left: balanced, rotating, counter-rotating, planar, elliptical, not decided",
+        "what is left: balanced, rotating, counter-rotating, planar, elliptical, not decided; or that the order does not exist",
         |row| Some(shape_name(of(row).shape).to_owned()),
     );
 }
@@ -71,7 +63,7 @@ fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> 
 /// Whether nothing is left. Where the shape is not decided, that something is left may be known all the same: the verdicts of `classify` tell.
 fn vanishes(shape: Shape) -> Option<bool> {
     match shape {
-        Shape::Balanced => Some(true),
+        Shape::Balanced | Shape::DoesNotExist => Some(true),
         Shape::Rotating | Shape::CounterRotating | Shape::Planar | Shape::Elliptical => Some(false),
         Shape::NotDecided => None,
     }

@@ -71,7 +71,7 @@ impl Sizes<'_> {
         [sized, bare, open]: [&'static str; 3],
     ) -> Option<Text> {
         match (whole.shape, self.size(order, whole, quantity)) {
-            (Shape::Balanced, _) => None,
+            (Shape::Balanced | Shape::DoesNotExist, _) => None,
             (Shape::NotDecided, _) if !whole.is_left() => Some(phrase!(open, order.order)),
             (Shape::NotDecided, _) => Some(phrase!(bare, order.order, "not 0")),
             (shape, Some(size)) => Some(phrase!(sized, order.order, size, residual::shape_name(shape))),

@@ -96,14 +96,11 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
 }
 
 fn weight(weight: &Weight) -> WeightClaim {
-    let part = |(factor, sum): (&Factor, &PhasorSum)| {
-        let value = numbers::evaluate(sum);
-        WeightPart {
-            coefficient: coefficient_claim(factor),
-            terms: vectors(&sum.collected()),
-            modulus: value.norm(),
-            angle_deg: numbers::degrees(value),
-        }
+    let part = |(factor, sum): (&Factor, &PhasorSum)| WeightPart {
+        coefficient: coefficient_claim(factor),
+        terms: vectors(&sum.collected()),
+        modulus: numbers::length_of(sum),
+        angle_deg: numbers::degrees(numbers::evaluate(sum)),
     };
     WeightClaim {
         order: weight.order,

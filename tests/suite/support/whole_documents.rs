@@ -254,6 +254,9 @@ fn verdict(quantity: Quantity, order: u32, place: usize, group: &Sums, is_alone:
 
 fn shape(groups: &[Sums], quantity: Quantity, order: u32, wholes: [Option<bool>; 2]) -> (Shape, Option<ShapeEvidence>) {
     match wholes {
+        _ if groups.iter().all(|group| group.is_zero || group.names.iter().all(Vec::is_empty)) => {
+            return (Shape::DoesNotExist, None);
+        }
         [Some(true), Some(true)] => return (Shape::Balanced, None),
         [Some(false), Some(true)] => return (Shape::Rotating, None),
         [Some(true), Some(false)] => return (Shape::CounterRotating, None),
