@@ -1,7 +1,7 @@
 //! How are the points of a class spread?
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::results::{Outcome, StudentResult};
 
@@ -12,8 +12,8 @@ pub struct Distribution {
     pub sheets: usize,
     /// The mean of their points.
     pub mean: BigRational,
-    /// The standard deviation of these points: the root of the mean square of what they are off the mean.
-    pub spread: f64,
+    /// The variance of these points, the square of their standard deviation: the mean square of what they are off the mean.
+    pub variance: BigRational,
     /// The largest points that a sheet could have.
     pub possible: BigRational,
     /// How many sheets have a part of the possible points in each tenth from 0 to 1; what lies between two counts in the upper one, all
@@ -33,13 +33,12 @@ impl Distribution {
         let count = BigRational::from_integer(sheets.len().into());
         let mean = sheets.iter().map(|sheet| sheet.points.clone()).sum::<BigRational>() / &count;
         let off = sheets.iter().map(|sheet| &sheet.points - &mean);
-        let square = off.map(|off| &off * &off).sum::<BigRational>() / count;
+        let variance = off.map(|off| &off * &off).sum::<BigRational>() / count;
         let mut tenths = [0; 10];
         for sheet in &sheets {
             let tenth = (sheet.part() * BigRational::from_integer(10.into())).to_integer().to_usize();
             tenths[tenth.unwrap_or(0).min(9)] += 1;
         }
-        let spread = if square.is_zero() { 0.0 } else { square.to_f64().map_or(f64::NAN, f64::sqrt) };
-        Some(Distribution { sheets: sheets.len(), mean, spread, possible, tenths })
+        Some(Distribution { sheets: sheets.len(), mean, variance, possible, tenths })
     }
 }

@@ -1,7 +1,8 @@
 //! What was handed in, and which tables are in it? Read by what the name of the file ends in.
 
 use super::answers::{Handed, Whose, in_toml};
-use super::{csv, lines, workbook};
+use super::{csv, lines};
+use crate::table;
 use crate::text::decoded;
 
 /// A file that was handed in.
@@ -64,7 +65,7 @@ impl HandedIn {
             None => Err(NO_TABLE.to_owned()),
             Some(Kind::Toml) => in_toml(decoded(&content).0).map(|table| vec![table]),
             Some(Kind::Csv) => lines::in_rows(csv::rows(&decoded(&content).0)),
-            Some(Kind::Workbook) => lines::in_rows(workbook::rows(&content)?),
+            Some(Kind::Workbook) => lines::in_rows(csv::filled(table::workbook_rows(&content)?.into_iter())),
         }
     }
 }

@@ -18,7 +18,6 @@ mod results;
 mod scheme;
 mod students;
 mod vary;
-mod workbook;
 
 pub use convention::{Convention, KEYS, PLANE};
 pub use distribution::Distribution;

@@ -8,6 +8,7 @@ mod csv;
 mod parquet;
 mod stream;
 mod unit;
+mod workbook;
 mod write;
 #[cfg(feature = "xlsx")]
 mod xlsx;
@@ -16,6 +17,7 @@ pub use column::{Column, Kind, Values, filled};
 pub use csv::{csv, from_rows, rows};
 pub use stream::Stream;
 pub use unit::Unit;
+pub use workbook::rows as workbook_rows;
 pub use write::{DataFile, Format, Unwritable};
 
 /// A table: columns of equal length.

@@ -56,12 +56,12 @@ fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSh
 
 /// Mean and spread of the points.
 fn spread(points: &Distribution) -> Text {
-    let no_spread = (points.spread == 0.0).then(|| Form::rational(BigRational::zero()));
+    let no_spread = points.variance.is_zero().then(|| Form::rational(BigRational::zero()));
     phrase!(
         "Points: mean {} of {}, standard deviation {}. Sheets: {}.",
         Amount { exact: Some(Form::rational(points.mean.clone())), decimal: numbers::float(&points.mean) },
         super::student::points(&points.possible),
-        Amount { exact: no_spread, decimal: points.spread },
+        Amount { exact: no_spread, decimal: numbers::float(&points.variance).sqrt() },
         points.sheets
     )
 }

@@ -1,15 +1,19 @@
 //! Which rows has a workbook? Those of its first sheet, numbers to the digits that a spreadsheet shows.
 
-use super::csv::Row;
+/// A row: its number from 1, and its cells.
+type Row = (usize, Vec<String>);
 
-/// The rows of an XLSX file with something on them.
+/// The rows of an XLSX file with something in them.
+///
+/// # Errors
+/// Why it cannot be read.
 #[cfg(not(feature = "xlsx"))]
-pub(super) fn rows(_: &[u8]) -> Result<Vec<Row>, String> {
+pub fn rows(_: &[u8]) -> Result<Vec<Row>, String> {
     Err("this program is built without the feature `xlsx`, which reads workbooks; save the sheet as CSV".to_owned())
 }
 
 #[cfg(feature = "xlsx")]
-pub(super) use read::rows;
+pub use read::rows;
 
 #[cfg(feature = "xlsx")]
 mod read {
@@ -17,7 +21,6 @@ mod read {
 
     use calamine::{DataRef, Reader, Xlsx};
 
-    use super::super::csv::filled;
     use super::Row;
 
     /// Cells beyond this row or column belong to no table of a class.
@@ -26,7 +29,10 @@ mod read {
     /// Significant digits of a number: those behind them are roundings of who calculated it.
     const DIGITS: usize = 12;
 
-    /// The rows of an XLSX file with something on them.
+    /// The rows of an XLSX file with something in them.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
     pub fn rows(bytes: &[u8]) -> Result<Vec<Row>, String> {
         let fail = |error: calamine::XlsxError| format!("this is no workbook that can be read: {error}");
         let mut workbook: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(fail)?;
@@ -52,7 +58,7 @@ mod read {
                 fields[column] = text;
             }
         }
-        Ok(filled(rows.into_iter()))
+        Ok(rows)
     }
 
     /// What a cell says. A date is none of the numbers that a table asks for, though `1/7` became one.
