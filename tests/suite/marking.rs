@@ -449,7 +449,9 @@ fn numbers_of_cells_count_to_twelve_digits_and_dates_are_not_readable() {
     let mut book = rust_xlsxwriter::Workbook::new();
     let sheet_of = book.add_worksheet();
     let header = ["student", "order", "row", "direct", "reverse"];
-    header.iter().enumerate().for_each(|(at, name)| drop(sheet_of.write_string(0, at as u16, *name).expect("a cell")));
+    for (column, name) in (0..).zip(header) {
+        sheet_of.write_string(0, column, name).expect("a cell");
+    }
     for (row, name) in [(1, "sum of forces"), (2, "cylinder 1")] {
         sheet_of.write_string(row, 0, "Ada").expect("a cell");
         sheet_of.write_number(row, 1, 1).expect("a cell");
